@@ -1,17 +1,21 @@
 #include "app/program.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <new>
 #include <sstream>
 #include <vector>
 
 #include "base/image/file.h"
+#include "render/programmable/shader_program.h"
 #include "scene/command/names.h"
 #include "scene/command/text.h"
 
@@ -63,6 +67,17 @@ std::string message_of(const CLI::App& command, const CLI::ParseError& error) {
         }
     }
     return error.what();
+}
+
+// Writes a refused shader to a temporary file: "; its text is in FILE", or nothing if that fails.
+std::string where_kept(std::string_view text) {
+    std::error_code error;
+    std::string file = (std::filesystem::temp_directory_path(error) / "twinlight-refused-XXXXXX").string();
+    const int descriptor = error ? -1 : ::mkstemp(file.data());
+    if (descriptor < 0) return "";
+    const bool written = ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+    ::close(descriptor);
+    return written ? "; its text is in " + one_line(file) : "";
 }
 
 }  // namespace
@@ -156,7 +171,9 @@ int run_reporting_errors(std::string_view program, const std::function<int()>& r
         return fail(fmt::format("{}: {}", program, one_line(error.what())));
     } catch (const FileError& error) {
         return fail(fmt::format("{}: {}", program, one_line(error.what())));
-    } catch (const std::exception& error) {  // errors of the driver, whose log may have several lines
+    } catch (const programmable::ShaderRefused& error) {
+        return fail(fmt::format("{}: {}{}", program, one_line(error.what()), where_kept(error.text)));
+    } catch (const std::exception& error) {  // errors of the driver may have several lines
         std::string lines;
         std::istringstream text(error.what());
         for (std::string line; std::getline(text, line);) lines += (lines.empty() ? "" : "\n") + one_line(line);

@@ -149,14 +149,15 @@ Vec3<Real> unit(Vec3<Real> v, Ruling where_zero) {
     return ruled_zero(where_zero, unit(v));
 }
 
-// (v, w) divided by w. RULING: a point at infinity (w = 0, or a quotient whose square overflows) becomes a point very
-// far away in the same direction, which is the limit. Not for batches.
+// (v, w) divided by w. A point at infinity (w = 0) becomes a point very far away in the same direction, from which all
+// vectors to other points have the direction that 2.14.1 requires; so does a quotient whose square overflows. RULING:
+// its distance is the limit as w goes to 0. Not for batches.
 template <class Real>
 Vec3<Real> divided(Vec3<Real> v, Real w) {
     const Vec3<Real> quotient = v / w, size = magnitudes(quotient);
     constexpr Real kFar = Limits<Real>::big;
     if (size.x <= kFar && size.y <= kFar && size.z <= kFar) return quotient;
-    return ruled(Ruling::kAtInfinity, unit(v) * (w < 0 ? -kFar : kFar));
+    return unit(v) * (w < 0 ? -kFar : kFar);
 }
 
 }  // namespace twinlight::lighting

@@ -201,7 +201,20 @@ bool fog_of_w() {
     return pixel(8, 8)[0] == 0;
 }
 
+// The square has the colour from before the evaluator: blue 255 by the text.
+bool current_values_after_evaluator() {
+    const Both both(
+        "glColor4f(0.25, 0.5, 1, 1);\n"
+        "glMap1f(GL_MAP1_VERTEX_3, 0, 1, 3, 1, (GLfloat[]){-0.5, 0, 0}); glEnable(GL_MAP1_VERTEX_3);\n"
+        "glMap1f(GL_MAP1_COLOR_4, 0, 1, 4, 1, (GLfloat[]){0, 1, 0, 1}); glEnable(GL_MAP1_COLOR_4);\n"
+        "glBegin(GL_POINTS); glEvalCoord1f(0.5); glEnd();\n"
+        "glBegin(GL_QUADS); glVertex2f(-1, -1); glVertex2f(1, -1); glVertex2f(1, 1); glVertex2f(-1, 1); glEnd();");
+    EXPECT_EQ(both.state.attributes().current.color, glm::dvec4(0.25, 0.5, 1, 1));
+    return pixel(8, 8)[2] == 0;
+}
+
 constexpr Departure kDepartures[] = {
+    {"current values after glEvalCoord", current_values_after_evaluator},
     {"fog of a vertex whose w is not 1", fog_of_w},
     {"a single value for a vector parameter", single_value_for_a_vector},
     {"what an inner glPushAttrib does not save", change_within_inner_push},

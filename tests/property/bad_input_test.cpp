@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -13,6 +14,7 @@
 
 #include "../unit/run_program.h"
 #include "base/image/file.h"
+#include "judge/study/study.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
 #include "scene/state/recorded_frame.h"
@@ -113,6 +115,46 @@ TEST(BadInput, Pictures) {
         write_file_atomically(folder / "brick.png", bytes);
         static_cast<void>(load_recording(folder / "bad.gl"));
     });
+}
+
+// apitrace dumps them. What it says differs between its versions.
+TEST(BadInput, Traces) {
+    if (run_shell("", "command -v apitrace").status != 0) GTEST_SKIP() << "apitrace is not installed";
+    const TemporaryFolder folder;
+    check(rows_of("traces"), 60, [&](const std::string& bytes) {
+        write_file_atomically(folder / "bad.trace", bytes);
+        static_cast<void>(make_recorded_frame(load_recording(folder / "bad.trace"),
+                                              {.number = std::nullopt, .width = 16, .height = 16}));
+    });
+}
+
+// Rows with a place and the value that replaces the right one in tests/bad_input/study.json.
+TEST(BadInput, Studies) {
+    const std::string right = read_file("tests/bad_input/study.json");
+    ASSERT_EQ(study::read_study(right, "A.json").points.size(), 2u);
+    const auto with = [&](const std::string& place, const std::string& value) {
+        if (place == "(text)") return value;
+        nlohmann::ordered_json json = nlohmann::ordered_json::parse(right);
+        const nlohmann::ordered_json::json_pointer pointer(place);
+        if (value == "(none)") {
+            json.at(pointer.parent_pointer()).erase(pointer.back());
+            return json.dump();
+        }
+        json.at(pointer) = "@";
+        std::string text = json.dump();
+        return text.replace(text.find("\"@\""), 3, value);  // as it is: JSON has no 1e999
+    };
+    check(rows_of("studies"), 150, [&](const std::string& row) {
+        const std::size_t tab = row.find('\t');
+        try {
+            static_cast<void>(study::read_study(with(row.substr(0, tab), row.substr(tab + 1)), "A.json"));
+        } catch (const std::runtime_error& error) {
+            throw FileError(error.what());
+        }
+    });
+    nlohmann::ordered_json many = nlohmann::ordered_json::parse(right);
+    many["points"] = std::vector<int>(10'001);
+    EXPECT_THROW(study::read_study(many.dump(), "A.json"), std::runtime_error);
 }
 
 TEST(BadInput, CommandLines) {

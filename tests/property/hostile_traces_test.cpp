@@ -67,6 +67,44 @@ TEST_F(HostileTraces, MayHaveLinesOfAnyLength) {
               kPicture);
 }
 
+// GL raises no error for them, so the frame is drawn: with the same finite numbers by all renderers.
+TEST_F(HostileTraces, MayHaveNumbersThatAreNotFinite) {
+    write("dump.txt", kViewport +
+                          "2 glEnable(cap = GL_LIGHTING)\n3 glEnable(cap = GL_LIGHT0)\n"
+                          "4 glLightf(light = GL_LIGHT0, pname = GL_LINEAR_ATTENUATION, param = inf)\n"
+                          "5 glLightfv(light = GL_LIGHT0, pname = GL_POSITION, params = {0, 0, 1, 1})\n"
+                          "6 glMaterialfv(face = GL_FRONT, pname = GL_DIFFUSE, params = {0.5, 0.5, 0.5, nan})\n"
+                          "7 glMaterialfv(face = GL_FRONT, pname = GL_EMISSION, params = {0.5, nan, 0.25, 1})\n"
+                          "8 glLoadMatrixf(m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, nan, 0, 0, 0, 0, 1})\n" +
+                          kTriangle + kSwap);
+    const RecordedFrame recorded =
+        make_recorded_frame(load_recording(folder_ / "dump.txt"), {.number = {}, .width = kSide, .height = kSide});
+    EXPECT_EQ(recorded.error_count, 0u);
+    ASSERT_EQ(recorded.notes.size(), 1u);
+    EXPECT_NE(recorded.notes[0].find("4 of the program's commands up to this frame have NaN or infinity; the first: "),
+              std::string::npos)
+        << recorded.notes[0];
+    EXPECT_NE(recorded.notes[0].find("dump.txt: call 4 (glLightf)."), std::string::npos) << recorded.notes[0];
+
+    const Image fixed = fixed::render(recorded.scene), expected = reference::render(recorded.scene.frame, {}),
+                programmable = shaders()->render(recorded.scene.frame, {}).image;
+    const Rgba& inside = expected.at(19, 12);
+    EXPECT_NEAR(inside[0], 0.5 + 0.2 * 0.2, 1e-6);  // emission and the scene's ambient light; the light is off
+    EXPECT_NEAR(inside[1], 0.2 * 0.2, 1e-6);
+    for (std::size_t c = 0; c < 4; ++c) {
+        EXPECT_NEAR(fixed.at(19, 12)[c], inside[c], 1.01 / 255);
+        EXPECT_NEAR(programmable.at(19, 12)[c], inside[c], 1.01 / 255);
+    }
+
+    // What is exported can be read.
+    const ProgramResult exported = run_program("twinlight", {"export", folder_ / "dump.txt", "--as", "scene"});
+    ASSERT_EQ(exported.status, 0) << exported.err;
+    write("again.gl", exported.out);
+    const auto again = load_recording(folder_ / "again.gl");
+    const Frame frame = make_frame(*again->command_list(), {.width = kSide, .height = kSide});
+    EXPECT_EQ(reference::render(frame, {}).pixels, expected.pixels);
+}
+
 // Recordings of real programs, with one error at a time.
 TEST_F(HostileTraces, AreRealOnesWithMistakes) {
     const std::vector<std::string> replacements = {

@@ -28,11 +28,13 @@ Rgba rounded(const glm::dvec4& color) {
             static_cast<float>(color.a)};
 }
 
-// The index of the Draw counts only Draws of the frame.
-bool is_cleared_after(const Frame& frame, std::size_t draw) {
+// Whether the colours change after the Draw: by a clear, or by glAccum(GL_RETURN). Its index counts only Draws.
+bool is_replaced_after(const Frame& frame, std::size_t draw) {
     std::size_t draws = 0;
     for (const auto& item : frame.items) {
-        if (std::holds_alternative<Clear>(item) && draws > draw) return true;
+        const Accumulate* accumulate = std::get_if<Accumulate>(&item);
+        const bool replaces = std::holds_alternative<Clear>(item) || (accumulate && accumulate->op == kGL_RETURN);
+        if (replaces && draws > draw) return true;
         draws += std::holds_alternative<Draw>(item);
     }
     return false;
@@ -58,7 +60,7 @@ void expect_the_pictures(const Frame& frame, const Options& options, std::mt1993
             last_draw = fragment.draw;
             blended = blended || fragment.after != fragment.color;
         }
-        if (last && !is_cleared_after(frame, last_draw)) {
+        if (last && !is_replaced_after(frame, last_draw)) {
             ASSERT_EQ(*last, picture.at(x, y));
         }
         seen.several += passing > 1;

@@ -158,6 +158,12 @@ class SceneText {
         add("glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, {});\n", enum_name(environment_));
         add("glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, {});\n", vector(4, 0, 1));
         if (chance(0.3)) lod_bias_ = uniform(-1, 1);
+        if (chance(0.3)) add("glTexParameterf({}, GL_TEXTURE_LOD_BIAS, {});\n", target, number(-1, 1));
+        // Not far beyond level 0: the driver rounds the levels that it makes another way.
+        if (chance(0.3))
+            add("glTexParameterf({0}, GL_TEXTURE_MIN_LOD, {1});\nglTexParameterf({0}, GL_TEXTURE_MAX_LOD, {2});\n",
+                target, number(-1, 0), number(0.5, 3));
+        if (mipmaps && chance(0.3)) add("glTexParameteri({}, GL_TEXTURE_MAX_LEVEL, {});\n", target, random_.below(4));
         if (matrix_)
             add("glMatrixMode(GL_TEXTURE);\nglScalef({0}, 1);\nglRotatef({1}, 0, 0, 1);\nglMatrixMode(GL_MODELVIEW);\n",
                 numbers(2, 0.5, 2), number(0, 360));

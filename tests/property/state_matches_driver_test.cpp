@@ -48,12 +48,10 @@ Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter)
         const Enum any = names[static_cast<std::size_t>(random.below(static_cast<int>(names.size())))].value;
         // Of GL 3.0 and 3.1, and the parameters of textures whose values State does not look at.
         const std::set<Enum> not_followed = {
-            kGL_TEXTURE_3D,        kGL_TEXTURE_CUBE_MAP,          kGL_TEXTURE_RECTANGLE,
-            kGL_FRAMEBUFFER_SRGB,  kGL_TEXTURE_CUBE_MAP_SEAMLESS, kGL_TEXTURE_MIN_LOD,
-            kGL_TEXTURE_MAX_LOD,   kGL_TEXTURE_BASE_LEVEL,        kGL_TEXTURE_MAX_LEVEL,
-            kGL_TEXTURE_LOD_BIAS,  kGL_TEXTURE_COMPARE_MODE,      kGL_TEXTURE_COMPARE_FUNC,
-            kGL_ALPHA_SCALE,       kGL_DEPTH_TEXTURE_MODE,        kGL_TEXTURE_MAX_ANISOTROPY_EXT,
-            kGL_PRIMITIVE_RESTART, kGL_RASTERIZER_DISCARD};
+            kGL_TEXTURE_3D,           kGL_TEXTURE_CUBE_MAP,          kGL_TEXTURE_RECTANGLE,
+            kGL_FRAMEBUFFER_SRGB,     kGL_TEXTURE_CUBE_MAP_SEAMLESS, kGL_TEXTURE_COMPARE_MODE,
+            kGL_TEXTURE_COMPARE_FUNC, kGL_DEPTH_TEXTURE_MODE,        kGL_TEXTURE_MAX_ANISOTROPY_EXT,
+            kGL_PRIMITIVE_RESTART,    kGL_RASTERIZER_DISCARD};
         return not_followed.contains(any) ? kGL_NONE : any;
     }
     const std::vector<Enum> faces = {kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK};
@@ -90,8 +88,10 @@ Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter)
                                kGL_LINE_STIPPLE,
                                kGL_DITHER,
                                kGL_STENCIL_TEST,
-                               kGL_TEXTURE_GEN_S});
+                               kGL_TEXTURE_GEN_S,
+                               kGL_TEXTURE_GEN_Q});
     }
+    if (parameter == "coord") return kGL_S + static_cast<Enum>(random.below(4));
     if (parameter == "target") {
         const std::string_view name = signature(id).name;
         if (name == "glHint") return one_of(random, {kGL_FOG_HINT, kGL_LINE_SMOOTH_HINT, kGL_GENERATE_MIPMAP_HINT});
@@ -145,6 +145,9 @@ double random_name(fuzz::Random& random, Enum pname) {
         case kGL_TEXTURE_MIN_FILTER: return one_of(random, {kGL_NEAREST, kGL_LINEAR, kGL_LINEAR_MIPMAP_LINEAR});
         case kGL_TEXTURE_MAG_FILTER: return one_of(random, {kGL_NEAREST, kGL_LINEAR, kGL_NEAREST_MIPMAP_NEAREST});
         case kGL_LIGHT_MODEL_COLOR_CONTROL: return one_of(random, {kGL_SINGLE_COLOR, kGL_SEPARATE_SPECULAR_COLOR});
+        case kGL_TEXTURE_GEN_MODE:
+            return one_of(random,
+                          {kGL_OBJECT_LINEAR, kGL_EYE_LINEAR, kGL_SPHERE_MAP, kGL_REFLECTION_MAP, kGL_NORMAL_MAP});
         case kGL_FOG_COORD_SRC: return kGL_FRAGMENT_DEPTH;
         default: return one_of(random, {kGL_REPEAT, kGL_CLAMP, kGL_CLAMP_TO_EDGE, kGL_MIRRORED_REPEAT, kGL_LINEAR});
     }
@@ -185,10 +188,12 @@ double random_bits(fuzz::Random& random, CommandId id) {
 bool uses_arrays_or_names(const Signature& sig) {
     const bool is_array = sig.name.ends_with("ClientState") || sig.name.ends_with("ClientAttrib") ||
                           sig.name.starts_with("glDrawArrays") || sig.name == "glArrayElement";
+    // Evaluators have a test of their own. Outside glBegin and glEnd glEvalCoord is undefined (2.6.3).
+    if (sig.name.starts_with("glEval")) return true;
     return is_array || std::any_of(sig.parameters.begin(), sig.parameters.end(), [](const Parameter& p) {
-               return p.extent == Extent::kPointer || p.extent == Extent::kOutputByCount ||
-                      p.extent == Extent::kArrayByCount || p.extent == Extent::kNewNames || p.name == "buffer" ||
-                      p.name == "list" || p.name == "base";
+               return p.extent == Extent::kPointer || p.extent == Extent::kControlPoints ||
+                      p.extent == Extent::kOutputByCount || p.extent == Extent::kArrayByCount ||
+                      p.extent == Extent::kNewNames || p.name == "buffer" || p.name == "list" || p.name == "base";
            });
 }
 
@@ -310,7 +315,8 @@ bool is_departure(const Command& command, const State& state) {
     // Of EXT_direct_state_access, which the driver has.
     const auto is_unit = [](Enum mode) { return mode >= kGL_TEXTURE0 && mode <= kGL_TEXTURE0 + 31; };
     if (command.id == CommandId::glMatrixMode && is_unit(command.enumerant(0))) return true;
-    if (command.id == CommandId::glClipPlane && is_inaccurate_plane(state)) return true;
+    const bool is_eye_plane = name.starts_with("glTexGen") && command.enumerant(1) == kGL_EYE_PLANE;
+    if ((command.id == CommandId::glClipPlane || is_eye_plane) && is_inaccurate_plane(state)) return true;
     return name.starts_with("glColor3") && state.attributes().current.color.a != 1;
 }
 
@@ -385,6 +391,11 @@ void expect_same_state(const State& state, const fixed::Driver& driver) {
     }
     for (const ParameterInfo& info : parameter_infos()) {
         std::array<GLfloat, 4> values{};
+        for (Enum coord = kGL_S; info.owner == Owner::kTexGen && coord <= kGL_Q; ++coord) {
+            glGetTexGenfv(coord, info.pname, values.data());
+            expect_near({values.begin(), values.begin() + info.count}, tex_gen_answer(state, coord, info.pname),
+                        enum_name(coord) + " " + enum_name(info.pname));
+        }
         if (info.owner == Owner::kTexEnv || info.owner == Owner::kTexFilterControl) {
             const Enum target = info.owner == Owner::kTexEnv ? kGL_TEXTURE_ENV : kGL_TEXTURE_FILTER_CONTROL;
             glGetTexEnvfv(target, info.pname, values.data());

@@ -3,13 +3,19 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <stdexcept>
+#include <utility>
 
 #include "app/cli/progress.h"
 #include "base/image/file.h"
+#include "base/image/image.h"
+#include "render/context/context.h"
+#include "render/fixed/fixed.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
 #include "scene/state/recorded_frame.h"
@@ -60,10 +66,15 @@ void add_budget_option(CLI::App& app, double& budget) {
         ->default_str("0.5/255");
 }
 
-void add_frame_option(CLI::App& app, std::optional<int>& frame) {
+void add_recorded_options(CLI::App& app, RecordedPart& part) {
     app.add_option_function<int>(
-           "--frame", [&frame](int number) { frame = number; },
+           "--frame", [&part](int number) { part.frame = number; },
            "frame of a recorded program, counted from 0 (default: the first that draws something)")
+        ->type_name("N")
+        ->check(number_from(0, std::numeric_limits<int>::max()));
+    app.add_option_function<int>(
+           "--context", [&part](int number) { part.context = number; },
+           "GL context of a recorded program with several, counted from 0 (default: the one that draws most)")
         ->type_name("N")
         ->check(number_from(0, std::numeric_limits<int>::max()));
 }
@@ -97,6 +108,50 @@ std::size_t without_pixels(const Memory& memory, int width, int height) {
         width, height, static_cast<double>(pixels) / 1e9, static_cast<double>(memory.bytes) / 1e9));
 }
 
+constexpr std::size_t kMostLookedAt = std::size_t{1} << 22;  // pixels
+
+// color_contrast() of the driver's picture; nullopt if it is too large to draw it only for this, or if there is no driver.
+std::optional<float> contrast(const Scene& scene) {
+    const Frame& frame = scene.frame;
+    if (static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height) > kMostLookedAt)
+        return std::nullopt;
+    Image image;
+    try {
+        const std::unique_ptr<OffscreenContext> context = make_offscreen_context(frame.width, frame.height);
+        image = fixed::render(scene);
+    } catch (const std::runtime_error&) {
+        return std::nullopt;
+    }
+    return color_contrast(image);
+}
+
+// The frame that `choice` chooses. If it chooses none, and the first frame that draws is almost of one colour, as at the
+// start of a fade-in, a later frame that is not.
+RecordedFrame frame_to_see(const std::shared_ptr<const Recording>& recording, FrameChoice choice) {
+    constexpr float kLowContrast = 16 / 255.0F;
+    constexpr int kTries = 10;
+    RecordedFrame first = make_recorded_frame(recording, choice);
+    if (choice.number) return first;
+    const auto note = [&](std::string text) { first.notes.push_back(std::move(text)); };
+    const std::optional<float> first_contrast = contrast(first.scene);
+    if (!first_contrast || *first_contrast >= kLowContrast) return first;
+    for (int i = 0, next = 1; i < kTries; ++i, next *= 2) {
+        FrameChoice later = choice;
+        later.number = first.number + next;
+        try {
+            RecordedFrame frame = make_recorded_frame(recording, later);
+            if (contrast(frame.scene).value_or(0) < kLowContrast) continue;
+            frame.notes.push_back(
+                fmt::format("frame {} is almost of one colour; this is frame {}", first.number, frame.number));
+            return frame;
+        } catch (const SceneError&) {  // it draws nothing, or there is no such frame
+        }
+    }
+    note(*first_contrast == 0 ? "the picture is of one colour; --frame chooses another frame"
+                              : "the picture is almost of one colour; --frame chooses another frame");
+    return first;
+}
+
 // Reading up to a late frame may take long, so this shows its progress.
 Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std::optional<Size> size,
                           std::optional<int> number, const Memory& memory) {
@@ -106,12 +161,14 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
         choice.height = size->height;
         choice.memory = without_pixels(memory, size->width, size->height);
     }
+    for (const std::string& note : recording->notes())
+        fmt::print(stderr, "twinlight: note: {}: {}\n", recording->name, one_line(note));
     ProgressBar bar;
     choice.progress = [&](int frames, std::size_t commands) {
         bar.show(fmt::format("reading {}: {} frames, {:.1f} million commands", recording->name, frames,
                              static_cast<double>(commands) / 1e6));
     };
-    RecordedFrame recorded = make_recorded_frame(recording, choice);
+    RecordedFrame recorded = frame_to_see(recording, choice);
     bar.wipe();
     for (const std::string& note : recorded.notes) {
         fmt::print(stderr, "twinlight: note: {}: {}\n", recording->name, one_line(note));
@@ -136,28 +193,39 @@ Scene scene_of(std::shared_ptr<const Recording> commands, std::optional<Size> si
 
 }  // namespace
 
-Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame, const std::string& step,
+float color_contrast(const Image& image) {
+    float most = 0;
+    for (int channel = 0; channel < 3; ++channel) {
+        const auto value = [channel](const Rgba& pixel) { return pixel[channel]; };
+        const auto [least, largest] = std::ranges::minmax(image.pixels, {}, value);
+        most = std::max(most, largest[channel] - least[channel]);
+    }
+    return most;
+}
+
+Scene load_scene(const std::string& name, std::optional<Size> size, const RecordedPart& part, const std::string& step,
                  const Memory& memory) {
     std::shared_ptr<const Recording> recording;
     try {
-        recording =
-            load_recording(name, size ? std::optional(WindowSize{size->width, size->height}) : std::nullopt, step);
+        recording = load_recording(name, size ? std::optional(WindowSize{size->width, size->height}) : std::nullopt,
+                                   step, part.context);
     } catch (const SceneError& error) {
         throw with_gl_errors(error, {});
     }
     const CommandList* commands = recording->command_list();
-    if (!commands) return load_recorded_frame(recording, size, frame, memory);
-    if (frame) {
-        throw UsageError(fmt::format("--frame applies only to recorded programs; '{}' is a scene", name));
+    if (!commands) return load_recorded_frame(recording, size, part.frame, memory);
+    if (part.any()) {
+        throw UsageError(fmt::format("--{} applies only to recorded programs; '{}' is a scene",
+                                     part.frame ? "frame" : "context", name));
     }
     if (!size && commands->window) size = Size{commands->window->width, commands->window->height};
     return scene_of(std::move(recording), size, memory);
 }
 
-std::vector<Scene> load_steps(const std::string& name, std::optional<Size> size, std::optional<int> frame,
+std::vector<Scene> load_steps(const std::string& name, std::optional<Size> size, const RecordedPart& part,
                               const std::string& step, const Memory& memory) {
     std::vector<Scene> scenes;
-    scenes.push_back(load_scene(name, size, frame, step, memory));
+    scenes.push_back(load_scene(name, size, part, step, memory));
     const CommandList* first = scenes.front().recording->command_list();
     if (!first || !step.empty()) return scenes;
     for (std::size_t i = 2; i <= first->steps.size(); ++i)

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/program.h"
+#include "base/image/image.h"
 #include "render/look.h"
 #include "scene/command/command.h"
 #include "scene/state/scene.h"
@@ -57,8 +58,14 @@ void add_budget_option(CLI::App& app, double& budget);
 // For programmable::Options::precise.
 void add_precise_flag(CLI::App& app, bool& precise);
 
-// The frame of a recorded program.
-void add_frame_option(CLI::App& app, std::optional<int>& frame);
+// Which picture of a recorded program.
+struct RecordedPart {
+    std::optional<int> frame{}, context{};  // counted from 0
+
+    bool any() const { return frame || context; }
+};
+// --frame and --context.
+void add_recorded_options(CLI::App& app, RecordedPart& part);
 
 // How much memory a picture may need; see load_scene().
 struct Memory {
@@ -72,12 +79,15 @@ void add_step_option(CLI::App& app, std::string& step, const std::string& defaul
 
 // Loads a scene, or a frame of a recorded program. Throws UsageError or SceneError if drawing it needs more memory than
 // is allowed. Notes about a recording (cut short, GL errors) go to standard error.
-Scene load_scene(const std::string& name, std::optional<Size> size, std::optional<int> frame = std::nullopt,
+Scene load_scene(const std::string& name, std::optional<Size> size, const RecordedPart& part = {},
                  const std::string& step = {}, const Memory& memory = {});
 
 // All steps of a scene with steps, without `step`; otherwise what load_scene() loads.
-std::vector<Scene> load_steps(const std::string& name, std::optional<Size> size, std::optional<int> frame,
+std::vector<Scene> load_steps(const std::string& name, std::optional<Size> size, const RecordedPart& part,
                               const std::string& step, const Memory& memory = {});
+
+// The largest difference of a colour channel between two pixels: 0 for a picture of one colour.
+float color_contrast(const Image& image);
 
 // The default of -o: "lab-report" for the scene lab or dir/lab.gl with the suffix "-report", in the working folder.
 std::string name_after_scene(const std::string& scene, std::string_view suffix);

@@ -24,7 +24,7 @@ struct ExplainArguments {
     std::string scene;
     std::optional<Shading> shading;
     std::optional<Size> size;
-    std::optional<int> frame;
+    RecordedPart part;
     std::string step;
     Memory memory;
     std::string pixel, vertex;
@@ -153,7 +153,7 @@ int run_explain(const ExplainArguments& arguments) {
         throw UsageError("--pixel and --vertex are two questions; give one of them");
     if (!arguments.vertex.empty() && arguments.shading)
         throw UsageError("--shading does not change how a vertex is lit; leave it out, or use --pixel X,Y");
-    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame, arguments.step, arguments.memory);
+    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.part, arguments.step, arguments.memory);
     const PlanOptions options{{.shading = arguments.shading}, arguments.budget};
     const ExplainOptions of_point{options, arguments.json, arguments.all};
     if (!arguments.pixel.empty()) {
@@ -179,7 +179,7 @@ Subcommand add_explain(CLI::App& app) {
     add_scene_argument(*command, arguments->scene);
     add_shading_option(*command, arguments->shading);
     add_size_option(*command, arguments->size);
-    add_frame_option(*command, arguments->frame);
+    add_recorded_options(*command, arguments->part);
     add_step_option(*command, arguments->step);
     add_memory_option(*command, arguments->memory);
     add_budget_option(*command, arguments->budget);

@@ -20,7 +20,7 @@ struct ExportArguments {
     std::string scene;
     std::string form;
     std::optional<Shading> shading;
-    std::optional<int> frame;
+    RecordedPart part;
     std::string step;
     Memory memory;
     bool precise = false;
@@ -96,7 +96,7 @@ void check_usage(const ExportArguments& arguments) {
 int run_export(const ExportArguments& arguments) {
     check_usage(arguments);
     // Loading runs the whole scene, so that a scene with an error is not exported.
-    const Scene scene = load_scene(arguments.scene, {}, arguments.frame, arguments.step, arguments.memory);
+    const Scene scene = load_scene(arguments.scene, {}, arguments.part, arguments.step, arguments.memory);
     programmable::Options options{{{.shading = arguments.shading}}};
     options.precise = arguments.precise;
     const bool to_file = !arguments.output.empty();
@@ -126,7 +126,7 @@ Subcommand add_export(CLI::App& app) {
         ->type_name("c|glsl|html|scene")
         ->check(one_of(kForms));
     add_shading_option(*exporting, arguments->shading);
-    add_frame_option(*exporting, arguments->frame);
+    add_recorded_options(*exporting, arguments->part);
     add_step_option(*exporting, arguments->step);
     add_memory_option(*exporting, arguments->memory);
     add_precise_flag(*exporting, arguments->precise);

@@ -1,4 +1,4 @@
-// twinlight fuzz: compares random scenes across the three renderers.
+// twinlight fuzz: compares random scenes across the three renderers, or with the oracle.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -10,6 +10,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "base/image/file.h"
+#include "judge/fuzz/against_oracle.h"
 #include "judge/fuzz/fuzzer.h"
 #include "judge/report/words.h"
 #include "scene/command/names.h"
@@ -22,8 +23,15 @@ namespace {
 using fuzz::Options;
 using fuzz::Summary;
 
+constexpr const char* kOracle = "oracle";
+const std::map<std::string, const char*> kJudges = {
+    {kOracle, "equations in 60 digits judge the shaders and the reference"},
+    {"renderers", "the three renderers are compared with each other"},
+};
+
 struct FuzzArguments {
     Options options;
+    std::string against = "renderers";
     std::string folder = "fuzz-failures";
     bool json = false;
 };
@@ -37,15 +45,15 @@ std::string minutes(double seconds) {
     return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
-std::string file_of(const FuzzArguments& arguments, const fuzz::Failure& failure) {
-    const std::string name = fmt::format("seed-{}-state-{}.gl", arguments.options.seed, failure.state);
+std::string file_of(const FuzzArguments& arguments, std::uint64_t state) {
+    const std::string name = fmt::format("seed-{}-state-{}.gl", arguments.options.seed, state);
     return (std::filesystem::path(arguments.folder) / name).string();
 }
 
 // Written as soon as it is found, because a long run may be killed.
-void write_failure(const FuzzArguments& arguments, const fuzz::Failure& failure) {
+void write_failure(const FuzzArguments& arguments, std::uint64_t state, const std::string& scene) {
     make_folder(arguments.folder);
-    write_file_atomically(file_of(arguments, failure), fuzz::failure_text(failure, arguments.options));
+    write_file_atomically(file_of(arguments, state), scene);
 }
 
 std::string grouped(long n) { return report::grouped(static_cast<std::size_t>(n)); }
@@ -85,10 +93,10 @@ std::string summary_text(const FuzzArguments& arguments, const Summary& summary,
     }
     text += "\n";
     for (const fuzz::Failure& failure : summary.failures) {
-        text +=
-            fmt::format("scene {}: {}: {}\n  reduced to {} of {} commands: {}\n", failure.state,
-                        failure.pair < fuzz::kPairs ? fuzz::kPairNames.at(failure.pair) : "rejected", failure.what,
-                        failure.scene.commands.size(), failure.commands_before, one_line(file_of(arguments, failure)));
+        text += fmt::format("scene {}: {}: {}\n  reduced to {} of {} commands: {}\n", failure.state,
+                            failure.pair < fuzz::kPairs ? fuzz::kPairNames.at(failure.pair) : "rejected", failure.what,
+                            failure.scene.commands.size(), failure.commands_before,
+                            one_line(file_of(arguments, failure.state)));
     }
     if (summary.failures.empty())
         text += summary.fails() ? "Too many pixels differ by 1/255.\n" : "No unexplained difference.\n";
@@ -126,7 +134,7 @@ std::string summary_json(const FuzzArguments& arguments, const Summary& summary,
         failures.push_back({{"state", failure.state},
                             {"pair", failure.pair < fuzz::kPairs ? fuzz::kPairNames.at(failure.pair) : "refused"},
                             {"what", failure.what},
-                            {"file", file_of(arguments, failure)}});
+                            {"file", file_of(arguments, failure.state)}});
     }
     // File names may hold any bytes.
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
@@ -153,8 +161,101 @@ void check_folder(const std::string& folder) {
     if (!exists) std::filesystem::remove_all(made, ignored);
 }
 
+// Shows what a run has done so far: its progress function, for either kind of run.
+template <class AnySummary>
+auto shown_on(ProgressBar& bar, const FuzzArguments& arguments, std::chrono::steady_clock::time_point start) {
+    return [&bar, &arguments, start](std::uint64_t done, const AnySummary& so_far, const char* doing) {
+        const double seconds = seconds_since(start), rate = static_cast<double>(done) / std::max(seconds, 1e-9);
+        const double left = static_cast<double>(arguments.options.count - done) / std::max(rate, 1e-9);
+        std::string line = doing ? std::string(doing) : fmt::format("{:.0f}/s, {} left", rate, minutes(left));
+        if (!so_far.failures.empty()) line += fmt::format(", {} found", so_far.failures.size());
+        bar.show(static_cast<int>(done), static_cast<int>(arguments.options.count), line);
+    };
+}
+
+// ---- Against the oracle ----
+
+std::string summary_text(const FuzzArguments& arguments, const fuzz::OracleSummary& summary, double seconds) {
+    std::string text = fmt::format(
+        "{} random scenes at the limits of floats, seed {}{}, {} min ({:.0f} per second), checked in 60 digits; "
+        "{} are not in view\n\n",
+        report::grouped(summary.states), arguments.options.seed, summary.broken_off ? " (stopped early)" : "",
+        minutes(seconds), static_cast<double>(summary.states) / std::max(seconds, 1e-9),
+        report::grouped(summary.out_of_view));
+    text += fmt::format("{:<28}  {:>9}  {:>9}  {:>7}\n", "who", "colours", "right", "worst");
+    std::map<std::string, std::map<std::string, long>> reasons;  // by reason, then by who
+    for (const auto& [who, counts] : summary.counts) {
+        const auto right = counts.verdicts.find(fuzz::kRight);
+        text += fmt::format("{:<28}  {:>9}  {:>9}  {:>7.1e}\n", who, grouped(counts.compared()),
+                            grouped(right == counts.verdicts.end() ? 0 : right->second), counts.worst_right);
+        for (const auto& [verdict, count] : counts.verdicts)
+            if (verdict != fuzz::kRight) reasons[verdict][who] = count;
+    }
+    text +=
+        "Right: within 1e-12 of the oracle for doubles, and 3e-5 for floats and shaders, relative to the larger of 1 "
+        "and the sum\nof the terms' magnitudes. The worst difference is that of a right colour.\n";
+    if (!reasons.empty()) text += "\nThe others, by reason:\n";
+    for (const auto& [reason, by_who] : reasons) {
+        text += fmt::format("  {}\n", reason);
+        for (const auto& [who, count] : by_who) text += fmt::format("    {:<26}  {:>9}\n", who, grouped(count));
+    }
+    text += "\n";
+    for (const fuzz::OracleFailure& failure : summary.failures)
+        text += fmt::format("scene {}: {}\n  reduced to {} of {} commands: {}\n", failure.state, failure.what,
+                            failure.scene.commands.size(), failure.commands_before,
+                            one_line(file_of(arguments, failure.state)));
+    if (summary.failures.empty()) text += "No unexplained difference.\n";
+    return text;
+}
+
+std::string summary_json(const FuzzArguments& arguments, const fuzz::OracleSummary& summary, double seconds) {
+    nlohmann::ordered_json json = {{"driver", summary.driver},           {"against", kOracle},
+                                   {"seed", arguments.options.seed},     {"first", arguments.options.first},
+                                   {"count", arguments.options.count},   {"states", summary.states},
+                                   {"out_of_view", summary.out_of_view}, {"seconds", seconds}};
+    auto& results = json["results"] = nlohmann::ordered_json::array();
+    for (const auto& [who, counts] : summary.counts) {
+        nlohmann::ordered_json verdicts = nlohmann::ordered_json::object();
+        for (const auto& [verdict, count] : counts.verdicts) verdicts[verdict] = count;
+        results.push_back({{"name", who},
+                           {"compared", counts.compared()},
+                           {"worst_right", counts.worst_right},
+                           {"verdicts", std::move(verdicts)}});
+    }
+    auto& failures = json["failures"] = nlohmann::ordered_json::array();
+    for (const fuzz::OracleFailure& failure : summary.failures)
+        failures.push_back({{"state", failure.state},
+                            {"name", failure.who},
+                            {"what", failure.what},
+                            {"file", file_of(arguments, failure.state)}});
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+int run_against_oracle(const FuzzArguments& arguments) {
+    const Interrupt interrupt;
+    const auto start = std::chrono::steady_clock::now();
+    fuzz::OracleSummary summary;
+    {
+        ProgressBar bar;
+        fuzz::OracleProgress progress;
+        progress.stop = [] { return Interrupt::came(); };
+        progress.found = [&](const fuzz::OracleFailure& failure) {
+            write_failure(arguments, failure.state, fuzz::failure_text(failure, arguments.options.seed));
+        };
+        progress.show = shown_on<fuzz::OracleSummary>(bar, arguments, start);
+        summary = fuzz::run_against_oracle(
+            {.count = arguments.options.count, .seed = arguments.options.seed, .first = arguments.options.first},
+            progress);
+    }
+    const double seconds = seconds_since(start);
+    write_result(arguments.json ? summary_json(arguments, summary, seconds)
+                                : summary.driver + "\n" + summary_text(arguments, summary, seconds));
+    return summary.failures.empty() ? kFine : kDifferent;
+}
+
 int run_fuzz(const FuzzArguments& arguments) {
     check_folder(arguments.folder);
+    if (arguments.against == kOracle) return run_against_oracle(arguments);
     const Interrupt interrupt;
     const auto start = std::chrono::steady_clock::now();
     Summary summary;
@@ -162,14 +263,10 @@ int run_fuzz(const FuzzArguments& arguments) {
         ProgressBar bar;
         fuzz::Progress progress;
         progress.stop = [] { return Interrupt::came(); };
-        progress.found = [&](const fuzz::Failure& failure) { write_failure(arguments, failure); };
-        progress.show = [&](std::uint64_t done, const Summary& so_far, const char* doing) {
-            const double seconds = seconds_since(start), rate = static_cast<double>(done) / std::max(seconds, 1e-9);
-            const double left = static_cast<double>(arguments.options.count - done) / std::max(rate, 1e-9);
-            std::string line = doing ? std::string(doing) : fmt::format("{:.0f}/s, {} left", rate, minutes(left));
-            if (!so_far.failures.empty()) line += fmt::format(", {} found", so_far.failures.size());
-            bar.show(static_cast<int>(done), static_cast<int>(arguments.options.count), line);
+        progress.found = [&](const fuzz::Failure& failure) {
+            write_failure(arguments, failure.state, fuzz::failure_text(failure, arguments.options));
         };
+        progress.show = shown_on<Summary>(bar, arguments, start);
         summary = fuzz::run(arguments.options, progress);
     }
     const double seconds = seconds_since(start);
@@ -193,7 +290,7 @@ std::string checked_departure(const std::string& text) {
 Subcommand add_fuzz(CLI::App& app) {
     const auto arguments = std::make_shared<FuzzArguments>();
     Options& options = arguments->options;
-    CLI::App* fuzz = app.add_subcommand("fuzz", "Compare random scenes across the three renderers");
+    CLI::App* fuzz = app.add_subcommand("fuzz", "Compare random scenes across the three renderers, or with an oracle");
     const auto most = static_cast<std::uint64_t>(1) << 31;
     fuzz->add_option("--count", options.count, "number of random scenes")
         ->type_name("N")
@@ -208,15 +305,22 @@ Subcommand add_fuzz(CLI::App& app) {
         ->type_name("N")
         ->capture_default_str()
         ->check(number_from(std::uint64_t{0}, most << 20));
+    fuzz->add_option("--against", arguments->against,
+                     "compare the renderers with each other ('renderers'), or the shaders and the reference with "
+                     "equations in 60 digits ('oracle')")
+        ->type_name("JUDGE")
+        ->capture_default_str()
+        ->check(one_of(kJudges));
     CLI::Option* floats_only = fuzz->add_flag_callback(
         "--float-only", [&options] { options.pictures = false; }, "compare only vertex colours, in floats");
-    fuzz->add_flag_callback(
-            "--pictures-only", [&options] { options.floats = false; }, "compare only pictures")
-        ->excludes(floats_only);
-    fuzz->add_option("--lift", options.lifted,
-                     "do not skip this known bug, but look for it (golden/known_differences lists the names)")
-        ->type_name("NAME")
-        ->check(CLI::Validator(checked_departure, ""));
+    CLI::Option* pictures_only = fuzz->add_flag_callback(
+        "--pictures-only", [&options] { options.floats = false; }, "compare only pictures");
+    pictures_only->excludes(floats_only);
+    CLI::Option* lift =
+        fuzz->add_option("--lift", options.lifted,
+                         "do not skip this known bug, but look for it (golden/known_differences lists the names)")
+            ->type_name("NAME")
+            ->check(CLI::Validator(checked_departure, ""));
     fuzz->add_option("-o", arguments->folder, "folder for failing scenes; created if there are any")
         ->type_name("DIR")
         ->capture_default_str()
@@ -226,7 +330,12 @@ Subcommand add_fuzz(CLI::App& app) {
         "Each failure is reduced to the smallest scene that still fails, and saved as a scene file.\n"
         "Ctrl-C stops the run and keeps all failures. GALLIUM_DRIVER=softpipe tests Mesa's other software driver.\n"
         "Exit status: 0 no unexplained difference, 1 an unexplained difference, 2 bad input or usage.");
-    return {fuzz, [arguments] { return run_fuzz(*arguments); }};
+    return {fuzz, [=] {
+                for (const CLI::Option* option : {floats_only, pictures_only, lift})
+                    if (arguments->against == kOracle && option->count() > 0)
+                        throw UsageError(option->get_name() + " does not go with --against oracle");
+                return run_fuzz(*arguments);
+            }};
 }
 
 }  // namespace twinlight::cli

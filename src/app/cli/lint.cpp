@@ -22,7 +22,7 @@ namespace {
 struct LintArguments {
     std::string scene, fix, output;
     std::optional<Size> size;
-    std::optional<int> frame;
+    RecordedPart part;
     std::string step;
     Memory memory;
     bool json = false, rules = false;
@@ -90,7 +90,7 @@ int run_lint(const LintArguments& arguments) {
     if (arguments.scene.empty()) throw UsageError("SCENE is required; see 'twinlight lint --help'");
     if (arguments.fix.empty() != arguments.output.empty())
         throw UsageError("--fix NAME and -o FILE belong together; give both or neither");
-    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame, arguments.step, arguments.memory);
+    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.part, arguments.step, arguments.memory);
     const std::vector<lint::Warning> warnings = lint::lint(scene);
     if (!arguments.fix.empty()) return write_mended(arguments, scene, warnings);
     if (arguments.json) {
@@ -119,7 +119,7 @@ Subcommand add_lint(CLI::App& app) {
     CLI::App* lint = app.add_subcommand("lint", "Find mistakes in a scene's lighting that GL accepts without an error");
     add_scene_argument(*lint, arguments->scene)->required(false);
     add_size_option(*lint, arguments->size);
-    add_frame_option(*lint, arguments->frame);
+    add_recorded_options(*lint, arguments->part);
     add_step_option(*lint, arguments->step);
     add_memory_option(*lint, arguments->memory);
     lint->add_flag("--json", arguments->json, "print one JSON object instead of the text");

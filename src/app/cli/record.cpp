@@ -9,6 +9,8 @@
 #include "app/cli/command_line.h"
 #include "app/cli/interrupt.h"
 #include "scene/command/text.h"
+#include "scene/scenes/load.h"
+#include "scene/state/recorded_frame.h"
 #include "scene/trace/temporary_folder.h"
 
 namespace twinlight::cli {
@@ -32,9 +34,44 @@ std::string advice(const std::string& file, const trace::BusiestFrame& frame) {
     if (!frame.has_swaps) return fmt::format("It never swaps buffers. Its picture: twinlight compare {}\n", file);
     if (frame.frames == 1) return fmt::format("It has one frame. To see it: twinlight compare {}\n", file);
     return fmt::format(
-        "It has {} frames, 0 to {}. Frame {} is worth a look, with {} drawing command{}:\n"
+        "It has {} frames, 0 to {}. Frame {} is worth a look:\n"
         "  twinlight compare {} --frame {}\n",
-        frame.frames, frame.frames - 1, frame.number, frame.draws, frame.draws == 1 ? "" : "s", file, frame.number);
+        frame.frames, frame.frames - 1, frame.number, file, frame.number);
+}
+
+struct RecordingMade {
+    trace::Recorded recorded;
+    std::optional<trace::BusiestFrame> frame;
+};
+
+RecordingMade record_once(const RecordArguments& arguments, std::optional<trace::WindowSystem> window_system) {
+    RecordingMade made{.recorded = trace::record({.command = arguments.command,
+                                                  .trace = arguments.output,
+                                                  .seconds = arguments.seconds,
+                                                  .frames = arguments.frames,
+                                                  .window_system = window_system,
+                                                  .stop_early = [] { return Interrupt::came(); }}),
+                       .frame = std::nullopt};
+    fmt::print(stderr, "{}", made.recorded.output);
+    made.frame = trace::busiest_frame(arguments.output);
+    return made;
+}
+
+// The busiest frame if it can be drawn, else the first that can. Throws SceneError if there is none.
+trace::BusiestFrame frame_that_draws(const std::string& file, const std::optional<trace::BusiestFrame>& busiest) {
+    const std::shared_ptr<const Recording> recording = load_recording(file);
+    trace::BusiestFrame frame = busiest.value_or(trace::BusiestFrame{});
+    try {
+        if (busiest) make_recorded_frame(recording, {.number = frame.number});
+        if (busiest) return frame;
+    } catch (const SceneError&) {  // for example, shaders draw it
+    }
+    try {
+        frame.number = make_recorded_frame(recording, {}).number;
+    } catch (const SceneError& error) {
+        throw SceneError(fmt::format("recorded, but {}; try a larger --seconds or --frames", one_line(error.what())));
+    }
+    return frame;
 }
 
 int run_record(RecordArguments arguments) {
@@ -54,22 +91,25 @@ int run_record(RecordArguments arguments) {
     fmt::print(stderr, "twinlight: note: runs {} for {:g} s, with your rights and without a sandbox; Ctrl-C stops it\n",
                one_line(given), arguments.seconds);
     const Interrupt interrupt;
-    const trace::Recorded recorded = trace::record({.command = arguments.command,
-                                                    .trace = arguments.output,
-                                                    .seconds = arguments.seconds,
-                                                    .frames = arguments.frames,
-                                                    .window_system = arguments.window_system,
-                                                    .stop_early = [] { return Interrupt::came(); }});
-    fmt::print(stderr, "{}", recorded.output);
-    const std::optional<trace::BusiestFrame> frame = trace::busiest_frame(arguments.output);
-    if (!frame) {
-        throw SceneError(fmt::format("{}: recorded, but the program draws nothing; try a larger --seconds",
-                                     one_line(arguments.output)));
+    RecordingMade made = record_once(arguments, arguments.window_system);
+    // Some programs name both window systems.
+    const bool again = !arguments.window_system && !(made.frame && made.frame->has_swaps) && !Interrupt::came() &&
+                       made.recorded.window_system == trace::WindowSystem::kGlx &&
+                       trace::names_egl(arguments.command.front());
+    if (again) {
+        fmt::print(stderr, "twinlight: note: GLX shows no frames; runs {} again with --api egl\n", one_line(given));
+        made = record_once(arguments, trace::WindowSystem::kEgl);
     }
+    const trace::Recorded& recorded = made.recorded;
+    const trace::BusiestFrame frame = frame_that_draws(arguments.output, made.frame);
+    if (!recorded.not_trimmed.empty())
+        fmt::print(stderr, "twinlight: note: {}; keeps the whole recording, whose end may be damaged\n",
+                   one_line(recorded.not_trimmed));
     const std::string file = one_line(arguments.output);
+    for (const std::string& note : frame.notes) fmt::print(stderr, "twinlight: note: {}: {}\n", file, one_line(note));
     write_result(fmt::format("Recording: {}{}{}\n{}", file,
                              recorded.has_own_display ? ", in a display of its own (Xvfb)" : "",
-                             recorded.ended_itself ? ", until the program ended" : "", advice(file, *frame)));
+                             recorded.ended_itself ? ", until the program ended" : "", advice(file, frame)));
     return kFine;
 }
 

@@ -28,7 +28,7 @@ struct RenderArguments {
     std::string renderer;
     std::optional<Shading> shading;
     std::optional<Size> size;
-    std::optional<int> frame;
+    RecordedPart part;
     std::string step;
     Memory memory;
     bool scrubbed = false, baked = false, precise = false;
@@ -108,7 +108,7 @@ int run_render(RenderArguments arguments) {
     if (to_stdout && ::isatty(STDOUT_FILENO) != 0) {
         throw UsageError("-o - would write a PNG to the terminal; redirect standard output or give a file name");
     }
-    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.frame, arguments.step, arguments.memory);
+    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.part, arguments.step, arguments.memory);
     const RendererSet renderers(scene.frame.width, scene.frame.height);
     const std::string png = encode_png(drawn(arguments, scene, renderers));
     if (to_stdout) {
@@ -138,7 +138,7 @@ Subcommand add_render(CLI::App& app) {
         ->check(one_of(kRenderers));
     add_shading_option(*render, arguments->shading);
     add_size_option(*render, arguments->size);
-    add_frame_option(*render, arguments->frame);
+    add_recorded_options(*render, arguments->part);
     add_step_option(*render, arguments->step);
     add_memory_option(*render, arguments->memory);
     add_budget_option(*render, arguments->budget);

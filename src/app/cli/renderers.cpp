@@ -2,7 +2,6 @@
 
 #include "render/fixed/fixed.h"
 #include "render/fixed/queries.h"
-#include "render/reference/reference.h"
 
 namespace twinlight::cli {
 
@@ -11,9 +10,18 @@ RendererSet::RendererSet(int width, int height) : context_(make_offscreen_contex
     functions_.programmable = [this](const Frame& frame, const programmable::Options& options) {
         return programmable_.render(frame, options);
     };
-    functions_.reference = reference::render;
-    functions_.allowed_difference = reference::allowed_difference;
+    functions_.reference = [this](const Frame& frame, const reference::Options& options) {
+        return pictures_of(frame).render(options);
+    };
+    functions_.allowed_difference = [this](const Frame& frame, const reference::Options& options) {
+        return pictures_of(frame).allowed_difference(options);
+    };
     functions_.answers = fixed::answers;
+}
+
+reference::Pictures& RendererSet::pictures_of(const Frame& frame) {
+    if (!pictures_ || &pictures_->frame() != &frame) pictures_.emplace(frame);
+    return *pictures_;
 }
 
 }  // namespace twinlight::cli

@@ -7,6 +7,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "app/cli/command_line.h"
@@ -122,7 +123,7 @@ int run_study(StudyArguments arguments) {
     if (!arguments.merge.empty()) return merge(arguments);
     const std::optional<study::Study> earlier = earlier_study(arguments);
     const Size size = arguments.size.value_or(arguments.quick ? kQuickSize : kSize);
-    const Scene scene = load_scene(arguments.scene, size, std::nullopt, arguments.step);
+    const Scene scene = load_scene(arguments.scene, size, {}, arguments.step);
     const Frame& frame = scene.frame;
     const CommandList* commands = scene.recording->command_list();
     const bool has_slices = commands && study::has_slices(*commands);
@@ -157,16 +158,23 @@ int run_study(StudyArguments arguments) {
 
     const Interrupt interrupt;
     ProgressBar bar;
-    study::Study result = study::run(frame_of, has_slices, renderers.functions(),
-                                     {.extent = arguments.quick ? study::Extent::kQuick : study::Extent::kFull,
-                                      .coverage = about.coverage,
-                                      .seconds = arguments.seconds.value_or(arguments.quick ? kQuickSeconds : kSeconds),
-                                      .earlier = earlier ? &*earlier : nullptr,
-                                      .progress = [&](const study::Progress& progress) {
-                                          bar.show(progress.done, progress.total, progress.next, progress.seconds_left);
-                                          return !Interrupt::came();
-                                      }});
+    std::map<std::string, int> failures;  // by reason
+    study::Study result =
+        study::run(frame_of, has_slices, renderers.functions(),
+                   {.extent = arguments.quick ? study::Extent::kQuick : study::Extent::kFull,
+                    .coverage = about.coverage,
+                    .seconds = arguments.seconds.value_or(arguments.quick ? kQuickSeconds : kSeconds),
+                    .earlier = earlier ? &*earlier : nullptr,
+                    .failed = [&](const study::Choice&, const std::string& reason) { ++failures[reason]; },
+                    .progress =
+                        [&](const study::Progress& progress) {
+                            bar.show(progress.done, progress.total, progress.next, progress.seconds_left);
+                            return !Interrupt::came();
+                        }});
     bar.wipe();
+    for (const auto& [reason, count] : failures)
+        fmt::print(stderr, "twinlight: {} choice{} left out: {}\n", count, count == 1 ? " is" : "s are",
+                   one_line(reason));
     result.scene = about.scene;
     result.fingerprint = about.fingerprint;
     study::Series& series = result.series[0];

@@ -31,8 +31,8 @@ bool sets_light_model(const Command& command, Enum pname) {
 }
 
 bool starts_drawing(const Command& command) {
-    constexpr CommandSet kDrawing = CommandSet::of(
-        {"begin", "rect", "draw_arrays", "call_list", "call_lists", "shape", "quadric_shape", "driver_only_drawing"});
+    constexpr CommandSet kDrawing = CommandSet::of({"begin", "rect", "draw_arrays", "call_list", "call_lists", "shape",
+                                                    "quadric_shape", "eval_mesh", "driver_only_drawing"});
     return kDrawing.contains(command.id);
 }
 
@@ -49,7 +49,7 @@ int scaled_count(int count, int steps) {
 }
 
 bool is_lit_by(const Draw& draw, std::size_t light) {
-    const std::vector<LightSource>& lights = draw.lighting.lights;
+    const LightSources& lights = draw.lighting.lights;
     return light < lights.size() && lights[light].enabled;
 }
 

@@ -92,6 +92,11 @@ std::vector<double> initial_parameter(const Command& command, Owner owner, Enum 
             }
         }
         case Owner::kTexEnv: return pname == kGL_TEXTURE_ENV_COLOR ? std::vector<double>(4, 0.0) : one(kGL_MODULATE);
+        case Owner::kTexGen: {
+            const bool is_known = command.enumerant(0) >= kGL_S && command.enumerant(0) <= kGL_Q;
+            const TexGen gen = TextureBindings{}.tex_gen[is_known ? command.enumerant(0) - kGL_S : 0];
+            return pname == kGL_TEXTURE_GEN_MODE ? one(gen.mode) : components(gen.object_plane);
+        }
         case Owner::kTexFilterControl: return one(0);
         case Owner::kTexture: {
             const Texture texture;

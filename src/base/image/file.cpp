@@ -133,14 +133,15 @@ std::string read_file(const std::string& path, std::size_t max_bytes) {
 
 std::string read_standard_input(std::size_t max_bytes) { return read_rest(STDIN_FILENO, max_bytes, "standard input"); }
 
-void write_files_atomically(const std::vector<FileToWrite>& files) {
+void write_files_atomically(const std::vector<FileToWrite>& files, const std::vector<std::string>& stale) {
     const SignalsBlocked blocked;
     std::vector<PendingFile> pending;
     pending.reserve(files.size());
     for (const auto& [path, bytes] : files) pending.emplace_back(path, bytes);
-    // If the process is killed here, files are missing; new ones never lie beside old ones.
-    if (pending.size() > 1)
-        for (const PendingFile& file : pending) file.remove_old();
+    // If the process is killed here, files are missing, the last one always; new ones never lie beside old ones.
+    if (pending.size() + stale.size() > 1)
+        std::for_each(pending.rbegin(), pending.rend(), [](const PendingFile& file) { file.remove_old(); });
+    for (const std::string& path : stale) ::unlink(path.c_str());
     for (PendingFile& file : pending) file.put_in_place();
 }
 

@@ -31,11 +31,12 @@ struct FileToWrite {
 };
 
 // Writes all files under temporary names, each in its own folder, then renames them. Another program sees either the
-// old file or the new one; of several files, all old ones, all new ones, or for a moment only some of the new ones. If a
-// file cannot be written, none is. Ctrl-C waits until all files are in place. A link is
-// followed; a device or a pipe (/dev/null) is written to directly. Throws FileError, and then leaves no temporary file
-// behind.
-void write_files_atomically(const std::vector<FileToWrite>& files);
+// old file or the new one. Several files are one result: old and new ones never lie side by side, even if the process is
+// killed. As long as the last one exists, the result is whole, old or new. `stale`: files of the old result that the new
+// one lacks; they are removed. If a file cannot be written, none is. Ctrl-C waits until all files are in place. A link
+// is followed; a device or a pipe (/dev/null) is written to directly. Throws FileError, and then leaves no temporary
+// file behind.
+void write_files_atomically(const std::vector<FileToWrite>& files, const std::vector<std::string>& stale = {});
 void write_file_atomically(const std::string& path, std::string_view bytes);
 
 // Makes a folder, with those that it lies in. Returns false if it exists. Throws FileError.

@@ -7,9 +7,12 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <limits>
+#include <stdexcept>
 
 #include "judge/check/variants.h"
 #include "judge/compare/vertex_colors.h"
+#include "judge/oracle/oracle.h"
 #include "render/context/driver_name.h"
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
@@ -189,6 +192,42 @@ void judge_reference(const Case& hard_case, const compare::VertexScene& scene, R
     }
 }
 
+// The expected colours against the oracle's, which evaluates the commands in 60 digits. A case with a command that it does
+// not know, such as a display list, or with a number that is none, is left to the long doubles.
+void judge_expectations(const Case& hard_case, const compare::VertexScene& scene, Result& result) {
+    const auto is_finite = [](double x) { return std::isfinite(x); };
+    const bool all_finite = std::ranges::all_of(hard_case.scene->commands, [&](const Command& command) {
+        return std::ranges::all_of(command.arguments, is_finite);
+    });
+    if (hard_case.expects_error() || !all_finite) return;
+    std::vector<oracle::Vertex> exact, inside;
+    try {
+        exact = oracle::light(*hard_case.scene);
+        // RULING: a cosine at the border of a cone is inside.
+        constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+        inside = oracle::light(*hard_case.scene, {.border = oracle::Border::kInside, .width = kRounding});
+    } catch (const std::invalid_argument&) {
+        return;
+    }
+    for (const Expectation& expected : hard_case.expectations) {
+        const auto vertex = static_cast<std::size_t>(expected.spot.vertex);
+        if (expected.spot.kind != Spot::Kind::kVertex || vertex >= exact.size()) continue;
+        const double tolerance = std::min(float_tolerance(hard_case), kWrittenTolerance);
+        const Right primary{expected.value, expected.value, tolerance};
+        const Seen second = glm::dvec4(expected.secondary, 1);
+        const auto colors = [&](const oracle::Vertex& of) {
+            const oracle::Colors& face = scene.shows_back() ? of.back : of.front;
+            const auto& p = face.primary;
+            const auto& s = face.secondary;
+            return std::pair(glm::dvec4(p[0], p[1], p[2], p[3]), glm::dvec4(s[0], s[1], s[2], 1));
+        };
+        const auto& of = agree(colors(exact[vertex]).first, primary) ? exact[vertex] : inside[vertex];
+        judge_ours(Path::kReference, "60 digits", expected.spot, primary, colors(of).first, result);
+        judge_ours(Path::kReference, "60 digits secondary", expected.spot, {second, second, tolerance},
+                   colors(of).second, result);
+    }
+}
+
 void judge_shaders(const Case& hard_case, const compare::VertexScene& scene, const ShaderVariant& variant,
                    const std::vector<Color>& colors, Result& result) {
     const std::vector<glm::dvec4> of_gl = sums_in_long_double(scene, {});
@@ -335,7 +374,7 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
             CarriedOut given = hard_case.carried_out(compare::kVertexWindow);
             judge_error(hard_case, given.error, results[i]);
             scenes[i] = compare::make_vertex_scene(std::move(given.scene), results[i].error);
-        } catch (const SceneError& refused) {
+        } catch (const std::exception& refused) {
             results[i].error = refused.what();
         }
         if (!scenes[i]) continue;
@@ -354,14 +393,35 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
             [&](const Expectation& expected) { return seen(fixed.at(static_cast<std::size_t>(expected.spot.vertex))); },
             results[i]);
         judge_reference(hard_case, *scenes[i], results[i]);
+        judge_expectations(hard_case, *scenes[i], results[i]);
     }
     for (const ShaderVariant& variant : shader_variants()) {
-        const auto colors = compare::shader_colors(scenes, context_.shaders(), variant.options);
+        const auto colors = shader_colors(scenes, variant, results);
         for (std::size_t i = 0; i < cases.size(); ++i) {
             if (!scenes[i] || (scenes[i]->shows_back() && !compare::knows_faces_of_corners())) continue;
             if (runs(variant, scenes[i]->scene.frame))
                 judge_shaders(cases[i], *scenes[i], variant, colors[i], results[i]);
         }
+    }
+}
+
+// All scenes in one picture; if the shaders cannot draw it, each scene by itself. A scene that fails then is taken out.
+std::vector<std::vector<Color>> Suite::shader_colors(std::vector<std::optional<compare::VertexScene>>& scenes,
+                                                     const ShaderVariant& variant, std::vector<Result>& results) {
+    try {
+        return compare::shader_colors(scenes, context_.shaders(), variant.options);
+    } catch (const std::exception&) {
+        std::vector<std::vector<Color>> colors(scenes.size());
+        for (std::size_t i = 0; i < scenes.size(); ++i) {
+            try {
+                colors[i] =
+                    compare::shader_colors(std::span(&scenes[i], 1), context_.shaders(), variant.options).front();
+            } catch (const std::exception& refused) {
+                results[i].error = refused.what();
+                scenes[i].reset();
+            }
+        }
+        return colors;
     }
 }
 
@@ -386,7 +446,7 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
             for (CasePicture& picture : pictures)
                 result.pictures.emplace_back(fmt::format("{} {}", name_of(picture.path), picture.variant),
                                              std::move(picture.image));
-        } catch (const SceneError& refused) {
+        } catch (const std::exception& refused) {
             result.error = refused.what();
         }
     }

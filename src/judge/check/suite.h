@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "judge/check/case.h"
+#include "judge/check/variants.h"
 #include "judge/compare/shader_context.h"
+#include "judge/compare/vertex_colors.h"
 #include "render/path.h"
 
 namespace twinlight::check {
@@ -46,7 +48,7 @@ struct Result {
     long non_finite = 0;  // NaN or infinite results of the shaders and the reference
     // The largest difference between the shaders and the reference in long double, at the places that the case names.
     double from_long_double = 0;
-    std::string error;  // why GL or a renderer rejects the scene; empty: it does not
+    std::string error;  // why GL, a renderer or the driver rejects the scene; empty: none does
     std::vector<std::pair<std::string, Image>>
         pictures{};  // with the renderer's name; for a case that tests vertices see draw_vertices()
 
@@ -66,6 +68,8 @@ class Suite {
 
   private:
     void run_vertices(std::span<const Case> cases, std::vector<Result>& results);
+    std::vector<std::vector<compare::Color>> shader_colors(std::vector<std::optional<compare::VertexScene>>& scenes,
+                                                           const ShaderVariant& variant, std::vector<Result>& results);
     void run_pictures(std::span<const Case> cases, std::vector<Result>& results);
 
     compare::ShaderContext context_;

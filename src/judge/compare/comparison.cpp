@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <functional>
 #include <utility>
 
 #include "judge/compare/allowances.h"
 #include "judge/compare/departures.h"
+#include "judge/compare/missing.h"
 
 namespace twinlight::compare {
 
@@ -105,6 +108,25 @@ Render render(const PlannedRender& planned, const Scene& scene, const CompareOpt
     return result;
 }
 
+// Draws what Comparison::changed_by_missing needs.
+PixelMask changed_by_missing(const Scene& scene, const Render& fixed, const CompareOptions& options,
+                             const Renderers& renderers) {
+    Scene less{without_missing(scene.recording, scene.frame.unsupported), {}};
+    if (!less.recording) return {};
+    less.frame.width = scene.frame.width;
+    less.frame.height = scene.frame.height;
+    less.frame.lists_called_before_made = scene.frame.lists_called_before_made;
+    return changed_pixels(fixed.image, renderers.fixed(less, {look_of(false, options).shading}));
+}
+
+// Whether only one of the two lacks something that only the fixed function draws.
+bool differ_in_missing(const Comparison& comparison, const Pair& pair) {
+    return std::ranges::any_of(comparison.unsupported, [&](const Unsupported& item) {
+        return item.missing_from == MissingFrom::kFrame &&
+               lacks(comparison.a(pair).path, item) != lacks(comparison.b(pair).path, item);
+    });
+}
+
 }  // namespace
 
 Image Comparison::counterpart(const Pair& pair) const {
@@ -135,6 +157,7 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
         begin_step(planned.name);
         result.renders.push_back(render(planned, scene, options, renderers));
     }
+    result.changed_by_missing = changed_by_missing(scene, result.renders.front(), options, renderers);
     begin_step("edges");
     const auto allowed_of = [&](bool per_pixel) {
         return renderers.allowed_difference(frame, reference::Options{look_of(per_pixel, options)});
@@ -158,9 +181,15 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
         const AllowedDifference& allowed = is_of_drivers(planned) ? of_drivers
                                            : planned.phong        ? of_phong
                                                                   : result.allowed;
-        pair.difference = difference(result.a(pair).image, result.counterpart(pair),
-                                     with_plans(allowed, result.a(pair), result.b(pair),
-                                                result.renders[planned.phong ? kReferencePhong : kReference]));
+        AllowedDifference of_pair = with_plans(allowed, result.a(pair), result.b(pair),
+                                               result.renders[planned.phong ? kReferencePhong : kReference]);
+        pair.difference = difference(result.a(pair).image, result.counterpart(pair), of_pair);
+        if (planned.judged && !result.changed_by_missing.empty() && differ_in_missing(result, pair)) {
+            std::transform(of_pair.edge.begin(), of_pair.edge.end(), result.changed_by_missing.begin(),
+                           of_pair.edge.begin(), std::logical_or<bool>());
+            pair.difference.beyond_allowed =
+                difference(result.a(pair).image, result.counterpart(pair), of_pair).beyond_allowed;
+        }
         if (planned.judged) pair.verdict = judge(result, pair);
         // A large difference in an edge pixel must not make the differences away from edges invisible.
         pair.factor = amplification_for(pair.difference.interior.max);
@@ -169,7 +198,7 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     if (all) result.queries = queries_of(scene, renderers.answers);
     const Driver driver = parse_driver_name(options.driver);
     result.is_listed_driver = is_listed(driver);
-    if (!result.within_tolerance())
+    if (result.verdict() != Verdict::kWithin)
         for (const Departure* departure : known_departures_in(scene, driver))
             result.known_departures.push_back(fmt::format("{} ({})", departure->name, departure->section));
     return result;

@@ -45,7 +45,7 @@ struct Render {
 enum class Verdict : std::uint8_t {
     kWithin,       // within the tolerance
     kBeyond,       // beyond the tolerance
-    kPartial,      // a picture lacks part of the scene; what both pictures show is within the tolerance
+    kPartial,      // a picture lacks part of the scene; where this changes nothing, they are within the tolerance
     kInformative,  // the pictures show different models and are meant to differ, so there is no tolerance
 };
 
@@ -58,6 +58,7 @@ struct Tolerance {
 
 struct Pair {
     std::size_t a = 0, b = 0;  // into Comparison::renders
+    // If a part of the scene is missing from one picture only, beyond_allowed is of the pixels that it does not change.
     ImageDifference difference;
     Verdict verdict = Verdict::kInformative;
     int factor = 1;  // amplification of the difference picture
@@ -76,8 +77,11 @@ struct Comparison {
     std::vector<Pair> pairs;
     AllowedDifference allowed;  // for the per-vertex pictures; the edge mask is shared by all
     std::vector<Unsupported> unsupported;
+    // The pixels that change if the fixed function leaves out what only it draws; empty if this is unknown, or if there
+    // is no such command.
+    PixelMask changed_by_missing{};
     std::vector<SceneWarning> warnings{};  // by the caller; they do not change the verdict
-    // If pictures differ beyond the tolerance: the known bugs of this driver that the scene may trigger, "name (section)".
+    // If pictures differ beyond the tolerance, or are not judged in whole: the known bugs of this driver that the scene may trigger, "name (section)".
     std::vector<std::string> known_departures{};
     bool is_listed_driver = false;  // whether any bugs of this driver are listed
     std::vector<Query> queries{};   // glGet* and glIsEnabled in the scene, and what they return
@@ -89,13 +93,16 @@ struct Comparison {
     Image counterpart(const Pair& pair) const;
     Verdict verdict() const;        // kBeyond if any pair is; else kPartial if any pair is; else kWithin
     bool within_tolerance() const;  // no pair is beyond it
+    // Whether leaving out what only the fixed function draws changes no pixel; false if this is unknown.
+    bool missing_changes_nothing() const;
 };
 
 // ---- The verdict (verdict.cpp) ----
 
 // The verdict for two pictures that show the whole scene.
 Verdict judge(const ImageDifference& difference, const Tolerance& tolerance);
-// The verdict for two pictures that may lack the commands in Comparison::unsupported.
+// The verdict for two pictures that may lack the commands in Comparison::unsupported. If one of them lacks more, the
+// pair's difference is of the pixels in which that changes nothing, if these are known.
 Verdict judge(const Comparison& comparison, const Pair& pair);
 
 // ---- How it is made ----

@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "judge/compare/departure_rules.h"
+#include "render/reference/vertex_stage.h"
 
 namespace twinlight::compare {
 
@@ -139,7 +140,9 @@ bool offsets_borders_out_of_range(const Draw& draw) {
 }
 
 bool has_no_q(const Draw& draw, const Vertex& vertex) {
-    return draw.texture.texture && (draw.texture.texture_matrix * vertex.tex_coord).w <= 1e-6;
+    if (!draw.texture.texture) return false;
+    if (draw.texture.generated.empty()) return (draw.texture.texture_matrix * vertex.tex_coord).w <= 1e-6;
+    return reference::vertex_stage(draw, {&vertex, 1}).front().tex_coord.w <= 1e-6;
 }
 
 bool has_wide_points(const Draw& draw) { return draw.draws_points() && draw.raster.point_size > 1; }

@@ -6,6 +6,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "base/math/normal_matrix.h"
 #include "judge/compare/departure_rules.h"
 
 namespace twinlight::compare {
@@ -102,6 +103,20 @@ bool has_extreme_direction(const Draw& draw, const Vertex& vertex) {
            (leaves_floats(vertex.normal_object) || any_light(draw, [](const LightSource& light) {
                 return light.position_eye.w == 0 && leaves_floats(glm::dvec3(light.position_eye));
             }));
+}
+
+// (n . h)^s for the longest possible n . h, the normal's length, is infinite in floats.
+bool has_overflowing_highlight(const Draw& draw, const Vertex& vertex) {
+    if (!draw.lighting.enabled || draw.lighting.normalize) return false;
+    const glm::dmat3 normal_eye_from_object = normal_matrix(glm::dmat3(draw.eye_from_object));
+    double length = glm::length(normal_eye_from_object * vertex.normal_object);
+    if (draw.lighting.rescale_normal) length /= glm::length(normal_eye_from_object[2]);
+    constexpr double kLargestLogarithm = 85;  // somewhat less than a float's, for rounding
+    return length > 1 && any_material(draw, [&](const Material& front, const Material& back) {
+               const bool two_side = draw.lighting.light_model.two_side;
+               const double shininess = two_side ? std::max(front.shininess, back.shininess) : front.shininess;
+               return shininess * std::log(length) > kLargestLogarithm;
+           });
 }
 
 bool rescales_much(const Draw& draw) {

@@ -43,6 +43,7 @@ bool returns_name(const Command& query) {
         case kGL_RENDER_MODE:
         case kGL_SHADE_MODEL:
         case kGL_TEXTURE_ENV_MODE:
+        case kGL_TEXTURE_GEN_MODE:
         case kGL_TEXTURE_MAG_FILTER:
         case kGL_TEXTURE_MIN_FILTER:
         case kGL_TEXTURE_WRAP_S:

@@ -17,10 +17,17 @@ Verdict judge(const Comparison& comparison, const Pair& pair) {
     const Render &a = comparison.a(pair), &b = comparison.b(pair);
     bool partial = false;
     for (const Unsupported& item : comparison.unsupported) {
-        if (lacks(a.path, item) != lacks(b.path, item)) return Verdict::kPartial;  // a difference may be caused by this
-        partial = partial || lacks(a.path, item);
+        const bool is_known = item.missing_from == MissingFrom::kFrame && !comparison.changed_by_missing.empty();
+        if (is_known && comparison.missing_changes_nothing()) continue;
+        // A difference may be caused by this.
+        if (lacks(a.path, item) != lacks(b.path, item) && !is_known) return Verdict::kPartial;
+        partial = partial || lacks(a.path, item) || lacks(b.path, item);
     }
     return partial && verdict == Verdict::kWithin ? Verdict::kPartial : verdict;
+}
+
+bool Comparison::missing_changes_nothing() const {
+    return !changed_by_missing.empty() && std::ranges::find(changed_by_missing, true) == changed_by_missing.end();
 }
 
 Verdict Comparison::verdict() const {

@@ -15,8 +15,6 @@ using reference::ColorSteps;
 using reference::FogSteps;
 using reference::TextureSteps;
 
-constexpr double kLodLimit = 1000;  // GL_TEXTURE_MIN_LOD and GL_TEXTURE_MAX_LOD
-
 Lines head(std::string what) { return {{Line::Kind::kHeadingOfColors, std::move(what)}}; }
 
 glm::dvec4 clamped_rgba(const glm::dvec4& color) { return glm::clamp(color, 0.0, 1.0); }
@@ -43,10 +41,18 @@ EnvironmentFormulas environment_formulas(Enum env_mode, Enum base_format) {
     return f;
 }
 
-Lines coordinates_lines(const TextureSteps& steps, bool is_exact) {
-    Lines lines = line("s, t, r, q", quadruple(steps.coordinates),
-                       is_exact ? "of this point of the surface, times the texture matrix (2.11.2)"
-                                : "times the texture matrix (2.11.2), interpolated (3.5.1)");
+Lines coordinates_lines(const TextureSteps& steps, const TextureUnit& unit, bool is_exact) {
+    Lines lines;
+    for (const GeneratedCoordinate& one : unit.generated) {
+        const bool is_linear = !one.needs_normal();
+        lines +=
+            line(fmt::format("{}", "strq"[one.coordinate]), enum_name(one.mode),
+                 is_linear ? fmt::format("generated at each vertex (2.11.4), with the plane {}", quadruple(one.plane))
+                           : "generated at each vertex (2.11.4)");
+    }
+    lines += line("s, t, r, q", quadruple(steps.coordinates),
+                  is_exact ? "of this point of the surface, times the texture matrix (2.11.2)"
+                           : "times the texture matrix (2.11.2), interpolated (3.5.1)");
     constexpr double kRounding = 1e-9;  // of the interpolation
     if (std::abs(steps.coordinates.w - 1) > kRounding)
         lines += line("s/q, t/q", fmt::format("({:.5g}, {:.5g})", steps.st.x, steps.st.y), "the place in the texture");
@@ -57,8 +63,10 @@ Lines level_of_detail_lines(const TextureSteps& steps, const Draw& draw) {
     const double bias = draw.texture.lod_bias;
     std::string how = "log2(rho)";
     if (bias != 0) how += fmt::format(" + {:.5g}, GL_TEXTURE_LOD_BIAS", bias);
-    if (std::abs(steps.lambda) == kLodLimit) how += fmt::format(", from -{0} to {0}", kLodLimit);
-    const double limit = reference::magnification_limit(*draw.texture.texture);
+    const Texture& texture = *draw.texture.texture;
+    if (steps.lambda == texture.min_lod) how += fmt::format(", at least {:.5g}, GL_TEXTURE_MIN_LOD", texture.min_lod);
+    if (steps.lambda == texture.max_lod) how += fmt::format(", at most {:.5g}, GL_TEXTURE_MAX_LOD", texture.max_lod);
+    const double limit = reference::magnification_limit(texture);
     return line("rho", fmt::format("{:.5g}", steps.rho),
                 steps.of_point ? "always 1 for a point (3.8.8)" : "texels per pixel, in x or y: the larger (3.8.8)") +
            line("lambda", fmt::format("{:.5g}", steps.lambda), how) +
@@ -86,8 +94,8 @@ Lines texture_lines(const ColorSteps& of, const TextureSteps& steps, const Draw&
     const TextureUnit& unit = draw.texture;
     const Enum format = unit.texture->levels[0].base_format;
     const EnvironmentFormulas formulas = environment_formulas(unit.env_mode, format);
-    Lines lines = head("texture (3.8)") + coordinates_lines(steps, is_exact) + level_of_detail_lines(steps, draw) +
-                  texels_lines(steps, *unit.texture);
+    Lines lines = head("texture (3.8)") + coordinates_lines(steps, draw.texture, is_exact) +
+                  level_of_detail_lines(steps, draw) + texels_lines(steps, *unit.texture);
     lines += color_line("C_s", fmt::format("the sum of weight times texel; A_s is {:.5g}", steps.texel.a),
                         rgb_of(steps.texel));
     lines += color_line("C_f", fmt::format("the colour so far; A_f is {:.5g}", of.primary.a), rgb_of(of.primary));

@@ -40,10 +40,12 @@ Lines place_lines(const Derivation& at) {
     const LitPoint& point = at.point;
     Lines text;
     if (point.position_object) text += line("object", quadruple(*point.position_object), "the vertex as it was sent");
-    const bool w_is_1 = point.position_eye.w == 1;
-    text += line("eye", triple(point.surface.position_eye),
+    const double w = point.position_eye.w;
+    text += line("eye", w == 0 ? quadruple(point.position_eye) : triple(point.surface.position_eye),
                  std::string(point.position_object ? "times the modelview matrix (2.11)" : "interpolated (3.5.1)") +
-                     (w_is_1 ? "" : fmt::format(", divided by w = {:.5g}", point.position_eye.w)));
+                     (w == 1   ? ""
+                      : w == 0 ? "; w = 0: a direction"
+                               : fmt::format(", divided by w = {:.5g}", w)));
     return text;
 }
 

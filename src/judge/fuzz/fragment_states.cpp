@@ -14,7 +14,11 @@ namespace {
 class Builder {
   public:
     explicit Builder(const Seed& seed)
-        : structure_(seed.structure), random_(seed.values), departure_(departure_of(seed, structure_)) {}
+        : structure_(seed.structure),
+          generated_(~seed.structure),
+          random_(seed.values),
+          levels_(seed.structure + 1),
+          departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
         clear("GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
@@ -40,6 +44,7 @@ class Builder {
         if (has_stencil) stencil();
         std::string first = batch();
         if (departure_.empty() && structure_.chance(0.3)) first = solid();
+        if (departure_.empty() && generated_.chance(0.1)) first = evaluated();
         text_ += first;
         if (has_stencil) {  // a pass that shows what the first left in the stencil buffer
             stencil();
@@ -77,6 +82,19 @@ class Builder {
     std::string vector(double low = 0, double high = 1) { return fmt::format("(GLfloat[]){{{}}}", four(low, high)); }
 
     void clear(const char* buffers) { add("glClearColor({}); glClear({});", four(), buffers); }
+
+    // With numbers of its own, so that the rest of the scene does not depend on it.
+    void levels_in_use(const std::string& target, bool has_all) {
+        if (!shows("level of detail of points") && levels_.chance(0.15))
+            add("glTexParameterf({}, GL_TEXTURE_LOD_BIAS, {:.3f});", target, levels_.uniform(-2, 2));
+        if (levels_.chance(0.1))
+            add("glTexParameterf({0}, GL_TEXTURE_MIN_LOD, {1:.3f}); glTexParameterf({0}, GL_TEXTURE_MAX_LOD, {2:.3f});",
+                target, levels_.uniform(-1, 1.5), levels_.uniform(1, 4));
+        if (has_all && levels_.chance(0.1))
+            add("glTexParameteri({}, GL_TEXTURE_MAX_LEVEL, {});", target, levels_.below(4));
+        if (has_all && levels_.chance(0.1))
+            add("glTexParameteri({}, GL_TEXTURE_BASE_LEVEL, {});", target, levels_.below(3));
+    }
 
     // Random texels at every level, so that a wrong level shows.
     void texture() {
@@ -131,10 +149,38 @@ class Builder {
             add("glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, {:.3f});", random_.uniform(1, 3));
         else if (structure_.chance(0.15))
             add("glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, {:.3f});", random_.uniform(-2, 2));
+        levels_in_use(target, !generates);
         if (structure_.chance(0.2))
             add("glMatrixMode(GL_TEXTURE); glTranslatef({:.3f}, {:.3f}, 0); glRotatef({:.1f}, 0, 0, 1);",
                 random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(0, 360));
         add("glEnable({});", target);
+        if (departure_.empty() && generated_.chance(0.2)) generated();
+    }
+
+    // Texture coordinates that GL generates. The eye planes depend on the modelview matrix.
+    void generated() {
+        add("glMatrixMode(GL_MODELVIEW); glPushMatrix(); glTranslatef({0:.3f}, 0, -3); glRotatef({1:.1f}, {0:.3f}, 1, "
+            "0);",
+            generated_.uniform(-1, 1), generated_.uniform(-90, 90));
+        for (const char coordinate : std::string_view("STRQ")) {
+            if (generated_.chance(coordinate == 'Q' ? 0.8 : 0.15)) continue;
+            const char* const modes[] = {"GL_OBJECT_LINEAR", "GL_EYE_LINEAR", "GL_REFLECTION_MAP", "GL_NORMAL_MAP",
+                                         "GL_SPHERE_MAP"};
+            const int most = coordinate == 'Q' ? 2 : coordinate == 'R' ? 4 : 5;
+            add("glTexGeni(GL_{0}, GL_TEXTURE_GEN_MODE, {1}); glEnable(GL_TEXTURE_GEN_{0});", coordinate,
+                modes[generated_.below(most)]);
+            for (const char* plane : {"GL_OBJECT_PLANE", "GL_EYE_PLANE"})
+                add("glTexGenfv(GL_{}, {}, (GLfloat[]){{{:.4f}, {:.4f}, {:.4f}, {:.4f}}});", coordinate, plane,
+                    coordinate == 'Q' ? 0 : generated_.uniform(-0.6, 0.6),
+                    coordinate == 'Q' ? 0 : generated_.uniform(-0.6, 0.6),
+                    coordinate == 'Q' ? 0 : generated_.uniform(-0.3, 0.3), generated_.uniform(0.5, 1.5));
+        }
+        if (generated_.chance(0.3)) add("glEnable({});", generated_.chance(0.5) ? "GL_NORMALIZE" : "GL_RESCALE_NORMAL");
+        add("glPopMatrix();");
+        if (generated_.chance(0.3))
+            add("glMatrixMode(GL_TEXTURE); glScalef({:.3f}, {:.3f}, 1); glRotatef(30, {:.3f}, 1, 0); "
+                "glMatrixMode(GL_MODELVIEW);",
+                generated_.uniform(0.5, 2), generated_.uniform(0.5, 2), generated_.uniform(-1, 1));
     }
 
     bool reaches_behind() const { return shows("exponential fog on primitives that reach behind the eye"); }
@@ -428,6 +474,38 @@ class Builder {
         return text + "glPopMatrix();\n";
     }
 
+    // A Bezier surface, in front of the eye.
+    std::string evaluated() {
+        std::string text = attributes(true, false);
+        text += fmt::format("glPushMatrix(); glTranslatef(0, 0, {:.3f}); glRotatef({:.2f}, {:.3f}, 1, 0.5);\n",
+                            generated_.uniform(-7, -5), generated_.uniform(-180, 180), generated_.uniform(-1, 1));
+        const auto map = [&](const char* target, int size, double low, double high) {
+            const int order_u = 2 + generated_.below(3), order_v = 2 + generated_.below(3);
+            std::string points;
+            for (int i = 0; i < order_u * order_v; ++i)
+                for (int n = 0; n < size; ++n) {
+                    double value = generated_.uniform(low, high);
+                    // The places of a surface's points follow their numbers, so that it does not fold.
+                    if (size == 3 && n == 0) value = 4.0 * (i / order_v) / (order_u - 1) - 2;
+                    if (size == 3 && n == 1) value = 4.0 * (i % order_v) / (order_v - 1) - 2;
+                    points += fmt::format("{}{:.4f}", points.empty() ? "" : ", ", value);
+                }
+            text += fmt::format("glMap2f({0}, 0, 1, {1}, {2}, 0, 1, {3}, {4}, (GLfloat[]){{{5}}}); glEnable({0});\n",
+                                target, size * order_v, order_u, size, order_v, points);
+        };
+        map("GL_MAP2_VERTEX_3", 3, -1, 1);
+        if (generated_.chance(0.5)) map("GL_MAP2_COLOR_4", 4, 0, 1);
+        if (generated_.chance(0.5)) map("GL_MAP2_TEXTURE_COORD_2", 2, -1, 2);
+        if (generated_.chance(0.7)) text += "glEnable(GL_AUTO_NORMAL);\n";
+        text += fmt::format("glMapGrid2f({}, 0, 1, {}, 0, 1);\n", 2 + generated_.below(5), 2 + generated_.below(5));
+        const char* const modes[] = {"GL_FILL", "GL_FILL", "GL_LINE", "GL_POINT"};
+        text +=
+            generated_.chance(0.7)
+                ? fmt::format("glEvalMesh2({}, 0, 2, 0, 2);\n", modes[generated_.below(4)])
+                : "glBegin(GL_TRIANGLES); glEvalCoord2f(0, 0); glEvalCoord2f(1, 0.2); glEvalPoint2(1, 2); glEnd();\n";
+        return text + "glDisable(GL_MAP2_COLOR_4); glDisable(GL_MAP2_TEXTURE_COORD_2); glPopMatrix();\n";
+    }
+
     std::string quadric(double size) {
         if (!has_quadric_) add("GLUquadric* quadric = gluNewQuadric();");
         has_quadric_ = true;
@@ -445,7 +523,7 @@ class Builder {
 
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
-    Random structure_, random_;
+    Random structure_, generated_, random_, levels_;
     std::string_view departure_;
     bool lit_ = false;
     std::string text_;

@@ -137,6 +137,7 @@ class LightingState {
             scaled(glm::dvec3(1e7));
             return add(Id::glEnable, {kGL_RESCALE_NORMAL});
         }
+        if (shows("an overflowing highlight of a long normal")) return scaled(glm::dvec3(0.1));
         switch (structure_.below(5)) {
             case 0: break;
             case 1:  // 2.11.3: normals keep a length other than 1
@@ -212,6 +213,7 @@ class LightingState {
     double shininess(bool front) {
         if (shows("shininess 0 with attenuation or a spot")) return 0;
         if (shows("shininess 0 on one side of two")) return front ? 0 : 5;
+        if (shows("an overflowing highlight of a long normal")) return 128;
         // 0 is rare, because drivers have known bugs there.
         const double any = uniform(0.5, 128);
         const double choices[] = {1, 2, 5, 32, 64, 128, any, any, any, any};
@@ -222,7 +224,10 @@ class LightingState {
     void materials() {
         for (const double face : {kGL_FRONT, kGL_BACK}) {
             for (const double pname : {kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_EMISSION}) {
-                color(Id::glMaterialfv, {face, pname});
+                if (pname == kGL_SPECULAR && shows("an overflowing highlight of a long normal"))
+                    add(Id::glMaterialfv, {face, pname, 0, 0, 0, 1});
+                else
+                    color(Id::glMaterialfv, {face, pname});
             }
             add(Id::glMaterialf, {face, kGL_SHININESS, shininess(face == kGL_FRONT)});
         }

@@ -1,6 +1,7 @@
 // Rules about materials and colours.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "judge/lint/watch.h"
 
@@ -359,7 +360,7 @@ class SetAfterDrawing : public Watch {
                      (front.shininess != front_.shininess && front.shininess != 0);
         } else {
             const auto at = static_cast<std::size_t>(*light_of(command));
-            const LightSource &was = lights_[at], &is = state.lighting().lights[at];
+            const LightSource &was = std::as_const(lights_)[at], &is = state.lighting().lights[at];
             is_new = is.enabled && (is.diffuse != was.diffuse || is.position_eye != was.position_eye ||
                                     is.ambient != was.ambient || is.specular != was.specular);
         }
@@ -387,7 +388,7 @@ class SetAfterDrawing : public Watch {
 
   private:
     Material front_;
-    std::vector<LightSource> lights_;
+    LightSources lights_ = LightingState().lights;
     std::vector<Command> late_;
     std::set<std::pair<int, int>> since_, used_;  // places of commands since the last Draw, and before one
     Place last_;

@@ -58,6 +58,7 @@ Number radians(const Number& degrees) { return degrees * boost::math::constants:
 Number cleaned(const Number& x) { return mp::abs(x) < Number("1e-55") ? Number(0) : x; }
 
 Matrix4 rotation(const Number& angle_deg, const Vector3& axis) {  // 2.11.2
+    if (is_zero(axis)) return identity();                         // undefined
     const Vector3 u = unit(axis);
     const Number c = cleaned(mp::cos(radians(angle_deg))), s = cleaned(mp::sin(radians(angle_deg)));
     Matrix4 m = identity();
@@ -74,16 +75,18 @@ Vector3 cross(const Vector3& a, const Vector3& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-Matrix4 look_at(std::span<const double> a) {  // gluLookAt
-    const Vector3 eye = {a[0], a[1], a[2]};
-    const Vector3 f = unit({Number(a[3]) - eye[0], Number(a[4]) - eye[1], Number(a[5]) - eye[2]});
+Matrix4 translation(const Vector3& by) {
+    Matrix4 m = identity();
+    for (std::size_t i = 0; i < 3; ++i) m[i][3] = by[i];
+    return m;
+}
+
+Matrix4 look_at(std::span<const double> a) {  // gluLookAt's rotation; the translation by -eye follows
+    const Vector3 f = unit({Number(a[3]) - a[0], Number(a[4]) - a[1], Number(a[5]) - a[2]});
     const Vector3 s = unit(cross(f, unit({a[6], a[7], a[8]}))), u = cross(s, f);
-    Matrix4 m = identity(), moved = identity();
-    for (std::size_t j = 0; j < 3; ++j) {
-        m[0][j] = s[j], m[1][j] = u[j], m[2][j] = -f[j];
-        moved[j][3] = -eye[j];
-    }
-    return product(m, moved);
+    Matrix4 m = identity();
+    for (std::size_t j = 0; j < 3; ++j) m[0][j] = s[j], m[1][j] = u[j], m[2][j] = -f[j];
+    return m;
 }
 
 // ---- Normals: n' = n M^-1 (2.11.3) ----
@@ -158,25 +161,38 @@ class Machine {
         for (Number& x : v) x = value(x);
         return v;
     }
-    Matrix4 modelview() {
-        Matrix4 m = modelviews_.back();
+    Matrix4 rounded(Matrix4 m) {
         for (Vector4& row : m)
             for (Number& x : row) x = perturbed(x, options_.matrix_rounding);
         return m;
     }
+    Matrix4 modelview() { return rounded(modelviews_.back()); }
 
     // ---- The equation (2.14.1) ----
 
     struct Towards {
-        Vector3 dir;
-        Number distance;
+        Vector3 dir{};
+        Number distance = 0;
         bool is_infinite = false;
+        Number uncertainty = 0;  // of the direction, from value_rounding
     };
     // The vector from p1 to p2, which are homogeneous: the unit vector, and its length before.
-    static Towards towards(const Vector4& p1, const Vector4& p2) {
+    Towards towards(const Vector4& p1, const Vector4& p2) const {
         if (p1[3] != 0 && p2[3] != 0) {
-            const Vector3 v = plus(times(1 / p2[3], xyz(p2)), times(-1 / p1[3], xyz(p1)));
-            return {unit(v), length(v)};
+            const Vector3 from = times(1 / p1[3], xyz(p1)), to = times(1 / p2[3], xyz(p2));
+            Vector3 v = plus(to, times(-1, from));
+            // What rounding may add to each end.
+            const Number share = 2 * Number(options_.value_rounding),
+                         slack = share * std::max(length(from), length(to));
+            for (std::size_t i = 0; i < 3 && options_.border == Border::kInside; ++i)
+                if (mp::abs(v[i]) < share * std::max(Number(mp::abs(from[i])), Number(mp::abs(to[i])))) v[i] = 0;
+            Towards result{unit(v), length(v)};
+            if (slack == 0 || result.distance == 0) return result;
+            result.uncertainty = std::min(Number(slack / result.distance), Number(2));
+            if (options_.border == Border::kInside)
+                result.distance = std::max(Number(result.distance - slack), Number(0));
+            if (options_.border == Border::kOutside) result.distance += slack;
+            return result;
         }
         if (p1[3] == 0 && p2[3] == 0) return {unit(plus(xyz(p2), times(-1, xyz(p1)))), 0, true};
         if (p2[3] == 0) return {unit(xyz(p2)), 0, true};
@@ -198,17 +214,20 @@ class Machine {
     }
 
     // a >= b, where rounding may decide.
-    bool reaches(const Number& a, const Number& b, const Number& scale) const {
-        if (options_.border != Border::kExact && mp::abs(a - b) <= options_.width * scale)
-            return options_.border == Border::kInside;
+    bool is_border(const Number& difference, const Number& scale, const Number& uncertainty) const {
+        return options_.border != Border::kExact && mp::abs(difference) <= (options_.width + uncertainty) * scale;
+    }
+    bool reaches(const Number& a, const Number& b, const Number& scale, const Number& uncertainty) const {
+        if (is_border(a - b, scale, uncertainty)) return options_.border == Border::kInside;
         return a >= b - Number("1e-45") * scale;
     }
 
-    Number spot(const LightState& light, const Vector3& vp) {
+    Number spot(const LightState& light, const Towards& vp) {
         if (light.cutoff_deg == 180) return 1;
-        const Number cosine = -dot(vp, value(unit(light.spot_direction_eye)));
+        const Number cosine = -dot(vp.dir, value(unit(light.spot_direction_eye)));
         const Number cos_cutoff = cleaned(mp::cos(radians(light.cutoff_deg)));
-        if (!reaches(cosine, cos_cutoff, 1)) return 0;  // RULING: a cone of 90 degrees is dark behind the light
+        if (!reaches(cosine, cos_cutoff, 1, vp.uncertainty))
+            return 0;  // RULING: a cone of 90 degrees is dark behind the light
         return power(cosine, light.exponent);
     }
 
@@ -227,17 +246,17 @@ class Machine {
             if (!light.enabled) continue;
             Towards vp = towards(v, value_of_position(light.position_eye));
             vp.dir = value(vp.dir);
-            const Number reach = attenuation(light, vp) * spot(light, vp.dir);
+            const Number reach = attenuation(light, vp) * spot(light, vp);
             add(primary, reach, material.ambient, light.ambient);
             const Number n_dot_vp = dot(n, vp.dir);
             add(primary, reach * std::max(n_dot_vp, Number(0)), material.diffuse, light.diffuse);
             // f_i: n . VP is not 0, where . means max(..., 0).
             const Number scale = length(n);
-            const bool behind = options_.border != Border::kExact && mp::abs(n_dot_vp) <= options_.width * scale
-                                    ? options_.border == Border::kOutside
-                                    : n_dot_vp <= Number("1e-45") * scale;
+            const bool behind = is_border(n_dot_vp, scale, vp.uncertainty) ? options_.border == Border::kOutside
+                                                                           : n_dot_vp <= Number("1e-45") * scale;
             if (behind) continue;
-            const Vector3 h = unit(plus(vp.dir, vpe));
+            const Vector3 sum = plus(vp.dir, vpe), h = unit(sum);
+            shortest_half_vector_ = std::min(shortest_half_vector_, length(sum).convert_to<double>());
             add(separate_ ? secondary : primary,
                 reach * power(std::max(Number(dot(n, h)), Number(0)), material.shininess), material.specular,
                 light.specular);
@@ -275,12 +294,18 @@ class Machine {
     }
 
     void vertex(const Vector4& position) {
-        const Vector4 v = value(transformed(modelview(), position));
+        Matrix4 m = modelview();
+        // Without an inverse that keeps w, only eye coordinates in floats can be used, from a matrix in floats.
+        const bool keeps_w = m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 && modelviews_.back()[3][3] == 1;
+        for (std::size_t i = 0; i < 4 && !keeps_w; ++i) m[i] = value(m[i]);
+        const Vector4 v = value(transformed(m, position));
         const Vector3 n = normal_eye();
         Vertex result;
         for (std::size_t i = 0; i < 4; ++i) result.position_eye[i] = v[i].convert_to<double>();
+        shortest_half_vector_ = 2;
         result.front = lit(v, n, materials_[0]);
-        result.back = lit(v, times(-1, n), materials_[1]);
+        if (two_side_) result.back = lit(v, times(-1, n), materials_[1]);
+        result.shortest_half_vector = shortest_half_vector_;
         vertices_.push_back(result);
     }
 
@@ -369,7 +394,7 @@ class Machine {
         switch (command.enumerant(0)) {
             case kGL_LIGHT_MODEL_AMBIENT: scene_ambient_ = vector4(values); break;
             case kGL_LIGHT_MODEL_LOCAL_VIEWER: local_viewer_ = values[0] != 0; break;
-            case kGL_LIGHT_MODEL_TWO_SIDE: break;  // both faces are lit anyway
+            case kGL_LIGHT_MODEL_TWO_SIDE: two_side_ = values[0] != 0; break;
             case kGL_LIGHT_MODEL_COLOR_CONTROL: separate_ = values[0] == kGL_SEPARATE_SPECULAR_COLOR; break;
             default: throw std::invalid_argument("the oracle does not know this light model parameter");
         }
@@ -388,7 +413,7 @@ class Machine {
             throw std::invalid_argument("the oracle does not know this capability");
     }
 
-    void multiply(const Matrix4& by) { set_matrix(product(modelviews_.back(), by)); }
+    void multiply(const Matrix4& by) { set_matrix(product(modelview(), rounded(by))); }
     void set_matrix(const Matrix4& m) {
         if (is_modelview_) modelviews_.back() = m;  // projections do not change a vertex's light
     }
@@ -422,9 +447,7 @@ class Machine {
         set({"glMultTransposeMatrixf", "glMultTransposeMatrixd"},
             [](Machine& m, const Command& c) { m.multiply(matrix(c.arguments, true)); });
         set({"glTranslatef", "glTranslated"}, [](Machine& m, const Command& c) {
-            Matrix4 t = identity();
-            for (std::size_t i = 0; i < 3; ++i) t[i][3] = c.number(i);
-            m.multiply(t);
+            m.multiply(translation({c.number(0), c.number(1), c.number(2)}));
         });
         set({"glScalef", "glScaled"}, [](Machine& m, const Command& c) {
             Matrix4 t = identity();
@@ -434,7 +457,10 @@ class Machine {
         set({"glRotatef", "glRotated"}, [](Machine& m, const Command& c) {
             m.multiply(rotation(c.number(0), {c.number(1), c.number(2), c.number(3)}));
         });
-        set({"gluLookAt"}, [](Machine& m, const Command& c) { m.multiply(look_at(c.arguments)); });
+        set({"gluLookAt"}, [](Machine& m, const Command& c) {
+            m.multiply(look_at(c.arguments));
+            m.multiply(translation({-c.number(0), -c.number(1), -c.number(2)}));
+        });
         set({"glPushMatrix"}, [](Machine& m, const Command&) {
             if (m.is_modelview_) m.modelviews_.push_back(m.modelviews_.back());
         });
@@ -470,7 +496,8 @@ class Machine {
     std::array<LightState, 8> lights_{};
     std::array<MaterialState, 2> materials_{};  // front, back
     Vector4 scene_ambient_{0.2, 0.2, 0.2, 1};
-    bool local_viewer_ = false, separate_ = false, normalize_ = false, rescale_ = false;
+    double shortest_half_vector_ = 2;
+    bool local_viewer_ = false, separate_ = false, two_side_ = false, normalize_ = false, rescale_ = false;
     bool color_material_ = false;
     Enum color_face_ = kGL_FRONT_AND_BACK, color_mode_ = kGL_AMBIENT_AND_DIFFUSE;
     Vector4 color_{1, 1, 1, 1};

@@ -17,19 +17,20 @@ namespace twinlight::oracle {
 // Where a comparison of 2.14.1 is within `width` of equality, rounding decides it: PV . s and cos(cutoff), n . VP and 0.
 enum class Border : std::uint8_t {
     kExact,    // the comparison in all digits
-    kInside,   // counts as inside the cone, and as lit from the front
-    kOutside,  // counts as outside, and as lit from behind
+    kInside,   // counts as inside the cone, and as lit from the front; lights are as near as value_rounding allows
+    kOutside,  // counts as outside, and as lit from behind; lights are as far away
 };
 
 // How an evaluation may differ from the exact one. It shows how much a result depends on rounding.
 struct Options {
     Border border = Border::kExact;
     double width = 0;  // cosines this near count as equal, relative to the lengths of the vectors
-    // Relative errors, with random signs: of the modelview matrix as it transforms anything; and of each value that a shader gets
-    // or stores as a float (matrices, lights' positions, eye coordinates, normals, attenuation factors).
+    // Relative errors, with random signs: of matrices where they are multiplied; and of each value that a shader gets or stores as a float (matrices, lights' positions, eye coordinates, normals, attenuation factors).
     double matrix_rounding = 0, value_rounding = 0;
     std::uint64_t seed = 0;     // of the signs
     bool unit_normals = false;  // as with GL_NORMALIZE, which lighting per pixel implies
+
+    friend bool operator==(const Options&, const Options&) = default;
 };
 
 // The colours of one face of a vertex, before the clamp of 2.14.6. Infinite where a double has no such number.
@@ -40,8 +41,9 @@ struct Colors {
 };
 
 struct Vertex {
-    Colors front, back;
+    Colors front, back;  // back: only with GL_LIGHT_MODEL_TWO_SIDE
     std::array<double, 4> position_eye{};
+    double shortest_half_vector = 2;  // the least length of VP + VPe of all lights
 };
 
 // The vertices after the last glBegin, in order. Throws std::invalid_argument for a command that it does not know.

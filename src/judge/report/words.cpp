@@ -82,20 +82,46 @@ const Pair* worst_pair(const Comparison& comparison, Verdict verdict, RegionDiff
     return worst;
 }
 
+void add_known_departures(const Comparison& comparison, Answer& answer) {
+    const Driver driver = parse_driver_name(comparison.driver);
+    for (const std::string& departure : comparison.known_departures)
+        answer.details.push_back(
+            fmt::format("A known bug of {} in {} may be the cause: {}. See golden/known_differences.", driver.name,
+                        driver.version, departure));
+}
+
+std::size_t changed_by_missing(const Comparison& comparison) {
+    return static_cast<std::size_t>(std::ranges::count(comparison.changed_by_missing, true));
+}
+
 Answer partial_answer(const Comparison& comparison) {
     const std::size_t kinds = comparison.unsupported.size();
-    return {fmt::format("The comparison is partial: {} not drawn by every renderer.",
-                        kinds == 1 ? "one kind of command is" : fmt::format("{} kinds of commands are", kinds)),
-            fmt::format("The first is {} at {}. Pictures that lack the same commands agree; between others, the "
-                        "missing commands may cause any difference.",
-                        comparison.unsupported.front().name, comparison.unsupported.front().first.str()),
-            {}};
+    const Unsupported& first = comparison.unsupported.front();
+    const bool is_known = !comparison.changed_by_missing.empty();
+    Answer answer{fmt::format("The comparison is partial: {} not drawn by every renderer.",
+                              kinds == 1 ? "one kind of command is" : fmt::format("{} kinds of commands are", kinds)),
+                  fmt::format("The first is {} at {}. {}", first.name, first.first.str(),
+                              is_known ? "Where leaving them out changes no pixel of the fixed function, the pictures "
+                                         "agree."
+                                       : "Pictures that lack the same commands agree; between others, the missing "
+                                         "commands may cause any difference."),
+                  {}};
+    if (is_known) {
+        answer.details.push_back(fmt::format("They change {} of {} pixels.", grouped(changed_by_missing(comparison)),
+                                             grouped(comparison.changed_by_missing.size())));
+    } else {
+        add_known_departures(comparison, answer);
+    }
+    return answer;
 }
 
 Answer agreeing_answer(const Comparison& comparison) {
     const Pair* worst = worst_pair(comparison, Verdict::kWithin, &ImageDifference::interior);
+    std::vector<std::string> details;
+    if (comparison.missing_changes_nothing())
+        details.emplace_back("Not every renderer draws all commands, but leaving those out changes no pixel.");
     if (!worst || worst->difference.interior.differing == 0)
-        return {"All three agree: no pixel away from edges differs.", "", {}};
+        return {"All three agree: no pixel away from edges differs.", "", details};
     const RegionDifference& region = worst->difference.interior;
     const double largest = largest_difference(comparison);
     std::string headline =
@@ -110,7 +136,7 @@ Answer agreeing_answer(const Comparison& comparison) {
             fmt::format("{} differ most: at {} of {} pixels away from edges ({}), for example ({}, {}).",
                         name_of(comparison, *worst), grouped(region.differing), grouped(region.pixels),
                         share_of(region), region.worst_x, region.worst_y),
-            {}};
+            details};
 }
 
 Answer differing_answer(const Comparison& comparison) {
@@ -131,11 +157,11 @@ Answer differing_answer(const Comparison& comparison) {
                                              count_of(comparison, pair, other), in_255ths(other.max), other.worst_x,
                                              other.worst_y));
     }
-    const Driver driver = parse_driver_name(comparison.driver);
-    for (const std::string& departure : comparison.known_departures)
+    if (const std::size_t changed = changed_by_missing(comparison); changed > 0)
         answer.details.push_back(
-            fmt::format("A known bug of {} in {} may be the cause: {}. See golden/known_differences.", driver.name,
-                        driver.version, departure));
+            fmt::format("Not counted: {} pixels that change if commands are left out that not every renderer draws.",
+                        grouped(changed)));
+    add_known_departures(comparison, answer);
     if (!comparison.is_listed_driver) answer.details.emplace_back("No known bugs are listed for this driver.");
     return answer;
 }

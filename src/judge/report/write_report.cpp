@@ -1,5 +1,7 @@
 // Writes the files of a report.
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 #include "base/image/file.h"
@@ -56,13 +58,50 @@ void add_pictures(const Comparison& comparison, const EncodedPictures& pictures,
             {(folder / difference_file(comparison, comparison.pairs[i])).string(), pictures.differences[i]});
 }
 
+// Whether a report writes a picture of this name: "fixed.png", "difference-fixed-reference.png".
+bool is_picture_of_report(std::string_view name) {
+    constexpr std::string_view kDifference = "difference-", kEnd = ".png";
+    if (!name.ends_with(kEnd)) return false;
+    name.remove_suffix(kEnd.size());
+    const bool is_difference = name.starts_with(kDifference);
+    if (is_difference) name.remove_prefix(kDifference.size());
+    for (const std::string_view renderer : {"fixed", "programmable", "reference"})
+        if (name == renderer || name.starts_with(std::string(renderer) + "-"))
+            return is_difference || name.find('-') == std::string_view::npos || name.ends_with("-phong") ||
+                   name.ends_with("-exact");
+    return false;
+}
+
+// The pictures of an earlier report in this folder that are not among `files`.
+std::vector<std::string> stale_pictures(const fs::path& root, const std::vector<FileToWrite>& files) {
+    std::vector<std::string> stale;
+    std::error_code error;
+    if (!fs::exists(root / "comparison.json", error)) return stale;
+    const auto add_from = [&](const fs::path& folder) {
+        for (const auto& entry : fs::directory_iterator(folder, error)) {
+            const std::string path = (folder / entry.path().filename()).string();
+            if (is_picture_of_report(entry.path().filename().string()) &&
+                std::ranges::find(files, path, &FileToWrite::path) == files.end())
+                stale.push_back(path);
+        }
+    };
+    add_from(root);
+    for (std::size_t step = 0; fs::is_directory(root / step_folder(step), error); ++step)
+        add_from(root / step_folder(step));
+    return stale;
+}
+
 // Makes the folders, the outer ones first, and writes the files. If that fails, removes the folders that it has made.
 void write_all(const std::vector<fs::path>& folders, const std::vector<FileToWrite>& files) {
     std::vector<fs::path> made;
     try {
         for (const fs::path& folder : folders)
             if (make_folder(folder.string())) made.push_back(folder);
-        write_files_atomically(files);
+        write_files_atomically(files, stale_pictures(folders.front(), files));
+        std::error_code ignored;
+        for (std::size_t step = folders.size() - 1; fs::is_directory(folders.front() / step_folder(step), ignored);
+             ++step)
+            fs::remove(folders.front() / step_folder(step), ignored);  // if it is empty
     } catch (const FileError&) {
         std::error_code ignored;
         while (!made.empty()) {

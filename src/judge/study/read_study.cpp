@@ -49,7 +49,9 @@ class Node {
         return static_cast<int>(number(least, most));
     }
     bool is_null() const { return json_->is_null(); }
-    [[noreturn]] void fail(const std::string& what) const { throw std::runtime_error(path_ + ": " + what); }
+    [[noreturn]] void fail(const std::string& what) const {
+        throw std::runtime_error(path_ + (path_.ends_with(' ') ? "" : ": ") + what);
+    }
 
   private:
     const Json* json_;
@@ -58,6 +60,7 @@ class Node {
 
 constexpr double kShortest = 1e-9, kLongest = 1e6;  // seconds of a frame
 constexpr int kMany = 1 << 30;
+constexpr std::size_t kMostPoints = 10'000;  // each is compared with all others
 
 std::vector<double> read_median(const Node& node) {
     if (node.is_null()) return {};
@@ -179,7 +182,9 @@ Study read_study(std::string_view text, const std::string& file) {
     study.coverage = root["coverage"].whole_number(1, kMostCoverage);
     for (const Node& series : root["series"].elements()) study.series.push_back(read_series(series));
     if (study.series.empty()) root["series"].fail("it is empty");
-    for (const Node& node : root["points"].elements()) {
+    const std::vector<Node> points = root["points"].elements();
+    if (points.size() > kMostPoints) root["points"].fail(fmt::format("it has more than {} elements", kMostPoints));
+    for (const Node& node : points) {
         study.points.push_back(read_point(node, study.series.size()));
         const Point& point = study.points.back();
         const auto is_same = [&](const Point& other) {

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <map>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "base/image/difference.h"
@@ -84,6 +85,8 @@ class Run {
                 draw(all_[i]);
             } catch (const Refused&) {
                 // This choice is left out.
+            } catch (const std::runtime_error& error) {
+                if (settings_.failed) settings_.failed(all_[i], error.what());
             }
         }
     }

@@ -81,7 +81,8 @@ struct Refused : std::runtime_error {
 };
 
 struct ChoiceRenderers {
-    // Throws Refused where the choice is not supported; the study leaves it out.
+    // Throws Refused where the choice is not supported; the study leaves it out. So do other errors, which are
+    // reported.
     std::function<Prepared(const Frame& frame, const Choice& choice)> prepare;
     // The shape that is seen at each pixel (render/reference/reference.h).
     std::function<std::vector<int>(const Frame& frame, const reference::Options& options)> seen;
@@ -99,6 +100,8 @@ struct Settings {
     double seconds = 60;             // for timing; every choice is timed at least three times
     std::vector<Choice> choices{};   // empty: those of select_choices()
     const Study* earlier = nullptr;  // a study with one series to continue; its times are kept
+    // Called for a choice that a renderer fails to draw, with the reason; the study leaves the choice out.
+    std::function<void(const Choice& choice, const std::string& reason)> failed{};
     // Called before each step; false ends the study, which keeps its results.
     std::function<bool(const Progress& progress)> progress;
 };

@@ -73,16 +73,17 @@ void write_study(const Study& study, const std::string& folder) {
     });
     const std::string json = study_json(study), csv = study_csv(study), svg = study_svg(study),
                       page = study_page(study);
+    const auto plots = plots_of(study);
+    for (const auto& [name, plot] : plots) add(name, plot);
     add("study.json", json);
     add("study.csv", csv);
     add("study.svg", svg);
     add("index.html", page);
-    const auto plots = plots_of(study);
-    for (const auto& [name, plot] : plots) add(name, plot);
-    std::set<std::string> stale = files_of_earlier(folder);
-    write_files_atomically(files);
-    for (const FileToWrite& file : files) stale.erase(fs::path(file.path).lexically_relative(folder).string());
-    for (const std::string& name : stale) fs::remove(fs::path(folder) / name, error);
+    std::set<std::string> earlier = files_of_earlier(folder);
+    for (const FileToWrite& file : files) earlier.erase(fs::path(file.path).lexically_relative(folder).string());
+    std::vector<std::string> stale;
+    for (const std::string& name : earlier) stale.push_back((fs::path(folder) / name).string());
+    write_files_atomically(files, stale);
 }
 
 Study load_study(const std::string& file) {

@@ -10,10 +10,11 @@ namespace twinlight {
 namespace {
 
 std::string describe(const LightEffects& light) {
-    std::string text = light.directional ? "directional" : "positional";
+    std::string text = light.directional || light.meets_directions ? "directional" : "positional";
     const auto add = [&](bool fact, const char* name) {
         if (fact) text += fmt::format(", {}", name);
     };
+    add(light.meets_directions, "vertices with w = 0");
     add(light.attenuated, "attenuated");
     add(light.spot, "spot");
     add(light.spot_exponent == Power::kWhole, "integer spot exponent");
@@ -70,6 +71,17 @@ const char* name_of(Texels texels) {
     return "";
 }
 
+const char* name_of(Generated generated) {
+    switch (generated) {
+        case Generated::kNot: return "the vertex";
+        case Generated::kLinear: return "a plane";
+        case Generated::kSphereMap: return "a sphere map";
+        case Generated::kReflectionMap: return "the reflection";
+        case Generated::kNormalMap: return "the normal";
+    }
+    return "";
+}
+
 std::string describe(const TextureEffects& texture) {
     std::string text = fmt::format("{} texture with {}, {}", texture.one_dimensional ? "1D" : "2D",
                                    name_of(texture.texels), name_of(texture.environment));
@@ -81,6 +93,11 @@ std::string describe(const TextureEffects& texture) {
     add(texture.clamp_s, "GL_CLAMP of s");
     add(texture.clamp_t, "GL_CLAMP of t");
     add(texture.gradients, "explicit gradients");
+    for (std::size_t i = 0; i < texture.generated.size(); ++i)
+        add(texture.generated[i] != Generated::kNot,
+            fmt::format("{} from {}", "strq"[i], name_of(texture.generated[i])).c_str());
+    add(texture.generated_normal == GeneratedNormal::kUnit, "unit normals for them");
+    add(texture.generated_w, "any w for them");
     return text;
 }
 

@@ -17,6 +17,7 @@
 //   spectral_products                        tracks_* or varies_* of an ambient, diffuse or specular colour
 //   spectral_groups                          no spectral_products; only if PlanOptions::fold_spectra is false
 //   tracks_*, varies_*                       that property of the material is used; at most one of the two
+//   lights[i].meets_directions               the light is not directional, and not attenuated
 //   lights[i].attenuated                     the light is positional
 //   lights[i].spot                           the light is positional; for_any_pose: any light
 //   lights[i].spot without an exponent       part of the Draw is outside its cone; for_any_pose: always
@@ -27,12 +28,16 @@
 //   texture.clamp_t                          the texture has two dimensions
 //   texture.clamp_s, .clamp_t                a filter is linear; otherwise GL_CLAMP equals GL_CLAMP_TO_EDGE
 //   texture.gradients                        texture.clamp_s or .clamp_t, and the filters differ
+//   texture.generated[i]                     the coordinate is used: texture.uses(i)
+//   texture.generated_normal                 a coordinate is generated from the normal
+//   texture.generated_w                      a coordinate is generated from the direction to the vertex
 //   texture.environment kDecal               the texels are kColorAndAlpha; with kColor it becomes kReplace
 //
 // NOLINT below: clang-tidy takes a defaulted <=> for a null pointer.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <compare>
 #include <cstdint>
@@ -56,6 +61,8 @@ enum class Highlight : std::uint8_t { kHalfVector, kReflection };
 
 struct LightEffects {
     bool directional = false;  // w of the position is 0
+    // w of the position is 0 here too, but a vertex may have w = 0, and then VP depends on the vertex (2.14.1).
+    bool meets_directions = false;
     // By a linear or quadratic factor; a constant factor is part of the colour products, except for_any_pose.
     bool attenuated = false;
     bool spot = false;  // cutoff other than 180 degrees
@@ -96,6 +103,13 @@ enum class TextureEnvironment : std::uint8_t { kNone, kModulate, kDecal, kReplac
 // LUMINANCE_ALPHA both. INTENSITY is both, with the same value.
 enum class Texels : std::uint8_t { kColor, kAlpha, kColorAndAlpha, kIntensity };
 
+// What a texture coordinate is computed from (2.11.4), instead of coming with the vertex. kLinear: a plane, of object or
+// eye coordinates.
+enum class Generated : std::uint8_t { kNot, kLinear, kSphereMap, kReflectionMap, kNormalMap };
+
+// Whether texture coordinates are generated from the normal, and whether GL_NORMALIZE scales it to length 1 first.
+enum class GeneratedNormal : std::uint8_t { kUnused, kUnchanged, kUnit };
+
 struct TextureEffects {
     TextureEnvironment environment = TextureEnvironment::kNone;
     Texels texels = Texels::kColor;
@@ -104,8 +118,26 @@ struct TextureEffects {
     bool q = false;        // a texture coordinate's q may be other than 1
     bool clamp_s = false;  // GL_CLAMP, that core GL and some drivers lack: the shader does it
     bool clamp_t = false;
-    bool gradients = false;  // the filter and level come from the coordinates before clamping
+    bool gradients = false;                // the filter and level come from the coordinates before clamping
+    std::array<Generated, 4> generated{};  // s, t, r, q
+    GeneratedNormal generated_normal = GeneratedNormal::kUnused;
+    bool generated_w = false;  // w in eye coordinates may be negative
 
+    // Whether coordinate i (0 to 3: s, t, r, q) can change a pixel.
+    bool uses(std::size_t i) const { return matrix || i == 0 || (i == 1 && !one_dimensional) || (i == 3 && q); }
+    bool generates() const { return generated != std::array<Generated, 4>{}; }
+    bool generates_all() const {
+        for (std::size_t i = 0; i < 4; ++i)
+            if (uses(i) && generated[i] == Generated::kNot) return false;
+        return true;
+    }
+    bool generates_from_direction() const {
+        return std::ranges::any_of(
+            generated, [](Generated g) { return g == Generated::kSphereMap || g == Generated::kReflectionMap; });
+    }
+    bool generates_from_normal() const {
+        return generates_from_direction() || std::ranges::find(generated, Generated::kNormalMap) != generated.end();
+    }
     bool has_color() const { return texels != Texels::kAlpha; }
     bool has_alpha() const { return texels != Texels::kColor; }
 
@@ -147,6 +179,9 @@ struct EffectSet {
                std::any_of(lights.begin(), lights.end(), [](const LightEffects& light) { return !light.directional; });
     }
     bool needs_normal() const { return any_light(&LightEffects::diffuse) || any_light(&LightEffects::specular); }
+    // Whether vertices bring normals and texture coordinates.
+    bool takes_normal() const { return needs_normal() || texture.generated_normal != GeneratedNormal::kUnused; }
+    bool takes_tex_coord() const { return has_texture() && !texture.generates_all(); }
     // Whether the primary colour is visible after the texture.
     bool needs_primary_rgb() const { return !replaces() || !texture.has_color(); }
     bool needs_primary_alpha() const { return !replaces() || !texture.has_alpha(); }

@@ -146,7 +146,8 @@ class Planner {
             .bounds = draw_bounds(draw_, vertices_, state(), facts().shading == Shading::kPhong),
             .faces = {face_range(&Materials::front, facts().front), face_range(&Materials::back, facts().back)},
             .primary = facts().needs_primary_rgb(),
-            .for_any_pose = options_.for_any_pose};
+            .for_any_pose = options_.for_any_pose,
+            .has_directions = has_directions()};
         plan_clamp(lights, plan_lights(lights, plan_));
         plan_specular();
         drop_idle_colors();
@@ -190,6 +191,13 @@ class Planner {
         }
     }
 
+    // Whether a vertex has w = 0 in eye coordinates: then it is a direction.
+    bool has_directions() const {
+        const glm::dmat4& m = draw_.eye_from_object;
+        if (keeps_w(m)) return vertices_.has_w_0;
+        return std::ranges::any_of(draw_.vertices, [&](const Vertex& v) { return (m * v.position_object).w == 0; });
+    }
+
     void plan_w() {
         const bool w_is_1 = keeps_w(draw_.eye_from_object) && vertices_.w_is_1;
         const bool w_matters = facts().needs_position_eye() || facts().has_fog();
@@ -203,7 +211,9 @@ class Planner {
         state().light_model.specular = initial.specular;
         state().light_model.light_ambient = initial.light_ambient;
         state().light_model.spectrum = nullptr;
-        for (LightSource& light : state().lights) light.smooth_cone.reset();
+        LightSources& lights = state().lights;
+        if (std::ranges::any_of(std::as_const(lights), [](const LightSource& l) { return l.smooth_cone.has_value(); }))
+            for (LightSource& light : lights) light.smooth_cone.reset();
     }
 
     // 2.14.1: two-sided lighting; 2.13.1: culled faces are not visible.

@@ -1,4 +1,8 @@
 // Plans a Draw's texture, fog and clip planes.
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "render/effect/plan_parts.h"
 
 namespace twinlight {
@@ -38,7 +42,33 @@ TextureEffects environment_of(Enum mode, Enum base_format) {
 }
 
 bool q_is_1(const Draw& draw, const VertexFacts& vertices) {
-    return keeps_w(draw.texture.texture_matrix) && vertices.q_is_1;
+    constexpr int kQ = 3;
+    return keeps_w(draw.texture.texture_matrix) && vertices.q_is_1 &&
+           std::ranges::find(draw.texture.generated, kQ, &GeneratedCoordinate::coordinate) ==
+               draw.texture.generated.end();
+}
+
+// 2.11.4.
+void plan_generated(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
+    TextureEffects& facts = plan.effects.texture;
+    for (const GeneratedCoordinate& one : draw.texture.generated) {
+        const auto i = static_cast<std::size_t>(one.coordinate);
+        if (!facts.uses(i)) {
+            plan.leave_out(fmt::format("the generated texture coordinate {}", "strq"[i]),
+                           "the texture does not use it");
+            continue;
+        }
+        switch (one.mode) {
+            case kGL_OBJECT_LINEAR:
+            case kGL_EYE_LINEAR: facts.generated[i] = Generated::kLinear; break;
+            case kGL_SPHERE_MAP: facts.generated[i] = Generated::kSphereMap; break;
+            case kGL_REFLECTION_MAP: facts.generated[i] = Generated::kReflectionMap; break;
+            default: facts.generated[i] = Generated::kNormalMap; break;
+        }
+    }
+    if (facts.generates_from_direction()) facts.generated_w = !keeps_w(draw.eye_from_object) || !vertices.w_is_1;
+    if (!facts.generates_from_normal()) return;
+    facts.generated_normal = draw.lighting.normalize ? GeneratedNormal::kUnit : GeneratedNormal::kUnchanged;
 }
 
 void plan_texture(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
@@ -54,6 +84,7 @@ void plan_texture(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     facts.q = !q_is_1(draw, vertices);
     if (!facts.matrix) plan.leave_out("texture matrix", "it is the identity", true);
     if (!facts.q) plan.leave_out("division by q", "q is 1 at every vertex");
+    if (!draw.texture.generated.empty()) plan_generated(draw, vertices, plan);
 
     const bool clamp_t = !facts.one_dimensional && texture->wrap_t == kGL_CLAMP;
     const bool clamps = clamp_t || texture->wrap_s == kGL_CLAMP;

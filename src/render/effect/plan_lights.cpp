@@ -37,7 +37,7 @@ class LightsPlanner {
         : given_(given), plan_(plan), face_count_(plan.effects.two_side ? 2 : 1) {}
 
     ColorRange run() {
-        const std::vector<LightSource>& lights = plan_.lighting.lights;
+        const LightSources& lights = plan_.lighting.lights;
         plan_.light_bounds.resize(lights.size());
         for (std::size_t i = 0; i < lights.size(); ++i) {
             plan_.light_bounds[i].number = static_cast<int>(i);
@@ -76,9 +76,10 @@ class LightsPlanner {
         const LightSource& light = source(number);
         Candidate candidate{.planned = {.number = static_cast<int>(number)}, .entry = number};
         LightEffects& effects = candidate.effects;
-        effects.directional = light.position_eye.w == 0;
+        effects.meets_directions = meets_directions(light);
+        effects.directional = light.position_eye.w == 0 && !effects.meets_directions;
         effects.attenuated =
-            !effects.directional &&
+            light.position_eye.w != 0 &&
             (light.constant_attenuation != 1 || light.linear_attenuation != 0 || light.quadratic_attenuation != 0);
         effects.smooth_cone = light.smooth_cone.has_value();
         effects.spot = light.spot_cutoff_deg != 180 && !effects.smooth_cone;
@@ -94,11 +95,23 @@ class LightsPlanner {
         decide(candidate, {}, folded, false);
     }
 
+    bool meets_directions(const LightSource& light) const { return given_.has_directions && light.position_eye.w == 0; }
+
     void plan_light(std::size_t number) {
         if (given_.for_any_pose) return plan_light_for_any_pose(number);
-        const LightSource& light = source(number);
+        if (!meets_directions(source(number))) return plan_light(number, source(number));
+        // Its direction depends on the vertex, like that of a positional light that nothing attenuates.
+        LightSource positional = source(number);
+        positional.position_eye.w = 1;
+        positional.constant_attenuation = 1;
+        positional.linear_attenuation = positional.quadratic_attenuation = 0;
+        plan_light(number, positional);
+    }
+
+    void plan_light(std::size_t number, const LightSource& light) {
         Candidate candidate{.planned = {.number = static_cast<int>(number)}, .entry = number};
         LightEffects& effects = candidate.effects;
+        effects.meets_directions = meets_directions(source(number));
         double& constant_reach = candidate.planned.constant_reach;
         const bool is_spot = light.spot_cutoff_deg != 180 || light.smooth_cone;
         effects.directional = light.position_eye.w == 0;
@@ -233,7 +246,7 @@ class LightsPlanner {
         };
         const bool is_spot = light.spot_cutoff_deg != 180 || light.smooth_cone;
         const double reach = candidate.planned.constant_reach;
-        if (effects.directional)
+        if (effects.directional || effects.meets_directions)
             note("attenuation", "the light is directional (its position has w = 0)", light.has_initial_attenuation());
         else if (!effects.attenuated)
             note("attenuation",

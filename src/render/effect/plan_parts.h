@@ -13,6 +13,7 @@ struct LightsToPlan {
     std::array<FaceRange, 2> faces;  // effective materials; the back's counts only with effects.two_side
     bool primary = true;             // false if the texture replaces the primary colour's red, green and blue
     bool for_any_pose = false;       // PlanOptions::for_any_pose
+    bool has_directions = false;     // a vertex has w = 0 in eye coordinates
 };
 
 // Fills plan.lights, effects.lights, constant_ambient, light_bounds and error_bound, from plan.lighting and

@@ -101,6 +101,8 @@ VertexFacts vertex_facts(const Draw& draw) {
         facts.w_is_1 = facts.w_is_1 && v.position_object.w == 1;
         facts.q_is_1 = facts.q_is_1 && v.tex_coord.q == 1;
     }
+    if (!facts.w_is_1)
+        for (const Vertex& v : draw.vertices) facts.has_w_0 = facts.has_w_0 || v.position_object.w == 0;
     find_sphere(draw, facts);
     if (!facts.has_sphere || !facts.w_is_1)
         for (const Vertex& v : draw.vertices)

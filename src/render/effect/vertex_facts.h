@@ -20,6 +20,7 @@ inline constexpr double kLargestLength = 1e100, kSmallestLength = 1e-100;
 
 struct VertexFacts {
     bool w_is_1 = true;
+    bool has_w_0 = false;          // a position has w = 0
     bool q_is_1 = true;            // of the texture coordinates
     glm::dvec4 position_reach{0};  // the largest absolute value of each component
 

@@ -108,6 +108,11 @@ void reset_texture(GLenum target) {
     glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, &glm::vec4(start.border_color)[0]);
     glTexParameterf(target, GL_TEXTURE_PRIORITY, static_cast<float>(start.priority));
     set(GL_GENERATE_MIPMAP, start.generate_mipmap);
+    glTexParameterf(target, GL_TEXTURE_LOD_BIAS, static_cast<float>(start.lod_bias));
+    glTexParameterf(target, GL_TEXTURE_MIN_LOD, static_cast<float>(start.min_lod));
+    glTexParameterf(target, GL_TEXTURE_MAX_LOD, static_cast<float>(start.max_lod));
+    glTexParameteri(target, GL_TEXTURE_BASE_LEVEL, start.base_level);
+    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, start.max_level);
     const GLint largest = integer(GL_MAX_TEXTURE_SIZE);
     for (GLint level = 0; largest >> level > 0; ++level) {
         GLint width = 0;
@@ -135,7 +140,13 @@ void reset_texture_units(const Vertex& current) {
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, static_cast<GLint>(start.env_mode));
         glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, &glm::vec4(start.env_color)[0]);
         glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, static_cast<float>(start.lod_bias));
-        for (GLenum coord : {GL_S, GL_T, GL_R, GL_Q}) glTexGeni(coord, GL_TEXTURE_GEN_MODE, GL_EYE_LINEAR);
+        for (GLenum n = 0; n < start.tex_gen.size(); ++n) {
+            const TexGen& gen = start.tex_gen[n];
+            set_enabled(GL_TEXTURE_GEN_S + n, gen.enabled);
+            glTexGeni(GL_S + n, GL_TEXTURE_GEN_MODE, static_cast<GLint>(gen.mode));
+            glTexGendv(GL_S + n, GL_OBJECT_PLANE, &gen.object_plane[0]);
+            glTexGendv(GL_S + n, GL_EYE_PLANE, &gen.plane_eye[0]);  // the modelview matrix is the identity
+        }
         glMultiTexCoord4dv(unit, &current.tex_coord[0]);
         reset_stack(GL_TEXTURE, GL_TEXTURE_STACK_DEPTH);
     }

@@ -59,6 +59,9 @@ std::vector<double> ask(const Command& query) {
         case CommandId::glGetMaterialiv: return asked<GLint>(count, [&](auto* v) { glGetMaterialiv(a, b, v); });
         case CommandId::glGetTexEnvfv: return asked<GLfloat>(count, [&](auto* v) { glGetTexEnvfv(a, b, v); });
         case CommandId::glGetTexEnviv: return asked<GLint>(count, [&](auto* v) { glGetTexEnviv(a, b, v); });
+        case CommandId::glGetTexGenfv: return asked<GLfloat>(count, [&](auto* v) { glGetTexGenfv(a, b, v); });
+        case CommandId::glGetTexGendv: return asked<GLdouble>(count, [&](auto* v) { glGetTexGendv(a, b, v); });
+        case CommandId::glGetTexGeniv: return asked<GLint>(count, [&](auto* v) { glGetTexGeniv(a, b, v); });
         case CommandId::glGetTexParameterfv:
             return asked<GLfloat>(count, [&](auto* v) { glGetTexParameterfv(a, b, v); });
         case CommandId::glGetTexParameteriv: return asked<GLint>(count, [&](auto* v) { glGetTexParameteriv(a, b, v); });

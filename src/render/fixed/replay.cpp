@@ -54,6 +54,8 @@ struct PreparedDraw {
             front = effects.front;
             back = effects.back;
         }
+        if (textured)
+            contents.normal |= std::ranges::any_of(from.texture.generated, &GeneratedCoordinate::needs_normal);
         by_vertex = !from.materials.empty() && (front.varies() || back.varies());
         if (!by_vertex) mesh.emplace(from, contents, options);
     }
@@ -85,6 +87,17 @@ struct PreparedDraw {
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, static_cast<GLint>(unit.env_mode));
         glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, &glm::vec4(unit.env_color)[0]);
         load_matrix(GL_TEXTURE, unit.texture_matrix);
+        for (const GLenum capability : {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q}) {
+            glDisable(capability);
+        }
+        for (const GeneratedCoordinate& one : unit.generated) {
+            const GLenum number = static_cast<GLenum>(one.coordinate);
+            glEnable(GL_TEXTURE_GEN_S + number);
+            glTexGeni(GL_S + number, GL_TEXTURE_GEN_MODE, static_cast<GLint>(one.mode));
+            const bool is_linear = one.mode == GL_OBJECT_LINEAR || one.mode == GL_EYE_LINEAR;
+            if (is_linear)
+                glTexGendv(GL_S + number, one.mode == GL_EYE_LINEAR ? GL_EYE_PLANE : GL_OBJECT_PLANE, &one.plane[0]);
+        }
     }
 
     const Draw* draw;

@@ -29,6 +29,16 @@ constexpr double kCosineRounding = 4.0 / (1 << 23);
 
 glm::dvec3 rgb(const glm::dvec4& c) { return glm::dvec3(c); }
 
+// A homogeneous position whose w, and whose largest component, are no denormal floats, which a processor may take for 0.
+// A denormal w beside larger components is a point so far away that only its direction counts.
+glm::dvec4 without_denormals(glm::dvec4 position) {
+    constexpr double kSmallest = std::numeric_limits<float>::min();
+    if (position.w == 0 || std::abs(position.w) >= kSmallest) return position;
+    if (largest_component(glm::dvec3(position)) < kSmallest) return 0x1p60 * position;
+    position.w = std::copysign(kSmallest, position.w);
+    return position;
+}
+
 // The largest power of two that is at most x; 1 if there is none.
 double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std::floor(std::log2(x))) : 1; }
 
@@ -148,6 +158,7 @@ class DrawUniforms {
 
     void eye_space() {
         unit_ = effects_.needs_position_eye() ? eye_unit(eye_from_object_, reach_object(), plan_) : 1;
+        unit_of_directions_ = unit_;
         glm::dmat4 eye_from_object = eye_from_object_;
         for (int column = 0; column < 4; ++column)
             for (int row = 0; row < 3; ++row) eye_from_object[column][row] /= unit_;
@@ -166,15 +177,18 @@ class DrawUniforms {
     void wide_range() {
         const glm::dvec4 reach = reach_object();
         const double largest = std::max({reach.x, reach.y, reach.z, reach.w});
-        number("u_object_scale", 1 / power_of_two(largest));
-        matrix("u_eye_from_object_turned", glm::dmat3(eye_from_object_));
+        unit_of_directions_ = power_of_two(largest);
+        number("u_object_scale", 1 / unit_of_directions_);
+        matrix("u_eye_from_object_turned", glm::dmat3(keeping_w(eye_from_object_)));
         vector("u_viewer_object", point(glm::dvec3(0)));
         if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix_of(draw_, plan_));
     }
 
     // From eye coordinates to the coordinates that the shader lights in.
     glm::dvec3 point(const glm::dvec3& eye) const {
-        if (form_.wide_range) return place_object(draw_, eye) - origin_object_.value_or(glm::dvec3(0));
+        const glm::dvec3 origin = origin_object_.value_or(glm::dvec3(0));
+        if (form_.flattened) return nearest_vertex(draw_, eye).vertex_object - origin;
+        if (form_.wide_range) return place_object(draw_, eye) - origin;
         return form_.object_space ? glm::dvec3(object_from_eye_ * glm::dvec4(eye, 1)) : eye / unit_;
     }
     glm::dvec3 direction(const glm::dvec3& eye) const {
@@ -188,8 +202,36 @@ class DrawUniforms {
             if (plane_eye) vector("u_clip_plane" + std::to_string(count++) + "_object", *plane_eye * eye_from_object_);
     }
 
+    // Generated texture coordinates (2.11.4).
+    void generated() {
+        for (const GeneratedCoordinate& one : draw_.texture.generated) {
+            if (one.needs_normal()) continue;
+            // (plane * matrix) . position_object = plane . position_eye.
+            const glm::dvec4 plane = one.mode == kGL_EYE_LINEAR ? one.plane * draw_.eye_from_object : one.plane;
+            const glm::dvec4 origin(origin_object_.value_or(glm::dvec3(0)), 1);
+            vector(fmt::format("u_plane_{}_object", "strq"[one.coordinate]),
+                   glm::dvec4(glm::dvec3(plane), glm::dot(plane, origin)));
+        }
+        const TextureEffects& texture = effects_.texture;
+        if (texture.generates_from_direction()) {
+            const double scale = power_of_two(reach_eye(eye_from_object_, reach_object()));
+            matrix("u_generated_eye_from_object", eye_from_object_ / scale);
+        }
+        if (!texture.generates_from_normal()) return;
+        const glm::dmat3 normals = normal_matrix(glm::dmat3(draw_.eye_from_object));
+        const double third = glm::length(normals[2]);  // of GL_RESCALE_NORMAL: see normal_matrix_of()
+        double scale = 1;
+        if (texture.generated_normal == GeneratedNormal::kUnit)
+            scale = power_of_two(std::max(
+                {largest_component(normals[0]), largest_component(normals[1]), largest_component(normals[2])}));
+        else if (draw_.lighting.rescale_normal && third > 0)
+            scale = third;
+        matrix("u_generated_normal_from_object", normals / scale);
+    }
+
     void fragments() {
         if (effects_.texture.matrix) matrix("u_texture_matrix", draw_.texture.texture_matrix);
+        if (effects_.texture.generates()) generated();
         vector("u_texture_env_color", draw_.texture.env_color);
         if (!effects_.has_fog()) return;
         const glm::dmat4 rows = glm::transpose(eye_from_object_);
@@ -233,7 +275,7 @@ class DrawUniforms {
         if (effects_.two_side) of_face("u_back", plan_.lighting.back);
         for (std::size_t i = 0; i < lights_.size(); ++i) {
             const LightSource& light = source(lights_[i].front());
-            const double reach = plan_.lights[lights_[i].front()].constant_reach;
+            const double reach = reach_of(lights_[i].front());
             const std::string name = fmt::format("u_light{}", i);
             samples(name + "_ambient_samples", samples_of(spectrum, ambient_of(light)), reach);
             samples(name + "_diffuse_samples", samples_of(spectrum, diffuse_of(light)), reach);
@@ -250,13 +292,13 @@ class DrawUniforms {
             base += product_of(model(), {plan_.constant_ambient, {}}, {rgb(material.ambient), reflectances.ambient});
         vector("u_" + name + "_base", base);
         number("u_" + name + "_alpha", material.diffuse.a);
-        number("u_" + name + "_shininess", material.shininess);
+        number("u_" + name + "_shininess", normal_exponent(material.shininess));
         for (std::size_t i = 0; i < lights_.size(); ++i) {
             const auto product = [&](const char* term, const auto& light_color_of, const MaterialColor& color,
                                      PerVertexColor per_vertex) {
                 of_light(i, {name, term}, [&](std::size_t planned) {
                     const LightColor light_color = light_color_of(source(planned));
-                    const double reach = plan_.lights[planned].constant_reach;
+                    const double reach = reach_of(planned);
                     if (!per_vertex)
                         put(reach * product_of(model(), light_color, color));
                     else if (effects_.spectral_products)
@@ -285,28 +327,59 @@ class DrawUniforms {
                  [&](const LightSource& light) { return direction(unit(vp_dir(light) + glm::dvec3(0, 0, 1))); });
             return;
         }
+        if (effects.meets_directions)
+            each({"toward_eye"}, [&](const LightSource& light) {
+                const glm::dvec3 toward = rgb(light.position_eye) / unit_of_directions_;
+                const double largest = largest_component(toward);
+                return largest > kMostDistant ? toward * (kMostDistant / largest) : toward;
+            });
         // A place that floats cannot hold comes nearer, in the same direction; then its distance has another unit.
-        const auto place_and_unit = [&](const LightSource& light) {
-            glm::dvec3 place = point(rgb(light.position_eye) / light.position_eye.w);
-            const double largest = largest_component(place);
-            const double length_unit = largest > kMostDistant ? largest / kMostDistant : unit_;
-            if (length_unit != unit_) place /= length_unit;
-            return std::pair(place, length_unit);
+        struct Placed {
+            glm::dvec3 place, way_eye{0};
+            double length_unit;
+        };
+        const auto placed = [&](const LightSource& light) {
+            if (light.position_eye.w == 0)  // only "toward" counts
+                return Placed{.place = glm::dvec3(0), .length_unit = unit_};
+            const glm::dvec3 eye = rgb(light.position_eye) / light.position_eye.w;
+            Placed result{.place = point(eye), .length_unit = unit_};
+            if (form_.flattened) result.way_eye = nearest_vertex(draw_, eye).way_eye;
+            glm::dvec3& far = form_.flattened ? result.way_eye : result.place;
+            const double largest = largest_component(far);
+            if (largest > kMostDistant) result.length_unit = largest / kMostDistant;
+            if (result.length_unit != unit_) far /= result.length_unit;
+            return result;
         };
         each({"position", form_.wide_range || form_.object_space ? "_object" : "_eye"},
-             [&](const LightSource& light) { return place_and_unit(light).first; });
+             [&](const LightSource& light) { return placed(light).place; });
+        if (form_.flattened) each({"way_eye"}, [&](const LightSource& light) { return placed(light).way_eye; });
         each({"attenuation"}, [&](const LightSource& light) {
-            const double length_unit = place_and_unit(light).second;
-            return glm::dvec3(light.constant_attenuation, light.linear_attenuation * length_unit,
-                              light.quadratic_attenuation * length_unit * length_unit);
+            const double length_unit = placed(light).length_unit;
+            return attenuation_scale(light) * glm::dvec3(light.constant_attenuation,
+                                                         light.linear_attenuation * length_unit,
+                                                         light.quadratic_attenuation * length_unit * length_unit);
         });
         each({"spot_dir", space}, [&](const LightSource& light) { return direction(unit(light.spot_direction_eye)); });
         each({"cos_cutoff"},
              [&](const LightSource& light) { return cos_deg(light.spot_cutoff_deg) - kCosineRounding; });
-        each({"spot_exponent"}, [&](const LightSource& light) { return light.spot_exponent; });
+        each({"spot_exponent"}, [&](const LightSource& light) { return normal_exponent(light.spot_exponent); });
         if (!effects.smooth_cone) return;
         each({"cos_outer"}, [&](const LightSource& light) { return smooth_cone_values(light).cos_outer; });
         each({"cone_slope"}, [&](const LightSource& light) { return smooth_cone_values(light).slope; });
+    }
+
+    // The processor may take denormal floats for 0, so the factors and the light's colours become larger together.
+    static double attenuation_scale(const LightSource& light) {
+        const auto is_denormal = [](double k) { return k > 0 && k < std::numeric_limits<float>::min(); };
+        const bool has_denormal = is_denormal(light.constant_attenuation) || is_denormal(light.linear_attenuation) ||
+                                  is_denormal(light.quadratic_attenuation);
+        return has_denormal ? 0x1p60 : 1;
+    }
+    // What the shader multiplies a light's colours by, at every vertex.
+    double reach_of(std::size_t planned) const {
+        const auto& lights = plan_.effects.lights;
+        const bool attenuated = lights[planned].attenuated;
+        return plan_.lights[planned].constant_reach * (attenuated ? attenuation_scale(source(planned)) : 1);
     }
 
     const LightModel& model() const { return plan_.lighting.light_model; }
@@ -321,6 +394,7 @@ class DrawUniforms {
     const std::vector<std::vector<std::size_t>>& lights_;
     const std::optional<glm::dvec3> origin_object_;
     glm::dmat4 eye_from_object_ = draw_.eye_from_object;  // from positions relative to origin_object_
+    double unit_of_directions_ = 1;                       // the shader's unit of vertices with w = 0
     double unit_ = 1;                                     // the shader's unit of length, in eye coordinates
     glm::dmat4 object_from_eye_{1};                       // used if form_.object_space
     Uniforms uniforms_;
@@ -365,21 +439,21 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, cons
         for (int i = 0; i < size; ++i) values.push_back(to_float(v[i]));
     };
     for_each_vertex(draw, vertices, [&](const Vertex& vertex) {
-        add(vertex.position_object - glm::dvec4(origin_object * vertex.position_object.w, 0), 4);
-        if (effects.needs_normal()) {
+        add(without_denormals(vertex.position_object - glm::dvec4(origin_object * vertex.position_object.w, 0)), 4);
+        if (effects.takes_normal()) {
             const double size = largest_component(vertex.normal_object);
             const bool rescaled = normals_made_unit && !needs_no_unit(size);
             add(rescaled ? vertex.normal_object / power_of_two(size) : vertex.normal_object, 3);
             values.push_back(0);
         }
         if (effects.needs_color()) add(vertex.color, 4);
-        if (effects.has_texture()) add(vertex.tex_coord, 4);
+        if (effects.takes_tex_coord()) add(vertex.tex_coord, 4);
         for (const VertexProperty& property : properties) {
             const Material& material = draw.materials.at(vertex.material).*property.face;
             if (property.color)
                 add(material.*property.color, property.size);
             else
-                values.push_back(to_float(material.shininess));
+                values.push_back(to_float(normal_exponent(material.shininess)));
         }
     });
     return values;

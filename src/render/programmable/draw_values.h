@@ -28,6 +28,12 @@ inline float to_float(double x) {
     return static_cast<float>(std::clamp(x, -kLargest, kLargest));
 }
 
+// An exponent for a shader, whose processor may take denormal floats for 0: 0^0 is 1, but 0^1e-40 is 0.
+inline double normal_exponent(double exponent) {
+    constexpr double kSmallest = std::numeric_limits<float>::min();
+    return exponent > 0 && exponent < kSmallest ? kSmallest : exponent;
+}
+
 // All uniforms of the program made from this code, except the texture's sampler.
 Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code);
 

@@ -8,6 +8,9 @@
 #include <glm/matrix.hpp>
 #include <map>
 
+#include "base/math/directions.h"
+#include "base/math/normal_matrix.h"
+#include "render/programmable/vertex_attributes.h"
 #include "render/programmable/wide_range.h"
 #include "scene/state/far_from_origin.h"
 
@@ -46,6 +49,15 @@ bool lit_in_object_space(const Draw& draw, const Plan& plan, bool is_surface) {
     });
 }
 
+bool has_wide_normals(const Draw& draw, const EffectSet& effects) {
+    if (!effects.lighting || !effects.needs_normal() || !makes_normals_unit(effects)) return false;
+    constexpr double kMostDifferent = 1e6;
+    const glm::dmat3 m(draw.eye_from_object);
+    const auto [shortest, longest] =
+        std::minmax({largest_component(m[0]), largest_component(m[1]), largest_component(m[2])});
+    return longest > kMostDifferent * shortest;
+}
+
 }  // namespace
 
 double similarity_scale(const glm::dmat4& eye_from_object) {
@@ -81,6 +93,8 @@ Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface) {
     Code code{.effects = plan.effects,
               .form = {.object_space = !wide_range && lit_in_object_space(draw, plan, is_surface),
                        .wide_range = wide_range,
+                       .flattened = wide_range && is_singular(glm::dmat3(draw.eye_from_object)),
+                       .wide_normals = !is_surface && has_wide_normals(draw, plan.effects),
                        .position_w = !plan.vertices.w_is_1,
                        .loops = {},
                        .surface = surface},

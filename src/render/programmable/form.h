@@ -1,6 +1,7 @@
 // Form: the parts of a program's code that depend on a Draw's numbers, in addition to its effects.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -33,11 +34,13 @@ enum class Glsl : std::uint8_t { k130, k330, k300es };
 // Shaders to keep (kept/kept_files.h): their uniforms are GL's state with GL's names, without the prefix gl_.
 struct KeptForm {
     Glsl version = Glsl::k330;
-    std::vector<int> lights;       // for each light of the effects: its number in GL
-    int light_count = kMaxLights;  // the length of the array LightSource
-    std::vector<int> clip_planes;  // the numbers of the enabled ones
-    bool sizes_points = false;     // the shader sets glPointSize's size, which OpenGL ES lacks
-    Enum alpha_func = kGL_ALWAYS;  // core GL and WebGL lack the alpha test
+    std::vector<int> lights;           // for each light of the effects: its number in GL
+    int light_count = kMaxLights;      // the length of the array LightSource
+    std::vector<int> clip_planes;      // the numbers of the enabled ones
+    std::array<bool, 4> eye_planes{};  // of generated texture coordinates: GL_EYE_LINEAR
+    bool rescales_generated = false;   // GL_RESCALE_NORMAL, for those generated from the normal
+    bool sizes_points = false;         // the shader sets glPointSize's size, which OpenGL ES lacks
+    Enum alpha_func = kGL_ALWAYS;      // core GL and WebGL lack the alpha test
 
     friend auto operator<=>(const KeptForm&, const KeptForm&) = default;  // NOLINT
 };
@@ -52,6 +55,11 @@ struct Form {
     // Vectors from a vertex to lights and viewer are differences of object coordinates, turned to eye coordinates afterwards, and
     // any length of theirs is squared safely (wide_range.h).
     bool wide_range = false;
+    // wide_range only: the matrix flattens space, so that a place has no object coordinates. Uniforms say where a vertex near it is,
+    // and how far the place is from there in eye coordinates.
+    bool flattened = false;
+    // Normals are made unit, and the matrix's columns differ so much that the square of a normal's length may leave the floats.
+    bool wide_normals = false;
     bool rescale = false;    // precise and kept only: multiplies normals by GL_RESCALE_NORMAL's factor
     bool position_w = true;  // a position's w may differ from 1
     // Each of the last loops.size() lights of the effects represents many lights that differ only in numbers. The

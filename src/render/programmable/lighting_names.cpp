@@ -57,6 +57,7 @@ std::string LightingNames::kept_light(std::size_t i, const std::string& type, co
     const int number = form_.kept->lights.at(i);
     const std::string source = fmt::format("LightSource[{}].", number);
     if (what == "position_eye") return fmt::format("{0}position.xyz / {0}position.w", source);
+    if (what == "toward_eye") return source + "position.xyz";
     if (what == "direction_eye") return fmt::format("unit({}position.xyz)", source);
     if (what == "half_dir_eye") return source + "halfVector.xyz";
     if (what == "spot_dir_eye") return fmt::format("unit({}spotDirection)", source);
@@ -172,6 +173,7 @@ std::string LightingNames::structs() const {
         text += "struct Surface {\n";
         if (effects_.needs_position_eye())
             text += fmt::format("    {} {};  // V\n", form_.wide_range ? "vec4" : "vec3", position_field());
+        if (has_homogeneous()) text += "    vec4 homogeneous_eye;  // V before the division by w\n";
         if (effects_.needs_normal()) text += fmt::format("    vec3 normal_{};  // n\n", space());
         if (effects_.needs_color()) text += "    vec4 color;  // GL_COLOR_MATERIAL (section 2.14.3)\n";
         for (const VertexProperty& property : vertex_properties(effects_))
@@ -185,10 +187,11 @@ std::string LightingNames::structs() const {
     return text + "};\n\n";
 }
 
-std::string LightingNames::surface(const std::string& position, const std::string& normal,
-                                   const std::string& prefix) const {
+std::string LightingNames::surface(const std::string& position, const std::string& homogeneous,
+                                   const std::string& normal, const std::string& prefix) const {
     std::vector<std::string> fields;
     if (effects_.needs_position_eye()) fields.push_back(position);
+    if (has_homogeneous()) fields.push_back(homogeneous);
     if (effects_.needs_normal()) fields.push_back(normal);
     if (effects_.needs_color()) fields.push_back(prefix + "color");
     for (const VertexProperty& property : vertex_properties(effects_)) fields.push_back(prefix + property.name);

@@ -43,6 +43,9 @@ class LightingNames {
     std::string position() const { return "surface." + position_field(); }
     // In a wide range a homogeneous position of object coordinates, times u_object_scale.
     std::string position_field() const { return "position_" + (form_.wide_range ? "object" : space()); }
+    // The vertex before the division by w, in eye coordinates.
+    std::string homogeneous() const { return "surface.homogeneous_eye"; }
+    bool has_homogeneous() const { return !form_.wide_range && effects_.any_light(&LightEffects::meets_directions); }
     std::string normal() const { return "surface.normal_" + space(); }
 
     // A value of the i-th light: what = "attenuation" gives u_light0_attenuation, or u_light0_attenuation[i] in a loop.
@@ -64,9 +67,10 @@ class LightingNames {
 
     // struct Surface and struct Lit.
     std::string structs() const;
-    // The constructor call Surface(...): position, normal and the other fields, of a vertex (prefix "a_") or fragment
-    // ("v_").
-    std::string surface(const std::string& position, const std::string& normal, const std::string& prefix) const;
+    // The constructor call Surface(...): position, the same before the division by w, normal and the other fields, of a
+    // vertex (prefix "a_") or fragment ("v_").
+    std::string surface(const std::string& position, const std::string& homogeneous, const std::string& normal,
+                        const std::string& prefix) const;
     bool has_surface() const;
 
   private:

@@ -21,7 +21,9 @@ class Writer : LightingWriter {
                                                     : "u_eye_from_object * position";
         text.vertex_normal = form_.object_space ? "a_normal" : "u_eye_from_object_normal * a_normal";
         if (form_.rescale) text.vertex_normal = fmt::format("u_normal_scale * ({})", text.vertex_normal);
-        if (effects_.normalize) text.vertex_normal = fmt::format("unit({})", text.vertex_normal);  // GL_NORMALIZE
+        if (effects_.normalize)
+            text.vertex_normal =
+                fmt::format("{}({})", form_.wide_normals ? "unit_of_any" : "unit", text.vertex_normal);  // GL_NORMALIZE
         if (!effects_.lighting) return text;
         std::string faces;
         for (const std::string& name : names_.faces()) faces += face(name);
@@ -148,16 +150,27 @@ class Writer : LightingWriter {
         text_ += names_.light_block(i);
         const bool cone = light.spot || light.smooth_cone;
         const bool needs_vp_dir = cone || has_n_dot_vp(light) || (light.specular && effects_.shininess != Power::kZero);
-        if (!light.directional && form_.wide_range)
-            add("        vec3 vp = {};\n", vector_to(names_.light(i, "vec3", "position_object", "P_pli")));
-        else if (!light.directional)
+        if (light.meets_directions)
+            add("        vec3 vp = between_directions({}, {}, {}.w);\n",
+                names_.light(i, "vec3", "toward_eye", "P_pli, a direction of any length"),
+                form_.wide_range ? fmt::format("u_eye_from_object_turned * {}.xyz", names_.position())
+                                 : names_.homogeneous() + ".xyz",
+                form_.wide_range ? names_.position() : names_.homogeneous());
+        else if (!light.directional && form_.wide_range) {
+            const std::string position = names_.light(i, "vec3", "position_object", "P_pli");
+            const std::string way = form_.flattened
+                                        ? fmt::format(" + abs({}.w) * {}", names_.position(),
+                                                      names_.light(i, "vec3", "way_eye", "from there to P_pli"))
+                                        : "";
+            add("        vec3 vp = {}{};\n", vector_to(position), way);
+        } else if (!light.directional)
             add("        vec3 vp = {} - {};\n", names_.light(i, "vec3", "position_" + names_.space(), "P_pli"),
                 names_.position());
         if (needs_vp_dir)
             add("        vec3 vp_dir = {};\n",
-                light.directional  ? names_.light(i, "vec3", "direction_" + names_.space(), "VP_i, of length 1")
-                : form_.wide_range ? "unit_of_any(vp)"
-                                   : "unit(vp)");
+                light.directional ? names_.light(i, "vec3", "direction_" + names_.space(), "VP_i, of length 1")
+                : form_.wide_range || light.meets_directions ? "unit_of_any(vp)"
+                                                             : "unit(vp)");
         if (has_n_dot_vp(light)) add("        float n_dot_vp = positive_dot(n, vp_dir);\n");
         const std::string reach_value = reach(i), reach_times = reach_value.empty() ? "" : "reach * ";
         if (!reach_value.empty()) add("        float reach = {};\n", reach_value);

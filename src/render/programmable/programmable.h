@@ -69,7 +69,7 @@ class Renderer {
     Renderer& operator=(const Renderer&) = delete;
 
     // Clears to black and depth 1 and draws the frame into the current colour buffer, with programs of the options'
-    // tier. Throws std::runtime_error with the log, the numbered source and the EffectSet if the driver refuses a
+    // tier. Throws ShaderRefused (shader_program.h) if the driver refuses a
     // shader.
     void draw(const UploadedFrame& frame);
     // Under Tier::kAuto, vertices that are bit for bit the same as in earlier frames are not analysed or uploaded again

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
@@ -143,7 +144,8 @@ class Assembler {
         const TextureEffects& texture = effects_.texture;
         if (effects_.has_texture() && !form_.surface.tex_coord)
             list.push_back({tex_coord_type(), "v_tex_coord",
-                            fmt::format("{}.{}", texture.matrix ? "(u_texture_matrix * a_tex_coord)" : "a_tex_coord",
+                            fmt::format(fmt::runtime(texture.matrix ? "(u_texture_matrix * {}).{}" : "{}.{}"),
+                                        texture.generates() ? "tex_coord" : "a_tex_coord",
                                         std::string(texture.one_dimensional ? "s" : "st") + (texture.q ? "q" : ""))});
         if (effects_.has_fog() && !has_ray())
             list.push_back({effects_.vertex_w ? "vec2" : "float", "v_eye_z", eye_z("position"),
@@ -206,7 +208,7 @@ class Assembler {
         const std::string position = form_.wide_range     ? lighting_.vertex_position
                                      : form_.object_space ? "position.xyz"
                                                           : divided(lighting_.vertex_position);
-        const std::string surface = names_.surface(position, lighting_.vertex_normal, "a_");
+        const std::string surface = names_.surface(position, lighting_.vertex_position, lighting_.vertex_normal, "a_");
         const char* argument = names_.has_surface() ? "surface" : "";
         std::string text;
         if (names_.has_surface()) text += fmt::format("    Surface surface = {};\n", surface);
@@ -232,8 +234,10 @@ class Assembler {
         const std::string is_front = names_.is_front();
         std::string text;
         if (names_.has_surface())
-            text += fmt::format("    Surface surface = {};\n",
-                                names_.surface(position, fmt::format("unit({})", normal), "v_"));
+            text += fmt::format(
+                "    Surface surface = {};\n",
+                names_.surface(position, has_ray() ? "u_eye_from_object * place" : "v_position_eye",
+                               fmt::format("{}({})", form_.wide_normals ? "unit_of_any" : "unit", normal), "v_"));
         const std::string turn = fmt::format("{0} = -{0};\n", names_.normal());
         if (!effects_.two_side) {
             text += fmt::format("    Lit lit = light_front({});\n", argument);
@@ -268,6 +272,50 @@ class Assembler {
     std::string tex_coord_type() const {
         const int parts = (effects_.texture.one_dimensional ? 1 : 2) + (effects_.texture.q ? 1 : 0);
         return parts == 1 ? "float" : fmt::format("vec{}", parts);
+    }
+
+    // In the vertex shader's main(): the vec4 tex_coord (section 2.11.4).
+    std::string generated() const {
+        const TextureEffects& texture = effects_.texture;
+        if (!texture.generates()) return "";
+        const auto is_eye_plane = [&](std::size_t i) {  // otherwise planes are in object coordinates
+            return form_.kept && form_.kept->eye_planes[i] && texture.generated[i] == Generated::kLinear;
+        };
+        std::string text = fmt::format("    // glTexGen (section 2.11.4)\n    vec4 tex_coord = {};\n",
+                                       effects_.takes_tex_coord() ? "a_tex_coord" : "vec4(0.0, 0.0, 0.0, 1.0)");
+        if (texture.generates_from_direction() || is_eye_plane(0) || is_eye_plane(1) || is_eye_plane(2) ||
+            is_eye_plane(3))
+            text += "    vec4 position_eye = u_generated_eye_from_object * position;\n";
+        if (texture.generated_normal != GeneratedNormal::kUnused) {
+            std::string normal = "u_generated_normal_from_object * a_normal";
+            if (texture.generated_normal == GeneratedNormal::kUnit)
+                normal = fmt::format("unit_of_any({})", normal);
+            else if (form_.kept && form_.kept->rescales_generated)
+                normal = fmt::format("u_normal_scale * ({})", normal);
+            text += fmt::format("    vec3 normal_eye = {};\n", normal);
+        }
+        if (texture.generates_from_direction())
+            text += fmt::format("    vec3 reflected = reflect(unit_of_any({}), normal_eye);\n",
+                                texture.generated_w ? "position_eye.w < 0.0 ? -position_eye.xyz : position_eye.xyz"
+                                                    : "position_eye.xyz");
+        for (std::size_t i = 0; i < texture.generated.size(); ++i) {
+            const char component = "xyzw"[i];
+            const auto add = [&](const std::string& value) {
+                text += fmt::format("    tex_coord.{} = {};\n", "stpq"[i], value);
+            };
+            switch (texture.generated[i]) {
+                case Generated::kNot: break;
+                case Generated::kLinear:
+                    add(fmt::format(fmt::runtime(is_eye_plane(i) ? "dot(u_plane_{}_eye, position_eye)"
+                                                                 : "dot(u_plane_{}_object, position)"),
+                                    "strq"[i]));
+                    break;
+                case Generated::kSphereMap: add(fmt::format("sphere_map(reflected).{}", component)); break;
+                case Generated::kReflectionMap: add(fmt::format("reflected.{}", component)); break;
+                case Generated::kNormalMap: add(fmt::format("normal_eye.{}", component)); break;
+            }
+        }
+        return text;
     }
 
     // Section 3.8.13, tables 3.22 and 3.23.
@@ -368,6 +416,7 @@ class Assembler {
                          {"EFFECT_RAY_NORMAL", (effects_.needs_normal() && is_phong()) || effects_.two_side || steps}},
             .inserts = {{"clip_position", lighting_.clip_position},
                         {"lit", lit(stage)},
+                        {"generated", has_ray() ? "" : generated()},
                         {"outputs", outputs()},
                         {"point_size", form_.kept && form_.kept->sizes_points
                                            ? "    gl_PointSize = PointSize;  // glPointSize (section 3.3)\n"

@@ -36,8 +36,8 @@ std::string log_of(GLuint object, decltype(glGetShaderiv) get, decltype(glGetSha
 
 [[noreturn]] void refuse(const char* what, const std::string& log, const std::string& source,
                          const EffectSet& effects) {
-    throw std::runtime_error(
-        fmt::format("the driver refuses {}:\n{}\n{}\nfor these effects:\n{}", what, log, source, describe(effects)));
+    throw ShaderRefused(fmt::format("the driver refuses {}: {}", what, log.substr(0, log.find('\n'))),
+                        fmt::format("{}\n{}\nfor these effects:\n{}", log, source, describe(effects)));
 }
 
 GLuint start_compiling(GLenum type, const std::string& source) {

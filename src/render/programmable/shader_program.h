@@ -1,13 +1,21 @@
 // ShaderProgram: compiled and linked GLSL, in the current context.
 #pragma once
 
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/programmable/draw_values.h"
 #include "render/programmable/shader_assembly.h"
 
 namespace twinlight::programmable {
+
+// The driver refuses a shader. what() is one line.
+struct ShaderRefused : std::runtime_error {
+    ShaderRefused(const std::string& line, std::string all) : std::runtime_error(line), text(std::move(all)) {}
+    std::string text;  // the driver's log, the numbered source and the EffectSet
+};
 
 class ShaderProgram {
   public:
@@ -20,7 +28,7 @@ class ShaderProgram {
     // Whether use() can run without waiting for the compiler. True if the driver cannot tell. (llvmpipe generates
     // machine code later, in the program's first drawing command, whatever it answers.)
     bool is_ready() const;
-    // Throws std::runtime_error with the driver's log, the numbered source and the EffectSet if the driver refuses it.
+    // Throws ShaderRefused.
     void make_current();
     // Makes the program current and sets the uniforms that differ from those of the last use. Throws as make_current().
     void use(const Uniforms& uniforms);

@@ -25,16 +25,19 @@ std::vector<Attribute> attributes(const EffectSet& effects) {
     std::vector<Attribute> list;
     list.reserve(4);
     list.push_back({"a_position", 4});
-    if (effects.needs_normal()) list.push_back({"a_normal", 4, "vec3"});
+    if (effects.takes_normal()) list.push_back({"a_normal", 4, "vec3"});
     if (effects.needs_color()) list.push_back({"a_color", 4});
-    if (effects.has_texture()) list.push_back({"a_tex_coord", 4});
+    if (effects.takes_tex_coord()) list.push_back({"a_tex_coord", 4});
     for (const VertexProperty& property : vertex_properties(effects))
         list.push_back({"a_" + property.name, property.size, property.type()});
     return list;
 }
 
 bool makes_normals_unit(const EffectSet& effects) {
-    return effects.needs_normal() && (effects.normalize || effects.shading == Shading::kPhong);
+    using enum GeneratedNormal;
+    const GeneratedNormal generated = effects.texture.generated_normal;
+    const bool lighting_does = effects.normalize || effects.shading == Shading::kPhong || !effects.needs_normal();
+    return effects.takes_normal() && lighting_does && (generated == kUnused || generated == kUnit);
 }
 
 }  // namespace twinlight::programmable

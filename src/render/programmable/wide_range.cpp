@@ -22,9 +22,8 @@ constexpr double kNear = 0x1p-8;
 
 // Whether a vertex may be nearer to the place than `distance`. The sphere and the box around all vertices answer for most Draws.
 // A box helps where the sphere reaches far from the vertices, as that of a floor does to the lamps above it.
-bool may_be_near(std::span<const Draw* const> draws, const VertexFacts& facts, const glm::dvec3& place,
-                 double distance) {
-    const glm::dmat4& m = draws.front()->eye_from_object;
+bool may_be_near(std::span<const Draw* const> draws, const glm::dmat4& m, const VertexFacts& facts,
+                 const glm::dvec3& place, double distance) {
     if (facts.has_sphere) {
         double squares = 0;  // at least the square of the matrix's largest stretch
         for (int column = 0; column < 3; ++column) squares += glm::dot(glm::dvec3(m[column]), glm::dvec3(m[column]));
@@ -42,7 +41,8 @@ bool may_be_near(std::span<const Draw* const> draws, const VertexFacts& facts, c
         }
     }
     const auto is_near = [&](const Vertex& vertex) {
-        const glm::dvec3 way = place - glm::dvec3(m * vertex.position_object);
+        const glm::dvec4 at = m * vertex.position_object;
+        const glm::dvec3 way = place - glm::dvec3(at) / (at.w == 0 ? 1 : at.w);
         return !(glm::dot(way, way) > distance * distance);
     };
     return std::ranges::any_of(draws, [&](const Draw* draw) { return std::ranges::any_of(draw->vertices, is_near); });
@@ -70,21 +70,24 @@ std::vector<glm::dvec3> places_eye(const Plan& plan) {
     return places;
 }
 
+glm::dmat4 keeping_w(const glm::dmat4& eye_from_object) {
+    const double w = eye_from_object[3][3];
+    const bool only_scales_w = eye_from_object[0][3] == 0 && eye_from_object[1][3] == 0 && eye_from_object[2][3] == 0;
+    return only_scales_w && w > 0 && w != 1 && std::isfinite(w) ? eye_from_object / w : eye_from_object;
+}
+
 bool has_wide_range(std::span<const Draw* const> draws, const Plan& plan) {
     if (!plan.effects.lighting || !plan.effects.needs_position_eye()) return false;
     const VertexFacts& facts = plan.vertices;
-    const glm::dmat4& eye_from_object = draws.front()->eye_from_object;
+    const glm::dmat4 eye_from_object = keeping_w(draws.front()->eye_from_object);
+    if (!keeps_w(eye_from_object)) return false;
+    if (!facts.w_is_1) return true;
     const double size = reach_eye(eye_from_object, facts.position_reach);
-    const std::vector<glm::dvec3> places = places_eye(plan);
-    const auto is_wide = [&] {
-        if (plan.effects.vertex_w || (size > 0 && !(size > kShort && size < kLong))) return true;
-        return std::ranges::any_of(places, [&](const glm::dvec3& place) {
-            return !(largest_component(place) < kLong) ||
-                   may_be_near(draws, facts, place, std::max(kNear * size, kShort));
-        });
-    };
-    // The places must have object coordinates.
-    return keeps_w(eye_from_object) && is_wide() && !is_singular(glm::dmat3(eye_from_object));
+    if (size > 0 && !(size > kShort && size < kLong)) return true;
+    return std::ranges::any_of(places_eye(plan), [&](const glm::dvec3& place) {
+        return !(largest_component(place) < kLong) ||
+               may_be_near(draws, eye_from_object, facts, place, std::max(kNear * size, kShort));
+    });
 }
 
 glm::dvec3 place_object(const Draw& draw, const glm::dvec3& place_eye) {
@@ -93,8 +96,25 @@ glm::dvec3 place_object(const Draw& draw, const glm::dvec3& place_eye) {
         const glm::dvec4 at = draw.eye_from_object * p;
         if (p.w != 0 && glm::dvec3(at) / at.w == place_eye) return glm::dvec3(p) / p.w;
     }
-    const glm::dmat3 object_from_eye = glm::transpose(normal_matrix(glm::dmat3(draw.eye_from_object)));
-    return object_from_eye * (place_eye - glm::dvec3(draw.eye_from_object[3]));
+    const glm::dmat4 m = keeping_w(draw.eye_from_object);
+    const glm::dmat3 object_from_eye = glm::transpose(normal_matrix(glm::dmat3(m)));
+    return object_from_eye * (place_eye - glm::dvec3(m[3]));
+}
+
+NearestVertex nearest_vertex(const Draw& draw, const glm::dvec3& place_eye) {
+    const glm::dmat4 m = keeping_w(draw.eye_from_object);
+    NearestVertex nearest{glm::dvec3(0), place_eye - glm::dvec3(m[3])};
+    bool found = false;
+    for (const Vertex& vertex : draw.vertices) {
+        const glm::dvec4& p = vertex.position_object;
+        if (p.w == 0) continue;
+        const glm::dvec4 at = draw.eye_from_object * p;  // as the light's, so that nothing is left where they agree
+        const glm::dvec3 way = place_eye - glm::dvec3(at) / at.w;
+        if (found && !(largest_component(way) < largest_component(nearest.way_eye))) continue;
+        nearest = {glm::dvec3(p) / p.w, way};
+        found = true;
+    }
+    return nearest;
 }
 
 }  // namespace twinlight::programmable

@@ -3,7 +3,8 @@
 // A shader usually gets the vector from a vertex to a light as the difference of their eye coordinates. That loses the vector if
 // both are far away and close together, and squares of its length overflow or vanish if lengths have very different sizes. In a
 // wide range the difference is taken in object coordinates, where a vertex is exactly the float that the program gave, and is then
-// multiplied with the matrix's upper 3x3.
+// multiplied with the matrix's upper 3x3. A light has no object coordinates if that matrix flattens space. Then the nearest vertex
+// replaces it, and the rest of the way from there is added in eye coordinates.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -23,6 +24,9 @@ inline bool has_wide_range(const Draw& draw, const Plan& plan) {
     return has_wide_range({&one, 1}, plan);
 }
 
+// The same matrix for points, divided by its last element if it does nothing else to w, as the shadow matrix of a directional light.
+glm::dmat4 keeping_w(const glm::dmat4& eye_from_object);
+
 // A bound on the eye coordinates x, y and z of positions whose components are at most `reach_object`, before the division by w.
 double reach_eye(const glm::dmat4& eye_from_object, const glm::dvec4& reach_object);
 // The places that lighting measures distances to: positional lights, and the eye with a local viewer.
@@ -30,5 +34,12 @@ std::vector<glm::dvec3> places_eye(const Plan& plan);
 
 // A point of eye coordinates in object coordinates: exactly the vertex's if one is there. The matrix must be invertible and keep w.
 glm::dvec3 place_object(const Draw& draw, const glm::dvec3& place_eye);
+
+// For a matrix that flattens space and keeps w: the vertex that is nearest to a place, and the rest of the way, in eye coordinates.
+struct NearestVertex {
+    glm::dvec3 vertex_object{0};  // divided by its w; the origin if all vertices are directions
+    glm::dvec3 way_eye{0};        // from the vertex to the place
+};
+NearestVertex nearest_vertex(const Draw& draw, const glm::dvec3& place_eye);
 
 }  // namespace twinlight::programmable

@@ -6,6 +6,8 @@
 //   - colour: an interval per channel.
 // A pixel becomes open if a fragment may or may not change its colour, and certain again if a fragment certainly
 // overwrites it. Pixels that are open at the end are edge pixels.
+#include "render/reference/allowed_difference.h"
+
 #include <climits>
 #include <cmath>
 #include <glm/common.hpp>
@@ -29,9 +31,10 @@ constexpr double kHalfLineSquare = 1.5;
 
 // Whether both are the same triangle with the same clipping; polygon offsets may differ.
 bool same_triangle(const Piece& a, const Piece& b) {
-    return a.shape == Shape::kTriangle && b.shape == Shape::kTriangle && a.corners == b.corners &&
-           a.weight_over_w_planes == b.weight_over_w_planes && a.depth_plane.x == b.depth_plane.x &&
-           a.depth_plane.y == b.depth_plane.y;
+    if (a.shape != Shape::kTriangle || b.shape != Shape::kTriangle) return false;
+    const Planes &p = a.planes(), &q = b.planes();
+    return a.corners == b.corners && p.weight_over_w == q.weight_over_w && p.depth.x == q.depth.x &&
+           p.depth.y == q.depth.y;
 }
 
 // Whether a polygon covers the square about `centre`: certainly, perhaps, or not. The square must meet the polygon's
@@ -74,9 +77,9 @@ class OpenPixels {
         const Piece& piece = *fragment.piece;
         double change = 0;
         if (piece.shape == Shape::kTriangle)
-            change = kHalfSquare * (std::abs(piece.depth_plane.x) + std::abs(piece.depth_plane.y));
+            change = kHalfSquare * (std::abs(piece.planes().depth.x) + std::abs(piece.planes().depth.y));
         if (piece.shape == Shape::kLine) {
-            const glm::dvec3 d = glm::abs(piece.to.position_window - piece.from.position_window);
+            const glm::dvec3 d = glm::abs(piece.ends().to.position_window - piece.ends().from.position_window);
             change = 2 * kHalfLineSquare * d.z / std::max({d.x, d.y, 1.0});
         }
         return widened(depth_at(piece, fragment.position_window), change);
@@ -86,12 +89,12 @@ class OpenPixels {
         const StepId other_id = depth_of_[at];
         if (other_id >= 0) {
             const Piece &piece = *fragment.piece, &other = stages_.piece(other_id);
-            const glm::dvec3 between = piece.depth_plane - other.depth_plane;
-            // Appendix A: geometry that is drawn twice has the same depths; 3.5.5: r keeps offset depths apart. But a
-            // driver may cut a quadrilateral differently depending on flat shading or display lists.
-            if (same_triangle(piece, other) && !is_quadrilaterals(stages_.draw_of(piece)))
-                return compares(depth_func, between.z, 0) ? Outcome::kPasses : Outcome::kFails;
             if (piece.shape == Shape::kTriangle && other.shape == Shape::kTriangle) {
+                const glm::dvec3 between = piece.planes().depth - other.planes().depth;
+                // Appendix A: geometry that is drawn twice has the same depths; 3.5.5: r keeps offset depths apart. But
+                // a driver may cut a quadrilateral differently depending on flat shading or display lists.
+                if (same_triangle(piece, other) && !is_quadrilaterals(stages_.draw_of(piece)))
+                    return compares(depth_func, between.z, 0) ? Outcome::kPasses : Outcome::kFails;
                 const double change = kHalfSquare * (std::abs(between.x) + std::abs(between.y));
                 const glm::dvec2& centre = fragment.position_window;
                 const double difference = depth_at(piece, centre) - depth_at(other, centre);
@@ -171,7 +174,7 @@ class OpenPixels {
         for_each_pixel(piece, around, cover);
         // A line that leaves no diamond covers nothing, or one fragment nearby.
         const bool nothing = covered.empty();
-        if (nothing) for_each(point_square(glm::dvec2(piece.from.position_window), piece.size, around), cover);
+        if (nothing) for_each(point_square(glm::dvec2(piece.ends().from.position_window), piece.size, around), cover);
         if (covered.empty()) return;
         PixelRect box{INT_MAX, INT_MAX, INT_MIN, INT_MIN};
         for (const auto& [x, y] : covered)
@@ -236,32 +239,6 @@ class IntervalBuffer : public FragmentLoop<OpenPixels> {
     }
 };
 
-AllowedDifference allowed_with_cut(const Frame& frame, Options options) {
-    options.in_clip_plane = InClipPlane::kPerhaps;
-    AllowedDifference result{.edge = {}, .channels = Image(frame.width, frame.height)};
-    std::vector<char> edge(result.channels.pixels.size());  // bytes, not bits: bands write concurrently
-    const StagedFrame stages = run_stages(frame, options);
-    draw_in_bands<IntervalBuffer>(stages, frame, options, [&](IntervalBuffer& buffer, const PixelRect& band) {
-        for_each(band, [&](int x, int y) {
-            const IntervalBuffer::Pixel pixel = buffer.pixel(x, y);
-            const std::size_t at = result.channels.index(x, frame.height - 1 - y);
-            edge[at] = pixel.edge;
-            result.channels.pixels[at] = pixel.channels;
-        });
-    });
-    result.edge.assign(edge.begin(), edge.end());
-    return result;
-}
-
-void join(AllowedDifference& allowed, const AllowedDifference& other) {
-    for (std::size_t i = 0; i < allowed.edge.size(); ++i) {
-        allowed.edge[i] = allowed.edge[i] || other.edge[i];
-        for (std::size_t c = 0; c < allowed.channels.pixels[i].size(); ++c) {
-            allowed.channels.pixels[i][c] = std::max(allowed.channels.pixels[i][c], other.channels.pixels[i][c]);
-        }
-    }
-}
-
 // ---- Exact surfaces: their silhouettes differ from their meshes' ----
 
 // The frame with every Draw moved in the window by this fraction of a pixel.
@@ -290,6 +267,23 @@ void add_surface_edges(const Frame& frame, const Options& options, PixelMask& ed
 
 }  // namespace
 
+void find_differences(const StagedFrame& stages, const Options& options, const PixelRect& within,
+                      OpenDifference& difference, Joining joining) {
+    const bool adds = joining == Joining::kAdds;
+    Image& channels = difference.channels;
+    draw_in_bands<IntervalBuffer>(stages, within, options, [&](IntervalBuffer& buffer, const PixelRect& band) {
+        for_each(band, [&](int x, int y) {
+            const IntervalBuffer::Pixel pixel = buffer.pixel(x, y);
+            const std::size_t at = channels.index(x, channels.height - 1 - y);
+            difference.edge[at] = pixel.edge || (adds && difference.edge[at] != 0);
+            for (std::size_t c = 0; c < pixel.channels.size(); ++c) {
+                float& channel = channels.pixels[at][c];
+                channel = adds ? std::max(channel, pixel.channels[c]) : pixel.channels[c];
+            }
+        });
+    });
+}
+
 AllowedDifference allowed_difference(const Frame& frame, Options options) {
     if (options.shading == Shading::kExact) {
         options.shading = Shading::kPhong;
@@ -298,12 +292,7 @@ AllowedDifference allowed_difference(const Frame& frame, Options options) {
         add_surface_edges(frame, options, result.edge);
         return result;
     }
-    options.quad_cut = QuadCut::kFirstToThird;
-    AllowedDifference result = allowed_with_cut(frame, options);
-    if (!has_quadrilaterals(frame)) return result;
-    options.quad_cut = QuadCut::kSecondToFourth;
-    join(result, allowed_with_cut(frame, options));
-    return result;
+    return Pictures(frame).allowed_difference(options);
 }
 
 }  // namespace twinlight::reference

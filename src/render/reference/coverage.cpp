@@ -25,11 +25,12 @@ bool in_diamond(const glm::dvec2& p, int x, int y) {
 
 }  // namespace
 
-PixelRect bounds(const std::vector<Corner>& polygon, const PixelRect& within, double margin) {
-    glm::dvec2 low = polygon[0].position_window, high = low;
-    for (const Corner& corner : polygon) {
-        low = {std::min(low.x, corner.position_window.x), std::min(low.y, corner.position_window.y)};
-        high = {std::max(high.x, corner.position_window.x), std::max(high.y, corner.position_window.y)};
+PixelRect bounds(const Corners& polygon, const PixelRect& within, double margin) {
+    glm::dvec2 low = polygon.position_window(0), high = low;
+    for (std::size_t i = 1; i < polygon.size(); ++i) {
+        const glm::dvec2 corner = polygon.position_window(i);
+        low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
+        high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
     }
     return {std::max(within.x0, floor_to_pixel(low.x - margin)), std::max(within.y0, floor_to_pixel(low.y - margin)),
             std::min(within.x1, floor_to_pixel(high.x + margin) + 1),
@@ -42,6 +43,21 @@ PixelRect bounds(const SurfaceRays& rays, const PixelRect& within) {
             std::min(within.x1, floor_to_pixel(high.x) + 1), std::min(within.y1, floor_to_pixel(high.y) + 1)};
 }
 
+PixelRect reach_of(const Piece& piece, const PixelRect& within) {
+    constexpr double kNeighbours = 2;  // beside lines and points (allowed_difference.cpp)
+    switch (piece.shape) {
+        case Shape::kPoint:
+        case Shape::kLine: {
+            const Ends& ends = piece.ends();
+            const Corner from{glm::dvec2(ends.from.position_window)}, to{glm::dvec2(ends.to.position_window)};
+            return bounds(Corners({from, piece.shape == Shape::kLine ? to : from}), within, piece.size + kNeighbours);
+        }
+        case Shape::kTriangle: return bounds(piece.corners, within, 1);
+        case Shape::kSurface: break;
+    }
+    return within;
+}
+
 Edge::Edge(const Corner& from, const Corner& to) : origin_(from.edge_to_next) {
     const glm::dvec2 a = from.position_window, b = to.position_window;
     const bool forward = a.x < b.x || (a.x == b.x && a.y < b.y);
@@ -52,11 +68,11 @@ Edge::Edge(const Corner& from, const Corner& to) : origin_(from.edge_to_next) {
     owns_centres_ = direction.y < 0 || (direction.y == 0 && direction.x > 0);
 }
 
-std::vector<Edge> edges_of(const std::vector<Corner>& polygon) {
+std::vector<Edge> edges_of(const Corners& polygon) {
     std::vector<Edge> edges;
     edges.reserve(polygon.size());
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Corner &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+        const Corner from = polygon[i], to = polygon[i + 1 < polygon.size() ? i + 1 : 0];
         const glm::dvec2 way = glm::abs(to.position_window - from.position_window);
         if (way.x > kShortestEdge || way.y > kShortestEdge) edges.emplace_back(from, to);
     }
@@ -144,7 +160,7 @@ Outline strip(const Outline& polygon, int axis, int first) {
 Outline outline_of(const Piece& piece) {
     Outline outline;
     outline.reserve(piece.corners.size());
-    for (const Corner& corner : piece.corners) outline.push_back(corner.position_window);
+    for (std::size_t i = 0; i < piece.corners.size(); ++i) outline.push_back(piece.corners.position_window(i));
     return outline;
 }
 
@@ -165,7 +181,7 @@ double coverage_of(const Piece& piece, int x, int y) {
 
 std::vector<std::pair<int, int>> smooth_pixels(const Piece& piece, const PixelRect& within) {
     std::vector<std::pair<int, int>> pixels;
-    if (piece.corners.empty()) return pixels;
+    if (piece.corners.size() == 0) return pixels;
     const PixelRect box = bounds(piece.corners, within, 0);
     const Outline outline = outline_of(piece);
     for (int y = box.y0; y < box.y1; ++y) {

@@ -28,10 +28,13 @@ struct PixelRect {
 inline glm::dvec2 pixel_centre(int x, int y) { return {x + 0.5, y + 0.5}; }
 
 // The pixels whose squares, enlarged by `margin`, meet the polygon's bounding box.
-PixelRect bounds(const std::vector<Corner>& polygon, const PixelRect& within, double margin);
+PixelRect bounds(const Corners& polygon, const PixelRect& within, double margin);
 
 // The pixels where the surface may be visible.
 PixelRect bounds(const SurfaceRays& rays, const PixelRect& within);
+
+// A rectangle around the pixels that the piece may touch in any correct picture.
+PixelRect reach_of(const Piece& piece, const PixelRect& within);
 
 // One edge of a counter-clockwise polygon.
 class Edge {
@@ -59,7 +62,7 @@ class Edge {
 };
 
 // The edges with a direction; fewer than two if the polygon is a point.
-std::vector<Edge> edges_of(const std::vector<Corner>& polygon);
+std::vector<Edge> edges_of(const Corners& polygon);
 
 // The fragments of a line, in their order along it. Width 1 follows the diamond exit rule; wider lines repeat each
 // fragment across the line (3.4.2.1).
@@ -92,11 +95,11 @@ void for_each_pixel(const Piece& piece, const PixelRect& within, const Fragment&
     }
     switch (piece.shape) {
         case Shape::kPoint:
-            for_each(point_square(glm::dvec2(piece.from.position_window), piece.size, within), fragment);
+            for_each(point_square(glm::dvec2(piece.ends().from.position_window), piece.size, within), fragment);
             break;
         case Shape::kLine:
-            for (const auto& [x, y] : line_pixels(glm::dvec2(piece.from.position_window),
-                                                  glm::dvec2(piece.to.position_window), piece.size, within))
+            for (const auto& [x, y] : line_pixels(glm::dvec2(piece.ends().from.position_window),
+                                                  glm::dvec2(piece.ends().to.position_window), piece.size, within))
                 fragment(x, y);
             break;
         case Shape::kTriangle: {

@@ -49,10 +49,33 @@ std::vector<lighting::Light<Real>> lights_of(const LightingState& state, bool le
     return lights;
 }
 
+bool weakens_with_distance(const LightSource& source) {
+    return source.linear_attenuation != 0 || source.quadratic_attenuation != 0;
+}
+
+// 2.14.1: the vector from P1 to P2, both with w = 0, is the unit vector of P2 - P1.
+template <class Real>
+void turn_to(lighting::Light<Real>& light, const glm::dvec3& light_eye, const glm::dvec4& position_eye) {
+    if (light.directional) place(light, vec3_cast<Vec3<Real>>(light_eye - glm::dvec3(position_eye)), Real(0));
+}
+
 }  // namespace
 
-std::vector<lighting::Light<lighting::Marked>> marked_lights(const Draw& draw, bool lecture_variants) {
-    return lights_of<lighting::Marked>(draw.lighting, lecture_variants);
+std::vector<lighting::Light<lighting::Marked>> marked_lights(const Draw& draw, bool lecture_variants,
+                                                             const glm::dvec4& position_eye) {
+    using lighting::Marked;
+    auto lights = lights_of<Marked>(draw.lighting, lecture_variants);
+    if (position_eye.w != 0) return lights;
+    auto light = lights.begin();
+    for (const LightSource& source : draw.lighting.lights) {
+        if (!source.enabled) continue;
+        turn_to(*light, source.position_eye, position_eye);
+        // RULING: the distance is infinite.
+        for (Marked* k : {&light->linear_attenuation, &light->quadratic_attenuation})
+            if (k->value != 0) *k = ruled(lighting::Ruling::kAtInfinity, *k);
+        ++light;
+    }
+    return lights;
 }
 
 lighting::SurfacePoint<double> surface_of(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, Face face) {
@@ -73,10 +96,28 @@ DrawLighting::DrawLighting(const Draw& draw, bool lecture_variants)
     model_.reflection = lecture_variants && light_model.specular == Word::reflection;
     model_.ambient_unattenuated = lecture_variants && light_model.light_ambient == Word::unattenuated;
     lights_ = lights_of<double>(draw.lighting, lecture_variants);
+    for (const LightSource& source : draw.lighting.lights) {
+        if (!source.enabled) continue;
+        positions_eye_.emplace_back(source.position_eye);
+        differs_at_infinity_ = differs_at_infinity_ || source.position_eye.w == 0 || weakens_with_distance(source);
+    }
     if (!lecture_variants || !light_model.spectrum) return;
     std::vector<LightSource> enabled;
     std::ranges::copy_if(draw.lighting.lights, std::back_inserter(enabled), &LightSource::enabled);
     spectral_.emplace(light_model.spectrum, model_, lights_, enabled);
+}
+
+DrawLighting DrawLighting::at(const glm::dvec4& position_eye) const {
+    DrawLighting lighting = *this;
+    lighting.differs_at_infinity_ = false;
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        lighting::Light<double>& light = lighting.lights_[i];
+        turn_to(light, positions_eye_[i], position_eye);
+        if (light.linear_attenuation != 0 || light.quadratic_attenuation != 0)
+            light.constant_attenuation = light.linear_attenuation = light.quadratic_attenuation = 0;  // which gives 0
+    }
+    if (spectral_) lighting.spectral_->place_like(lighting.lights_);
+    return lighting;
 }
 
 LitMaterial DrawLighting::material(const StageVertex& v, Face face) const {
@@ -122,6 +163,7 @@ bool DrawLighting::has_one_material(Face face) const {
 
 Colors DrawLighting::lit(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, const LitMaterial& material,
                          Face face) const {
+    if (differs_at(position_eye)) return at(position_eye).lit(position_eye, normal_eye, material, face);
     const lighting::SurfacePoint<double> surface = surface_of(position_eye, normal_eye, face);
     const lighting::MeasuredLit<double> lit = light_surface(material, surface);
     return {.primary = glm::dvec4(vec3_cast<glm::dvec3>(lit.primary), lit.alpha),
@@ -134,7 +176,7 @@ Colors DrawLighting::colors(const StageVertex& v, Face face) const {
     return lit(v.position_eye, v.normal_eye, material(v, face), face);
 }
 
-PointBatch::PointBatch(const DrawLighting& lighting, Normals normals) : lighting_(lighting) {
+PointBatch::PointBatch(const DrawLighting& lighting, Normals normals) : lighting_(lighting), normals_(normals) {
     lighting::Points none;
     none.makes_unit_normals = normals == Normals::kMadeUnit;
     for (Side& side : sides_) side.points.assign(lighting.spectral_ ? lighting.spectral_->group_count() : 1, none);
@@ -155,6 +197,7 @@ void PointBatch::clear() {
         for (lighting::Points& points : side.points) points.clear();
         side.places.clear();
     }
+    at_infinity_.clear();
     count_ = 0;
 }
 

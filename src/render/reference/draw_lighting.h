@@ -27,8 +27,9 @@ struct Colors {
 
 enum class Face : std::uint8_t { kFront, kBack };
 
-// The enabled lights for the equation, marked with the rulings that they depend on.
-std::vector<lighting::Light<lighting::Marked>> marked_lights(const Draw& draw, bool lecture_variants);
+// The enabled lights for the equation at a point with these eye coordinates, marked with the rulings that they depend on.
+std::vector<lighting::Light<lighting::Marked>> marked_lights(const Draw& draw, bool lecture_variants,
+                                                             const glm::dvec4& position_eye);
 
 // The equation's inputs at a point: V, and the normal, reversed for the back face (2.14.1).
 lighting::SurfacePoint<double> surface_of(const glm::dvec4& position_eye, const glm::dvec3& normal_eye, Face face);
@@ -52,6 +53,11 @@ class DrawLighting {
     // The vertex's material: its own, with the current colour for the properties that follow it (2.14.3).
     LitMaterial material(const StageVertex& v, Face face) const;
 
+    // The lighting of a point whose w is 0. Between it and a directional light, VP is the unit vector of the difference of
+    // their directions (2.14.1). RULING: its distance from positional lights is infinite.
+    bool differs_at(const glm::dvec4& position_eye) const { return position_eye.w == 0 && differs_at_infinity_; }
+    DrawLighting at(const glm::dvec4& position_eye) const;
+
     const lighting::Model<double>& model() const { return model_; }
     const std::vector<lighting::Light<double>>& lights() const { return lights_; }  // the enabled ones
     bool enabled() const { return enabled_; }
@@ -67,9 +73,11 @@ class DrawLighting {
 
     bool enabled_ = false;
     bool two_side_ = false;
+    bool differs_at_infinity_ = false;  // a light is directional, or attenuated by its distance
     lighting::Model<double> model_;
     std::vector<lighting::Light<double>> lights_;
-    std::vector<Materials> materials_;  // at least one
+    std::vector<glm::dvec3> positions_eye_;  // of the lights, as glLight gave them
+    std::vector<Materials> materials_;       // at least one
     ColorMaterial color_material_;
     std::optional<SpectralLighting> spectral_;
 };
@@ -86,6 +94,10 @@ class PointBatch {
     // Calls material() only if points differ in their material.
     template <class MaterialOf>
     void add(const StageVertex& v, Face face, const MaterialOf& material) {
+        if (lighting_.differs_at(v.position_eye)) {
+            at_infinity_.push_back({v, face, material(), count_++});
+            return;
+        }
         Side& side = sides_[face == Face::kFront ? 0 : 1];
         if (side.places.empty() || !lighting_.has_one_material(face)) add(material(), side);
         add(surface_of(v.position_eye, v.normal_eye, face), side);
@@ -93,14 +105,14 @@ class PointBatch {
     // Calls visit(i, primary, secondary) for each point, numbered as added, with the colours of DrawLighting::lit().
     template <class Visit>
     void light(const Arithmetic& arithmetic, const Visit& visit) {
-        for (const Side& side : sides_) {
-            light(side, arithmetic);
-            const Vec3<lighting::Each> primary = lighting::each(lit_.primary),
-                                       secondary = lighting::each(lit_.secondary);
-            const lighting::Each alpha(lit_.alpha);
-            for (std::size_t i = 0; i < side.places.size(); ++i)
-                visit(side.places[i], glm::dvec4(primary.x[i], primary.y[i], primary.z[i], alpha[i]),
-                      glm::dvec4(secondary.x[i], secondary.y[i], secondary.z[i], 1));
+        light_sides(arithmetic, visit);
+        for (const AtInfinity& point : at_infinity_) {
+            const DrawLighting lighting = lighting_.at(point.vertex.position_eye);
+            PointBatch one(lighting, normals_);
+            one.add(point.vertex, point.face, [&] { return point.material; });
+            one.light_sides(arithmetic, [&](std::size_t, const glm::dvec4& primary, const glm::dvec4& secondary) {
+                visit(point.place, primary, secondary);
+            });
         }
     }
     // Removes all points and keeps the memory.
@@ -111,12 +123,32 @@ class PointBatch {
         std::vector<lighting::Points> points;  // one, or one per group of samples (spectral_lighting.h)
         std::vector<std::size_t> places;       // their numbers among all points
     };
+    struct AtInfinity {  // a point that has lights of its own: DrawLighting::at()
+        StageVertex vertex;
+        Face face;
+        LitMaterial material;
+        std::size_t place;
+    };
+    template <class Visit>
+    void light_sides(const Arithmetic& arithmetic, const Visit& visit) {
+        for (const Side& side : sides_) {
+            light(side, arithmetic);
+            const Vec3<lighting::Each> primary = lighting::each(lit_.primary),
+                                       secondary = lighting::each(lit_.secondary);
+            const lighting::Each alpha(lit_.alpha);
+            for (std::size_t i = 0; i < side.places.size(); ++i)
+                visit(side.places[i], glm::dvec4(primary.x[i], primary.y[i], primary.z[i], alpha[i]),
+                      glm::dvec4(secondary.x[i], secondary.y[i], secondary.z[i], 1));
+        }
+    }
     void add(const LitMaterial& material, Side& side) const;
     void add(const lighting::SurfacePoint<double>& point, Side& side);
     void light(const Side& side, const Arithmetic& arithmetic);
 
     const DrawLighting& lighting_;
+    const Normals normals_;
     std::array<Side, 2> sides_;
+    std::vector<AtInfinity> at_infinity_;
     lighting::Lit<lighting::Column> lit_;
     std::size_t count_ = 0;
 };

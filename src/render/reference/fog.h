@@ -8,6 +8,15 @@
 
 namespace twinlight::reference {
 
+// c = |z_eye|, of homogeneous eye coordinates. RULING: where w is 0 it is infinite, the limit, or 0 if z is 0 too.
+template <class Real>
+Real fog_distance(Real z, Real w) {
+    using std::abs;
+    if (w != Real(0)) return abs(z / w);
+    constexpr double kFarthest = 1e300;
+    return ruled(lighting::Ruling::kAtInfinity, z == Real(0) ? Real(0) : Real(kFarthest));
+}
+
 // f, in [0,1], equations 3.24 to 3.26. `distance`: c. The specification allows |z_eye|, used here, instead of the
 // distance from the eye. RULING: linear fog with end = start is a step there: no fog before, full fog from there on.
 template <class Real>

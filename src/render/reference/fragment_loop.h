@@ -89,8 +89,9 @@ class FragmentLoop {
             Shaded<Real> shaded;
             // The order of the tests matters only to the stencil: both others must pass. If the pixel is open anyway,
             // its colour is not needed.
+            const bool stays_open = kept_.is_open(at) && !overwrites_color(state);
             const auto alpha_test = [&] {
-                if (waits || !(writes || state.alpha_test) || outcome != Outcome::kPasses) return;
+                if (waits || !((writes && !stays_open) || state.alpha_test) || outcome != Outcome::kPasses) return;
                 shaded = shaders_[piece.draw].template shade<Real>(fragment);
                 if (piece.is_smooth) shaded.color[3] = shaded.color[3] * Real(coverage_of(piece, x, y));
                 if (state.alpha_test) outcome = alpha_outcome(state, shaded.color[3]);
@@ -123,7 +124,7 @@ class FragmentLoop {
                 kept_.open(at);
             else if (waits)
                 wait(id, at);
-            else
+            else if (!stays_open)
                 write(state, shaded, x, y);
             return outcome;
         };
@@ -224,12 +225,13 @@ class FragmentLoop {
     std::vector<Channels<Real>> colors_;     // valid where the step is kColor; empty until the first
 };
 
-// Draws the picture in bands of rows, and calls visit(buffer, band) for each band, y up. Buffer: a FragmentLoop.
+// Draws the pixels `within` in bands of rows, and calls visit(buffer, band) for each band, y up. Buffer: a FragmentLoop.
 template <class Buffer, class Visit>
-void draw_in_bands(const StagedFrame& stages, const Frame& frame, const Options& options, const Visit& visit) {
+void draw_in_bands(const StagedFrame& stages, const PixelRect& within, const Options& options, const Visit& visit) {
+    if (within.is_empty()) return;
     const std::vector<Shader> shaders = make_shaders(stages, options);
-    for_each_band(frame.height, [&](int y0, int y1) {
-        const PixelRect band{0, y0, frame.width, y1};
+    for_each_band(within.y1 - within.y0, [&](int y0, int y1) {
+        const PixelRect band{within.x0, within.y0 + y0, within.x1, within.y0 + y1};
         Buffer buffer(stages, shaders, band);
         buffer.draw();
         visit(buffer, band);

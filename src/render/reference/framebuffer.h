@@ -77,4 +77,7 @@ class Framebuffer : public FragmentLoop<DrawnPixels> {
     std::optional<StepId> step(int x, int y) const;
 };
 
+// Draws the pixels `within`, y up, of a picture; others keep their colours.
+void draw_pixels(const StagedFrame& stages, const Options& options, const PixelRect& within, Image& image);
+
 }  // namespace twinlight::reference

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <optional>
 
 #include "render/reference/surface_rays.h"
 
@@ -52,12 +53,13 @@ void reverse(std::vector<Corner>& corners) {
 
 // M has the (x, y, w) of the three clip positions as columns. A point with weights b has M b = w (x_ndc, y_ndc, 1), so
 // b / w = M^-1 (x_ndc, y_ndc, 1): linear in the window, whatever clipping removes (Olano and Greer, "Triangle scan
-// conversion using 2D homogeneous coordinates", 1997). Returns false if the triangle is seen edge on.
-bool set_planes(Piece& piece, const RasterState& raster, const std::array<glm::dvec4, 3>& clip) {
+// conversion using 2D homogeneous coordinates", 1997). There are none if the triangle is seen edge on.
+std::optional<Planes> planes_of(const RasterState& raster, const std::array<glm::dvec4, 3>& clip) {
     const Viewport& viewport = raster.viewport;
     glm::dmat3 m;
     for (int i = 0; i < 3; ++i) m[i] = {clip[i].x, clip[i].y, clip[i].w};
-    if (glm::determinant(m) == 0) return false;
+    if (glm::determinant(m) == 0) return std::nullopt;
+    Planes planes;
     const glm::dmat3 weights_from_ndc = glm::inverse(m);
     // ndc = scale * window + offset
     const glm::dvec2 scale(2.0 / viewport.width, 2.0 / viewport.height);
@@ -66,12 +68,12 @@ bool set_planes(Piece& piece, const RasterState& raster, const std::array<glm::d
     for (int i = 0; i < 3; ++i) {
         const glm::dvec3 row(weights_from_ndc[0][i], weights_from_ndc[1][i], weights_from_ndc[2][i]);
         const glm::dvec3 plane(row.x * scale.x, row.y * scale.y, row.z + row.x * offset.x + row.y * offset.y);
-        piece.weight_over_w_planes[i] = plane;
+        planes.weight_over_w[i] = plane;
         z_over_w += clip[i].z * plane;
     }
     const DepthRange depth(raster);
-    piece.depth_plane = depth.scale * z_over_w + glm::dvec3(0, 0, depth.offset);
-    return true;
+    planes.depth = depth.scale * z_over_w + glm::dvec3(0, 0, depth.offset);
+    return planes;
 }
 
 double on_plane(const glm::dvec3& plane, const glm::dvec2& position_window) {
@@ -79,7 +81,7 @@ double on_plane(const glm::dvec3& plane, const glm::dvec2& position_window) {
 }
 
 // The position along the line nearest to `position_window`, measured on its major axis: 0 at `from`, 1 at `to`.
-double along(const Piece& line, const glm::dvec2& position_window) {
+double along(const Ends& line, const glm::dvec2& position_window) {
     const glm::dvec2 from(line.from.position_window), d = glm::dvec2(line.to.position_window) - from;
     const int major = std::abs(d.x) >= std::abs(d.y) ? 0 : 1;
     return d[major] == 0 ? 0 : std::clamp((position_window[major] - from[major]) / d[major], 0.0, 1.0);
@@ -106,7 +108,7 @@ std::vector<Corner> outline(const glm::dvec2& centre, double size) {
 class PieceMaker {
   public:
     PieceMaker(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
-               InClipPlane in_clip_plane)
+               InClipPlane in_clip_plane, std::vector<Piece>& pieces)
         : draw_(draw),
           draw_index_(draw_index),
           vertices_(vertices),
@@ -114,7 +116,8 @@ class PieceMaker {
               in_clip_plane == InClipPlane::kPerhaps &&
               std::ranges::any_of(draw.raster.clip_planes_eye, [](const auto& plane) { return plane.has_value(); })),
           whole_volume_(draw.raster),
-          volume_(whole_volume_) {}
+          volume_(whole_volume_),
+          pieces_(pieces) {}
 
     void add(const Primitive& primitive) {
         if (!keeps_what_lies_in_planes_) return add_parts(primitive);
@@ -129,8 +132,6 @@ class PieceMaker {
         volume_ = whole_volume_;
         for (std::size_t i = first; i < pieces_.size(); ++i) pieces_[i].is_perhaps_clipped = true;
     }
-    std::vector<Piece> take() { return std::move(pieces_); }
-    void reserve(std::size_t primitives) { pieces_.reserve(primitives); }
 
   private:
     static std::size_t count_of(Shape shape) {
@@ -169,10 +170,12 @@ class PieceMaker {
         if (!volume_.contains(v)) return;
         Piece& piece = append(primitive, face, Shape::kPoint);
         piece.size = whole_pixels(draw_.raster.point_size);
-        piece.from = window_vertex(draw_.raster, v);
-        piece.from.position_window.z += depth_offset;
+        Ends ends{.from = window_vertex(draw_.raster, v)};
+        ends.from.position_window.z += depth_offset;
+        piece.place = ends;
         piece.is_smooth = draw_.raster.point_smooth;
-        if (piece.is_smooth) piece.corners = outline(glm::dvec2(piece.from.position_window), draw_.raster.point_size);
+        if (piece.is_smooth)
+            piece.corners = Corners(outline(glm::dvec2(ends.from.position_window), draw_.raster.point_size));
     }
 
     void line(const Primitive& primitive, Face face, const ClipVertex& from, const ClipVertex& to,
@@ -181,13 +184,13 @@ class PieceMaker {
         if (ends.empty()) return;
         Piece& piece = append(primitive, face, Shape::kLine);
         piece.size = whole_pixels(draw_.raster.line_width);
-        piece.from = window_vertex(draw_.raster, ends[0]);
-        piece.to = window_vertex(draw_.raster, ends[1]);
-        for (WindowVertex* end : {&piece.from, &piece.to}) end->position_window.z += depth_offset;
+        Ends placed{window_vertex(draw_.raster, ends[0]), window_vertex(draw_.raster, ends[1])};
+        for (WindowVertex* end : {&placed.from, &placed.to}) end->position_window.z += depth_offset;
+        piece.place = placed;
         piece.is_smooth = draw_.raster.line_smooth;
         if (piece.is_smooth)
-            piece.corners = outline(glm::dvec2(piece.from.position_window), glm::dvec2(piece.to.position_window),
-                                    draw_.raster.line_width);
+            piece.corners = Corners(outline(glm::dvec2(placed.from.position_window),
+                                            glm::dvec2(placed.to.position_window), draw_.raster.line_width));
     }
 
     void triangle(const Primitive& primitive) {
@@ -205,17 +208,17 @@ class PieceMaker {
         const Face face = (raster.front_face == kGL_CW ? -area : area) > 0 ? Face::kFront : Face::kBack;
         if (culled(raster, face)) return;
         const Enum mode = face == Face::kFront ? raster.polygon_mode_front : raster.polygon_mode_back;
-        Piece piece{.primitive = primitive, .face = face, .draw = draw_index_, .shape = Shape::kTriangle};
-        const bool has_planes =
-            set_planes(piece, raster, {whole[0].position_clip, whole[1].position_clip, whole[2].position_clip});
+        std::optional<Planes> planes =
+            planes_of(raster, {whole[0].position_clip, whole[1].position_clip, whole[2].position_clip});
         // RULING: a polygon that is seen edge on has no slope, so its border is not offset.
-        const double offset = polygon_offset(raster, mode, has_planes ? glm::dvec2(piece.depth_plane) : glm::dvec2(0));
+        const double offset = polygon_offset(raster, mode, planes ? glm::dvec2(planes->depth) : glm::dvec2(0));
         if (mode == kGL_FILL) {
-            if (!has_planes) return;
-            piece.depth_plane.z += offset;
+            if (!planes) return;
+            planes->depth.z += offset;
             if (area < 0) reverse(corners);
-            piece.corners = std::move(corners);
-            pieces_.push_back(std::move(piece));
+            Piece& piece = append(primitive, face, Shape::kTriangle);
+            piece.corners = Corners(corners);
+            piece.place = *planes;
             return;
         }
         for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -233,10 +236,28 @@ class PieceMaker {
     const bool keeps_what_lies_in_planes_;
     const ClipVolume whole_volume_;
     ClipVolume volume_;  // what the primitive is clipped to
-    std::vector<Piece> pieces_;
+    std::vector<Piece>& pieces_;
 };
 
 }  // namespace
+
+Corners::Corners(const std::vector<Corner>& corners) {
+    if (corners.size() > kFew) {
+        more_ = std::make_shared<const std::vector<Corner>>(corners);
+        return;
+    }
+    for (const Corner& corner : corners) {
+        positions_window_[count_] = corner.position_window;
+        edges_[count_++] = corner.edge_to_next;
+    }
+}
+
+bool operator==(const Corners& a, const Corners& b) {
+    if (a.size() != b.size()) return false;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (a[i] != b[i]) return false;
+    return true;
+}
 
 glm::dvec3 window_from_ndc(const RasterState& raster, const glm::dvec3& ndc) {
     const Viewport& viewport = raster.viewport;
@@ -258,8 +279,7 @@ bool culled(const RasterState& raster, Face face) {
     return raster.cull_face == kGL_FRONT_AND_BACK || (raster.cull_face == kGL_FRONT) == (face == Face::kFront);
 }
 
-std::vector<Piece> make_surface_pieces(const Draw& draw, std::uint32_t draw_index) {
-    std::vector<Piece> pieces;
+void add_surface_pieces(const Draw& draw, std::uint32_t draw_index, std::vector<Piece>& pieces) {
     for (const Surface& surface : *draw.surfaces) {
         const auto rays = std::make_shared<const SurfaceRays>(draw, surface);
         for (int point = 0; point < rays->most_points(); ++point)
@@ -269,40 +289,40 @@ std::vector<Piece> make_surface_pieces(const Draw& draw, std::uint32_t draw_inde
                               .rays = rays,
                               .point = point});
     }
-    return pieces;
 }
 
-std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
-                               const Options& options) {
-    if (draw.raster.viewport.width <= 0 || draw.raster.viewport.height <= 0) return {};
-    PieceMaker maker(draw, draw_index, vertices, options.in_clip_plane);
-    const std::vector<Primitive> primitives = assemble(draw, options.quad_cut);
-    maker.reserve(primitives.size());
-    for (const Primitive& primitive : primitives) maker.add(primitive);
-    return maker.take();
+void add_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
+                const Options& options, std::vector<Piece>& pieces) {
+    if (draw.raster.viewport.width <= 0 || draw.raster.viewport.height <= 0) return;
+    PieceMaker maker(draw, draw_index, vertices, options.in_clip_plane, pieces);
+    for (const Primitive& primitive : assemble(draw, options.quad_cut)) maker.add(primitive);
 }
 
 double depth_at(const Piece& piece, const glm::dvec2& position_window) {
-    double depth = piece.from.position_window.z;
-    if (piece.shape == Shape::kTriangle) depth = on_plane(piece.depth_plane, position_window);
-    if (piece.shape == Shape::kLine) depth += along(piece, position_window) * (piece.to.position_window.z - depth);
+    if (piece.shape == Shape::kTriangle) return std::clamp(on_plane(piece.planes().depth, position_window), 0.0, 1.0);
+    const Ends& ends = piece.ends();
+    double depth = ends.from.position_window.z;
+    if (piece.shape == Shape::kLine) depth += along(ends, position_window) * (ends.to.position_window.z - depth);
     return std::clamp(depth, 0.0, 1.0);
 }
 
 Linear3 weights_over_w_at(const Piece& piece, const glm::dvec2& position_window) {
-    Linear3 result{.value = piece.from.weights_over_w};
-    if (piece.shape == Shape::kTriangle)
+    Linear3 result;
+    if (piece.shape == Shape::kTriangle) {
         for (int i = 0; i < 3; ++i) {
-            const glm::dvec3& plane = piece.weight_over_w_planes[i];
+            const glm::dvec3& plane = piece.planes().weight_over_w[i];
             result.value[i] = on_plane(plane, position_window);
             result.per_x[i] = plane.x;
             result.per_y[i] = plane.y;
         }
+        return result;
+    }
+    const Ends& ends = piece.ends();
+    result.value = ends.from.weights_over_w;
     if (piece.shape == Shape::kLine) {
-        const glm::dvec3 whole = piece.to.weights_over_w - piece.from.weights_over_w;
-        const double length =
-            glm::distance(glm::dvec2(piece.from.position_window), glm::dvec2(piece.to.position_window));
-        result.value += along(piece, position_window) * whole;
+        const glm::dvec3 whole = ends.to.weights_over_w - ends.from.weights_over_w;
+        const double length = glm::distance(glm::dvec2(ends.from.position_window), glm::dvec2(ends.to.position_window));
+        result.value += along(ends, position_window) * whole;
         if (length > 0) result.per_x = whole / length;
     }
     return result;

@@ -6,9 +6,11 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <variant>
 #include <vector>
 
 #include "render/reference/clip.h"
@@ -31,6 +33,41 @@ struct Corner {
     friend bool operator==(const Corner&, const Corner&) = default;
 };
 
+// The corners of a convex polygon, counter-clockwise (y up). Most pieces are whole triangles, and a mesh has millions
+// of them, so three corners need no memory of their own.
+class Corners {
+  public:
+    Corners() = default;
+    explicit Corners(const std::vector<Corner>& corners);
+
+    std::size_t size() const { return more_ ? more_->size() : count_; }
+    Corner operator[](std::size_t i) const { return more_ ? (*more_)[i] : Corner{positions_window_[i], edges_[i]}; }
+    glm::dvec2 position_window(std::size_t i) const {
+        return more_ ? (*more_)[i].position_window : positions_window_[i];
+    }
+
+    friend bool operator==(const Corners& a, const Corners& b);
+
+  private:
+    static constexpr std::size_t kFew = 3;
+
+    std::array<glm::dvec2, kFew> positions_window_{};
+    std::array<EdgeOrigin, kFew> edges_{};
+    std::uint8_t count_ = 0;
+    std::shared_ptr<const std::vector<Corner>> more_{};  // all of them, if there are more than three
+};
+
+// Of a filled polygon: linear functions of the window position, c.x * x + c.y * y + c.z.
+struct Planes {
+    std::array<glm::dvec3, 3> weight_over_w{};
+    glm::dvec3 depth{0};
+};
+
+// Of a line; a point has only `from`.
+struct Ends {
+    WindowVertex from{}, to{};
+};
+
 class SurfaceRays;  // surface_rays.h
 
 struct Piece {
@@ -43,18 +80,17 @@ struct Piece {
 
     Shape shape = Shape::kPoint;  // how it is drawn: a triangle may be drawn as lines or points
     int size = 1;                 // the width of a line, the side of a point's square; in pixels
-    std::vector<Corner>
-        corners{};              // for a polygon, or the outline of a smooth line or point: convex, counter-clockwise
-    WindowVertex from{}, to{};  // for a line; a point has only `from`
+    Corners corners{};            // of a polygon, or of the outline of a smooth line or point
+    std::variant<Ends, Planes> place{};
 
     // For a surface: the number of the visible point at a pixel; each point has its own face. The pieces of a surface
     // follow each other in the order of their points.
     std::shared_ptr<const SurfaceRays> rays{};
     int point = 0;
 
-    // For a polygon: linear functions of the window position, c.x * x + c.y * y + c.z.
-    std::array<glm::dvec3, 3> weight_over_w_planes{};
-    glm::dvec3 depth_plane{0};
+    // For lines and points; for polygons. Asking a piece of the other kind is a mistake.
+    const Ends& ends() const { return *std::get_if<Ends>(&place); }
+    const Planes& planes() const { return *std::get_if<Planes>(&place); }
 };
 
 // Whether this face is culled (3.5.1).
@@ -67,12 +103,12 @@ glm::dvec3 window_from_ndc(const RasterState& raster, const glm::dvec3& ndc);
 // drawn.
 double polygon_offset(const RasterState& raster, Enum mode, const glm::dvec2& slope);
 
-// The pieces of one Draw, in the order of its primitives.
-std::vector<Piece> make_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
-                               const Options& options);
+// Appends the pieces of one Draw, in the order of its primitives.
+void add_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
+                const Options& options, std::vector<Piece>& pieces);
 
-// The pieces of a shape's exact surfaces. Only their rays show which fragments there are.
-std::vector<Piece> make_surface_pieces(const Draw& draw, std::uint32_t draw_index);
+// Appends the pieces of a shape's exact surfaces. Only their rays show which fragments there are.
+void add_surface_pieces(const Draw& draw, std::uint32_t draw_index, std::vector<Piece>& pieces);
 
 // r of 3.5.5: the smallest difference between two depths in the 24-bit depth buffer of Twinlight's contexts.
 inline constexpr double kDepthStep = 1.0 / (1 << 24);

@@ -36,8 +36,11 @@ NormalSteps normal_steps(const Draw& draw, const Vertex& vertex) {
             .rescale = rescales ? rescale_factor(normal_eye_from_object) : 1};
 }
 
-LitPoint lit_point(const Draw& draw, const DrawLighting& lighting, const PointOfFragment& at,
-                   const std::vector<lighting::Light<Marked>>& lights, const VertexRulings& rulings) {
+LitPoint lit_point(const Draw& draw, const DrawLighting& lighting, const PointOfFragment& at, bool lecture_variants,
+                   const VertexRulings& rulings) {
+    if (lighting.differs_at(at.vertex.position_eye))
+        return lit_point(draw, lighting.at(at.vertex.position_eye), at, lecture_variants, rulings);
+    const std::vector<lighting::Light<Marked>> lights = marked_lights(draw, lecture_variants, at.vertex.position_eye);
     const lighting::SurfacePoint<double> surface = surface_of(at.vertex.position_eye, at.vertex.normal_eye, at.face);
     LitPoint point{.weight = at.weight,
                    .face = at.face,
@@ -61,11 +64,13 @@ LitPoint lit_point(const Draw& draw, const DrawLighting& lighting, const PointOf
     point.secondary = lit.secondary;
 
     point.marked_terms.resize(lights.size());
-    const Vec3<Marked> position = vec3_cast<Vec3<Marked>>(at.vertex.position_eye),
-                       normal = vec3_cast<Vec3<Marked>>(surface.normal_eye);
-    const lighting::SurfacePoint<Marked> from{
-        marked(lighting::divided(position, Marked(at.vertex.position_eye.w)), rulings.position),
-        marked(normal, rulings.normal)};
+    // A direction (w = 0) stands for all points far away in it: here one whose square is a float, so that no ruling about
+    // squares is named.
+    constexpr double kFar = 1e15;
+    const Vec position_eye =
+        at.vertex.position_eye.w == 0 ? kFar * lighting::unit(surface.position_eye) : surface.position_eye;
+    const lighting::SurfacePoint<Marked> from{marked(vec3_cast<Vec3<Marked>>(position_eye), rulings.position),
+                                              marked(vec3_cast<Vec3<Marked>>(surface.normal_eye), rulings.normal)};
     const lighting::Lit<Marked> with_rulings = lighting::measured_light<Marked>(
         lighting::real_cast<Marked>(lighting.model()), lighting::real_cast<Marked>(at.material), from, lights,
         point.marked_terms.data());
@@ -94,14 +99,13 @@ void add_points(const Draw& draw, const Shader& shader, const Fragment& seen, co
     fragment.is_lit = shader.lighting().enabled();
     if (!fragment.is_lit) return;
     fragment.lights = enabled_lights(draw);
-    const auto marked = marked_lights(draw, lecture_variants);
     for (const PointOfFragment& point : shader.points(seen)) {
         VertexRulings rulings = of_place;
         if (point.number) rulings = vertex_rulings(draw, draw.vertices[*point.number], draw.lighting.normalize);
         const bool is_between = !point.number && !seen.point;
         if (is_between && point.vertex.normal_eye == glm::dvec3(0) && rulings.normal.empty())
             rulings.normal = {lighting::Ruling::kZeroNormal};
-        fragment.points.push_back(lit_point(draw, shader.lighting(), point, marked, rulings));
+        fragment.points.push_back(lit_point(draw, shader.lighting(), point, lecture_variants, rulings));
     }
 }
 
@@ -182,7 +186,7 @@ VertexHistory vertex_history(const Draw& draw, const Options& options, std::uint
         .vertex = staged, .face = face, .material = lighting.material(staged, face), .number = vertex};
     const VertexRulings rulings = vertex_rulings(draw, draw.vertices[vertex], draw.lighting.normalize);
     VertexHistory history{.lights = enabled_lights(draw)};
-    history.point = lit_point(draw, lighting, at, marked_lights(draw, options.lecture_variants), rulings);
+    history.point = lit_point(draw, lighting, at, options.lecture_variants, rulings);
     const lighting::RulingSet decided =
         rulings_of(history.point.marked_primary) | rulings_of(history.point.marked_secondary);
     history.rulings = with_lights(decided, history.lights, std::span(&history.point, 1));

@@ -26,7 +26,8 @@ std::vector<int> seen_shapes(const Frame& frame, const Options& options) {
     const StagedFrame stages = run_stages(frame, options);
     const std::vector<int> numbers = shape_numbers(stages);
     std::vector<int> seen(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height), -1);
-    draw_in_bands<Framebuffer>(stages, frame, options, [&](const Framebuffer& framebuffer, const PixelRect& band) {
+    const PixelRect window{0, 0, frame.width, frame.height};
+    draw_in_bands<Framebuffer>(stages, window, options, [&](const Framebuffer& framebuffer, const PixelRect& band) {
         for_each(band, [&](int x, int y) {
             const std::optional<StepId> step = framebuffer.step(x, y);
             if (!step || *step < 0) return;
@@ -40,11 +41,7 @@ std::vector<int> seen_shapes(const Frame& frame, const Options& options) {
 
 Image render(const Frame& frame, const Options& options) {
     Image image(frame.width, frame.height);
-    const StagedFrame stages = run_stages(frame, options);
-    draw_in_bands<Framebuffer>(stages, frame, options, [&](Framebuffer& framebuffer, const PixelRect& band) {
-        const std::vector<Channels<double>> colors = framebuffer.colors();
-        for_each(band, [&](int x, int y) { image.at(x, frame.height - 1 - y) = rgba(colors[band.index(x, y)]); });
-    });
+    draw_pixels(run_stages(frame, options), options, {0, 0, frame.width, frame.height}, image);
     return image;
 }
 

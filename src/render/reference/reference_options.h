@@ -26,6 +26,8 @@ struct Options : Look {
     QuadCut quad_cut = QuadCut::kFirstToThird;
     Arithmetic arithmetic{};  // used for lighting
     InClipPlane in_clip_plane = InClipPlane::kAsComputed;
+
+    friend bool operator==(const Options&, const Options&) = default;
 };
 
 }  // namespace twinlight::reference

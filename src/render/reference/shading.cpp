@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/math/srgb.h"
+#include "render/reference/tex_gen.h"
 #include "render/reference/texture_bounds.h"
 #include "render/reference/texture_environment.h"
 #include "render/reference/texture_place.h"
@@ -52,24 +53,25 @@ Shader::Shader(const StagedDraw& staged, const Options& options)
 
 // 2.14.6: colours are clamped before they are interpolated.
 void Shader::light_vertices() {
-    lit_.resize(vertices_.size());
-    const auto light = [&](Face face, LitColors LitFaces::*place) {
+    const auto light = [&](Face face, std::vector<LitColors>& lit) {
+        lit.reserve(vertices_.size());
         if (!lighting_.enabled()) {
-            for (std::size_t i = 0; i < vertices_.size(); ++i)
-                lit_[i].*place = clamped_colors(lighting_.colors(vertices_[i], face));
+            for (const StageVertex& v : vertices_) lit.push_back(clamped_colors(lighting_.colors(v, face)));
             return;
         }
         PointBatch batch(lighting_, PointBatch::Normals::kAsTheyAre);
-        for (const StageVertex& v : vertices_) batch.add(v, face, [&] { return lighting_.material(v, face); });
-        batch.light(arithmetic_, [&](std::size_t i, const glm::dvec4& primary, const glm::dvec4& secondary) {
-            lit_[i].*place = {clamped(primary), clamped(secondary)};
-        });
+        for (std::size_t first = 0; first < vertices_.size(); first += PointBatch::kPoints) {
+            batch.clear();
+            const std::size_t end = std::min(first + PointBatch::kPoints, vertices_.size());
+            for (std::size_t i = first; i < end; ++i)
+                batch.add(vertices_[i], face, [&] { return lighting_.material(vertices_[i], face); });
+            batch.light(arithmetic_, [&](std::size_t, const glm::dvec4& primary, const glm::dvec4& secondary) {
+                lit.push_back({clamped(primary), clamped(secondary)});
+            });
+        }
     };
-    light(Face::kFront, &LitFaces::front);
-    if (lighting_.two_side())
-        light(Face::kBack, &LitFaces::back);
-    else
-        for (LitFaces& vertex : lit_) vertex.back = vertex.front;
+    light(Face::kFront, lit_front_);
+    if (lighting_.two_side()) light(Face::kBack, lit_back_);
 }
 
 template <class Real>
@@ -142,7 +144,7 @@ Shader::Finish<Real> Shader::finish(const Fragment& fragment) const {
 
 double Shader::fog_distance(const Fragment& fragment) const {
     const glm::dvec2 zw = eye_zw(fragment);
-    return std::abs(quotient(zw.x, zw.y));
+    return reference::fog_distance(zw.x, zw.y);
 }
 
 // 3.10: f may be computed at each vertex and interpolated. Linear f is computed from the interpolated distance.
@@ -151,7 +153,7 @@ double Shader::fog_of_vertices(const Fragment& fragment) const {
     double distance = 0;
     for (int i = 0; i < 3; ++i) {
         const glm::dvec4& eye = vertices_[fragment.piece->primitive.vertices[i]].position_eye;
-        distance += weights[i] * std::abs(quotient(eye.z, eye.w));
+        distance += weights[i] * reference::fog_distance(eye.z, eye.w);
     }
     return fog_factor(draw_.fog, distance);
 }
@@ -181,14 +183,18 @@ TexturePlace Shader::texture_place_of(const Fragment& fragment) const {
 void Shader::add_texel(const Fragment& fragment, Finish<double>& finish) const {
     const TextureUnit& unit = draw_.texture;
     const TexturePlace place = texture_place_of(fragment);
-    const double lambda = level_of_detail(scale_factor(*unit.texture, place), unit.lod_bias);
+    const double lambda = level_of_detail(scale_factor(*unit.texture, place), unit);
     finish.texel = channels<double>(sample(*unit.texture, place.st, lambda));
 }
 
 void Shader::add_texel(const Fragment& fragment, Finish<Interval>& finish) const {
     const TextureUnit& unit = draw_.texture;
+    double error = 0;
+    if (!unit.generated.empty())
+        for (const std::uint32_t i : fragment.piece->primitive.vertices)
+            error = std::max(error, generated_error(draw_, draw_.vertices[i], vertices_[i]));
     const TexturePlaceBounds place =
-        texture_place_bounds(vertices_, *fragment.piece, fragment.position_window, *unit.texture);
+        texture_place_bounds(vertices_, *fragment.piece, fragment.position_window, *unit.texture, error);
     const TexelBounds bounds = sample_bounds(unit, place.st, place.st_error, place.rho);
     finish.texel = bounds.texel;
     finish.has_choice = bounds.has_choice;
@@ -199,7 +205,7 @@ Channels<Marked> Shader::marked_color(const Fragment& fragment, const MarkedColo
     Finish<Marked> finish;
     if (draw_.fog.enabled) {
         const glm::dvec2 zw = eye_zw(fragment);
-        finish.fog = fog_factor(draw_.fog, abs(quotient(Marked(zw.x, position), Marked(zw.y))));
+        finish.fog = fog_factor(draw_.fog, reference::fog_distance(Marked(zw.x, position), Marked(zw.y)));
     }
     if (draw_.texture.texture) {
         Finish<double> unmarked;
@@ -266,7 +272,7 @@ ColorSteps Shader::steps(const Fragment& fragment) const {
 Shader::LitColors Shader::vertex_colors(const Fragment& fragment) const {
     const Piece& piece = *fragment.piece;
     const auto of_vertex = [&](std::uint32_t number) -> const LitColors& {
-        return piece.face == Face::kFront ? lit_[number].front : lit_[number].back;
+        return lit_face(piece.face) == Face::kFront ? lit_front_[number] : lit_back_[number];
     };
     if (shading_ == Shading::kFlat) return of_vertex(piece.primitive.provoking);
     const glm::dvec3 weights = weights_at(piece, fragment.position_window);

@@ -79,9 +79,6 @@ class Shader {
     struct LitColors {
         glm::dvec4 primary{0}, secondary{0};
     };
-    struct LitFaces {  // the colours of a vertex
-        LitColors front, back;
-    };
     // Everything besides lighting that a pixel's colour needs.
     template <class Real>
     struct Finish {
@@ -132,7 +129,7 @@ class Shader {
     const DrawLighting lighting_;
     const bool srgb_coded_;
     const Arithmetic arithmetic_;
-    std::vector<LitFaces> lit_;  // one per vertex, if vertices are lit
+    std::vector<LitColors> lit_front_, lit_back_;  // one per vertex, if vertices are lit; lit_back_ if two-sided
 };
 
 }  // namespace twinlight::reference

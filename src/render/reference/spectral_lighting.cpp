@@ -54,6 +54,17 @@ SpectralLighting::SpectralLighting(const std::shared_ptr<const SpectralSamples>&
     put(blue, [](Group& g) -> Vec& { return g.blue; });
 }
 
+void SpectralLighting::place_like(const std::vector<lighting::Light<double>>& lights) {
+    for (Group& group : groups_)
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            group.lights[i].position_eye = lights[i].position_eye;
+            group.lights[i].half_dir_eye = lights[i].half_dir_eye;
+            group.lights[i].constant_attenuation = lights[i].constant_attenuation;
+            group.lights[i].linear_attenuation = lights[i].linear_attenuation;
+            group.lights[i].quadratic_attenuation = lights[i].quadratic_attenuation;
+        }
+}
+
 std::vector<lighting::Material<double>> SpectralLighting::samples_of(const lighting::Material<double>& material,
                                                                      const Material::Reflectances& reflectances) const {
     std::vector<lighting::Material<double>> groups(groups_.size(), material);

@@ -37,6 +37,8 @@ class SpectralLighting {
     // Like lighting::light_points(), with the same points in each group of samples.
     void light_points(const std::vector<lighting::Points>& groups, const Arithmetic& arithmetic,
                       lighting::Lit<lighting::Column>& lit) const;
+    // Takes over the places and attenuations of these lights, which are the constructor's in their order.
+    void place_like(const std::vector<lighting::Light<double>>& lights);
     std::size_t group_count() const { return groups_.size(); }
     Vec3<double> scene_ambient(const LitMaterial& material) const;
 

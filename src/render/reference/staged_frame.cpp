@@ -2,13 +2,30 @@
 
 #include <algorithm>
 #include <atomic>
-#include <iterator>
 #include <thread>
 
 namespace twinlight::reference {
 
+namespace {
+
+// At least the number of primitives that the Draw is assembled to.
+std::size_t most_primitives(const Draw& draw) {
+    switch (draw.mode) {
+        case kGL_LINES: return draw.count() / 2;
+        case kGL_TRIANGLES: return draw.count() / 3;
+        case kGL_QUADS: return draw.count() / 2;
+        default: return draw.count();
+    }
+}
+
+}  // namespace
+
 StagedFrame run_stages(const Frame& frame, const Options& options) {
     StagedFrame stages;
+    // A vector that grows as it is filled needs up to three times as much memory.
+    std::size_t most_pieces = 0;
+    for (const Draw* draw : frame.draws()) most_pieces += most_primitives(*draw);
+    stages.pieces.reserve(most_pieces);
     const Draw* last = nullptr;
     const auto add_clear = [&](const Clear& clear) {
         stages.clears.push_back(clear);
@@ -28,16 +45,11 @@ StagedFrame run_stages(const Frame& frame, const Options& options) {
         stages.draws.push_back({&draw, vertex_stage(draw)});
         const std::size_t first = stages.pieces.size();
         const auto index = static_cast<std::uint32_t>(stages.draws.size() - 1);
-        std::vector<Piece> pieces;
         if (options.shading != Shading::kExact || !draw.has_exact_surfaces())
-            pieces = make_pieces(draw, index, stages.draws.back().vertices, options);
+            add_pieces(draw, index, stages.draws.back().vertices, options, stages.pieces);
         else if (!last || !are_one_shape(*last, draw))  // drawing the first part draws the whole shape
-            pieces = make_surface_pieces(draw, index);
+            add_surface_pieces(draw, index, stages.pieces);
         last = &draw;
-        if (stages.pieces.empty())
-            stages.pieces = std::move(pieces);  // large meshes are often one Draw
-        else
-            std::move(pieces.begin(), pieces.end(), std::back_inserter(stages.pieces));
         stages.steps.push_back({.first_piece = first, .end_piece = stages.pieces.size()});
     }
     return stages;

@@ -84,9 +84,10 @@ double scale_factor(const Texture& texture, const TexturePlace& place) {
     return std::max(glm::length(size * place.per_x), glm::length(size * place.per_y));
 }
 
-double level_of_detail(double rho, double lod_bias) {
-    constexpr double kLimit = 1000;  // TEXTURE_MIN_LOD and TEXTURE_MAX_LOD (table 3.18)
-    return std::clamp((rho > 0 ? std::log2(rho) : -kLimit) + lod_bias, -kLimit, kLimit);
+double level_of_detail(double rho, const TextureUnit& unit) {
+    constexpr double kSmallest = -1100;  // log2 of what rounds to 0
+    const auto [low, high] = std::minmax(unit.texture->min_lod, unit.texture->max_lod);
+    return std::clamp((rho > 0 ? std::log2(rho) : kSmallest) + unit.lod_bias, low, high);
 }
 
 double magnification_limit(const Texture& texture) {

@@ -20,9 +20,10 @@ struct TexturePlace {
 };
 
 // rho of 3.8.8, exactly by equation 3.18. (The specification also allows approximations between half and twice of it.)
-// lambda is log2(rho) plus the bias.
 double scale_factor(const Texture& texture, const TexturePlace& place);
-double level_of_detail(double rho, double lod_bias);
+// lambda of 3.8.8: log2(rho) plus the bias, limited by GL_TEXTURE_MIN_LOD and GL_TEXTURE_MAX_LOD.
+// RULING: if the first is larger than the second, they change places, as in Mesa; 3.8.8 leaves that open.
+double level_of_detail(double rho, const TextureUnit& unit);
 
 // The constant c of 3.8.9: the texture is magnified if lambda is at most c.
 double magnification_limit(const Texture& texture);

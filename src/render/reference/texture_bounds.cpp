@@ -114,8 +114,8 @@ TexelBounds sample_bounds(const TextureUnit& unit, const glm::dvec2& st, const g
     if (levels == LevelChoice::kBase && filter == texture.mag_filter) return sampler.level(0, filter);
 
     const bool takes_log = levels == LevelChoice::kTwo || unit.lod_bias != 0;
-    const Interval lambda(level_of_detail(rho.low, unit.lod_bias) - (takes_log ? kLogTooSmall : kSwitchError),
-                          level_of_detail(rho.high, unit.lod_bias) + (takes_log ? 0 : kSwitchError));
+    const Interval lambda(level_of_detail(rho.low, unit) - (takes_log ? kLogTooSmall : kSwitchError),
+                          level_of_detail(rho.high, unit) + (takes_log ? 0 : kSwitchError));
     // 3.8.9's constant c is 0.5 for some pairs of filters; GL 3.1 and later let it be 0 for all.
     const bool may_be_magnified = lambda.low <= magnification_limit(texture);
     const bool may_be_minified = lambda.high > 0;

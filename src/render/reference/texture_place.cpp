@@ -65,7 +65,8 @@ lighting::RulingSet texture_rulings(const std::vector<StageVertex>& vertices, co
 }
 
 TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices, const Piece& piece,
-                                        const glm::dvec2& position_window, const Texture& texture) {
+                                        const glm::dvec2& position_window, const Texture& texture,
+                                        double vertex_error) {
     // Float arithmetic: the rounding of the texture matrix, of the plane (a constant plus slope times pixel number) and
     // of the division, each at most half a unit in the last place of the magnitudes added.
     constexpr double kRoundings = 8 * 0x1p-24;
@@ -74,18 +75,26 @@ TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices
     const glm::dvec3 added_up = glm::abs(stq.value) + glm::abs(stq.per_x) * std::abs(position_window.x) +
                                 glm::abs(stq.per_y) * std::abs(position_window.y);
     const double q = std::abs(stq.value.z);
-    const glm::dvec2 arithmetic = kRoundings * glm::dvec2(quotient(added_up.x + std::abs(place.st.x) * added_up.z, q),
-                                                          quotient(added_up.y + std::abs(place.st.y) * added_up.z, q));
+    glm::dvec2 arithmetic = kRoundings * glm::dvec2(quotient(added_up.x + std::abs(place.st.x) * added_up.z, q),
+                                                    quotient(added_up.y + std::abs(place.st.y) * added_up.z, q));
+    if (vertex_error > 0) {
+        const glm::dvec3 weights = glm::abs(weights_over_w_at(piece, position_window).value);
+        const double error = vertex_error * (weights.x + weights.y + weights.z);
+        for (int i = 0; i < 2; ++i) arithmetic[i] += quotient(error * (1 + std::abs(place.st[i])), q);
+    }
 
     TexturePlaceBounds bounds{.st = place.st,
                               .st_error = arithmetic + kSnap * (glm::abs(place.per_x) + glm::abs(place.per_y)),
                               .rho = Interval(scale_factor(texture, place))};
-    if (place.of_point) return bounds;
+    const bool has_one_image = level_choice(texture.min_filter) == LevelChoice::kBase &&
+                               image_filter(texture.min_filter) == texture.mag_filter;
+    if (place.of_point || has_one_image) return bounds;  // then rho decides nothing
     const double st_error = std::max(arithmetic.x, arithmetic.y);
     bounds.rho = rho_of_differences(texture, stq, place, st_error);
     if (piece.shape == Shape::kLine) {
         // 3.8.8 uses the change along the line; drivers use the change along its longer axis, x or y.
-        const glm::dvec2 way = glm::abs(glm::dvec2(piece.to.position_window - piece.from.position_window));
+        const glm::dvec2 way =
+            glm::abs(glm::dvec2(piece.ends().to.position_window - piece.ends().from.position_window));
         const double longer = quotient(glm::length(way), std::max(way.x, way.y));
         stq.per_x *= longer;
         bounds.rho = hull(bounds.rho, rho_of_differences(texture, stq, place, st_error));

@@ -20,8 +20,10 @@ struct TexturePlaceBounds {
     glm::dvec2 st{0}, st_error{0};
     Interval rho;
 };
+// `vertex_error`: the largest error of a vertex's s, t and q.
 TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices, const Piece& piece,
-                                        const glm::dvec2& position_window, const Texture& texture);
+                                        const glm::dvec2& position_window, const Texture& texture,
+                                        double vertex_error = 0);
 
 // Rasterisers snap vertices to a grid of 1/256 pixel (llvmpipe and most GPUs).
 inline constexpr double kSnap = 1.0 / 256;
@@ -30,7 +32,7 @@ inline constexpr double kSnap = 1.0 / 256;
 lighting::RulingSet texture_rulings(const std::vector<StageVertex>& vertices, const Piece& piece,
                                     const glm::dvec2& position_window);
 
-// RULING: a quotient with a q or w of 0 is 0.
+// RULING: a quotient with a q of 0 is 0.
 template <class Real>
 Real quotient(Real a, Real b) {
     return b == Real(0) ? ruled(lighting::Ruling::kZeroQuotient, Real(0)) : a / b;

@@ -41,7 +41,7 @@ TextureSteps texture_steps(const TextureUnit& unit, const glm::dvec4& coordinate
     const Texture& texture = *unit.texture;
     TextureSteps steps{.coordinates = coordinates, .st = place.st, .of_point = place.of_point};
     steps.rho = scale_factor(texture, place);
-    steps.lambda = level_of_detail(steps.rho, unit.lod_bias);
+    steps.lambda = level_of_detail(steps.rho, unit);
     const FilteredImages images = filtered_images(texture, steps.lambda);
     steps.is_magnified = images.is_magnified;
     steps.filter = images.is_magnified ? texture.mag_filter : texture.min_filter;

@@ -8,6 +8,7 @@
 #include "base/math/normal_matrix.h"
 #include "render/reference/draw_lighting.h"
 #include "render/reference/reference.h"
+#include "render/reference/tex_gen.h"
 #include "scene/state/far_from_origin.h"
 
 namespace twinlight::reference {
@@ -25,19 +26,24 @@ double rescale_factor(const glm::dmat3& normal_eye_from_object) {
     return row > 0 ? 1 / row : 0;
 }
 
-std::vector<StageVertex> vertex_stage(const Draw& draw) {
+std::vector<StageVertex> vertex_stage(const Draw& draw) { return vertex_stage(draw, draw.vertices); }
+
+std::vector<StageVertex> vertex_stage(const Draw& draw, std::span<const Vertex> vertices) {
     const glm::dmat3 normal_eye_from_object = normal_matrix(glm::dmat3(draw.eye_from_object));
     const double rescale = draw.lighting.rescale_normal ? rescale_factor(normal_eye_from_object) : 1;
     std::vector<StageVertex> result;
-    result.reserve(draw.vertices.size());
-    for (const Vertex& vertex : draw.vertices) {
+    result.reserve(vertices.size());
+    for (const Vertex& vertex : vertices) {
         StageVertex v;
         v.position_eye = draw.eye_from_object * vertex.position_object;
         v.position_clip = draw.clip_from_eye * v.position_eye;
         v.normal_eye = normal_eye_from_object * vertex.normal_object;
         v.normal_eye = draw.lighting.normalize ? unit(v.normal_eye) : v.normal_eye * rescale;
         v.color = vertex.color;
-        v.tex_coord = draw.texture.texture_matrix * vertex.tex_coord;
+        v.tex_coord =
+            draw.texture.texture_matrix *
+            (draw.texture.generated.empty() ? vertex.tex_coord
+                                            : generated_tex_coord(draw.texture, vertex, v.position_eye, v.normal_eye));
         v.material = vertex.material;
         result.push_back(v);
     }
@@ -53,7 +59,7 @@ VertexRulings vertex_rulings(const Draw& draw, const Vertex& vertex, bool normal
     const Vec normal_eye = vec3_cast<Vec>(normal_eye_from_object * vertex.normal_object);
     if (normal_eye_from_object == glm::dmat3(0))
         rulings.normal |= {Ruling::kSingularModelview};
-    else if (normal_eye == Vec{})
+    else if (normal_eye == Vec{} && normalize)
         rulings.normal |= {Ruling::kZeroNormal};
     if (normalize)
         rulings.normal |= rulings_of(lighting::unit(vec3_cast<Vec3<lighting::Marked>>(normal_eye)));

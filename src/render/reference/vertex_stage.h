@@ -3,6 +3,7 @@
 // In: a Draw's vertices, in object coordinates. Out: one StageVertex each, with the inputs of later stages.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "lighting/rulings.h"
@@ -15,11 +16,13 @@ struct StageVertex {
     glm::dvec4 position_clip{0};
     glm::dvec3 normal_eye{0};  // after GL_NORMALIZE or GL_RESCALE_NORMAL
     glm::dvec4 color{0};       // the vertex's current colour
-    glm::dvec4 tex_coord{0};   // (s, t, r, q), after the texture matrix (2.11.2)
+    glm::dvec4 tex_coord{0};   // (s, t, r, q), generated (2.11.4) or not, after the texture matrix (2.11.2)
     std::uint32_t material = 0;
 };
 
 std::vector<StageVertex> vertex_stage(const Draw& draw);
+// The same for vertices that the Draw need not have.
+std::vector<StageVertex> vertex_stage(const Draw& draw, std::span<const Vertex> vertices);
 
 // The rulings that a vertex or a surface's point depends on. `normalize`: whether its normal is scaled to length 1.
 struct VertexRulings {

@@ -50,6 +50,9 @@ void set_parameters(const Texture& texture, Clamping clamping) {
     set(GL_TEXTURE_WRAP_T, texture.wrap_t == kGL_CLAMP ? clamped : texture.wrap_t);
     const glm::vec4 border(texture.border_color);
     glTexParameterfv(texture.target, GL_TEXTURE_BORDER_COLOR, &border[0]);
+    glTexParameterf(texture.target, GL_TEXTURE_MIN_LOD, static_cast<float>(texture.min_lod));
+    glTexParameterf(texture.target, GL_TEXTURE_MAX_LOD, static_cast<float>(texture.max_lod));
+    glTexParameteri(texture.target, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(texture.levels.size()) - 1);
 }
 
 // A texture object with all images and parameters of the texture.
@@ -81,10 +84,12 @@ bool are_same(const TextureImage& a, const TextureImage& b) {
 
 // Compares all members, as above.
 bool are_same(const Texture& a, const Texture& b) {
-    const auto& [target, levels, min_filter, mag_filter, wrap_s, wrap_t, border_color, priority, generate_mipmap] = a;
+    const auto& [target, levels, min_filter, mag_filter, wrap_s, wrap_t, border_color, priority, generate_mipmap,
+                 lod_bias, min_lod, max_lod, base_level, max_level] = a;
     return target == b.target && min_filter == b.min_filter && mag_filter == b.mag_filter && wrap_s == b.wrap_s &&
            wrap_t == b.wrap_t && border_color == b.border_color && priority == b.priority &&
-           generate_mipmap == b.generate_mipmap &&
+           generate_mipmap == b.generate_mipmap && lod_bias == b.lod_bias && min_lod == b.min_lod &&
+           max_lod == b.max_lod && base_level == b.base_level && max_level == b.max_level &&
            std::ranges::equal(levels, b.levels,
                               [](const TextureImage& x, const TextureImage& y) { return are_same(x, y); });
 }
@@ -106,7 +111,7 @@ void Textures::bind(const TextureUnit& unit) {
     }
     found->second.used = true;
     glBindTexture(texture.target, found->second.name);
-    // 3.8.8 adds the unit's bias to the texture's own, but a Texture has none.
+    // The Draw's bias includes the texture's own.
     glTexParameterf(texture.target, GL_TEXTURE_LOD_BIAS, static_cast<float>(unit.lod_bias));
 }
 

@@ -231,6 +231,7 @@ std::optional<Owner> owner_of(CommandId id) {
     if (name.starts_with("glMaterial") || name.starts_with("glGetMaterial")) return Owner::kMaterial;
     if (name.starts_with("glFog")) return Owner::kFog;
     if (name.starts_with("glTexEnv") || name.starts_with("glGetTexEnv")) return Owner::kTexEnv;
+    if (name.starts_with("glTexGen") || name.starts_with("glGetTexGen")) return Owner::kTexGen;
     if (name.starts_with("glTexParameter") || name.starts_with("glGetTexParameter")) return Owner::kTexture;
     if (name.starts_with("glPixelStore")) return Owner::kPixelStore;
     if (name.starts_with("glPointParameter")) return Owner::kPoint;

@@ -186,6 +186,8 @@ struct Recording {
     virtual std::string title() const { return name; }
     // This recording as a CommandList; null for a recorded program.
     virtual const CommandList* command_list() const { return nullptr; }
+    // What to know about all its pictures, a sentence each: for example that other windows are not drawn.
+    virtual std::vector<std::string> notes() const { return {}; }
 
   protected:  // only derived types may be copied
     Recording(const Recording&) = default;
@@ -232,6 +234,7 @@ enum class Owner : std::uint8_t {
     kLightModel,
     kFog,
     kTexEnv,
+    kTexGen,
     kTexFilterControl,
     kTexture,
     kPixelStore,

@@ -53,11 +53,11 @@ CommandList read_from_nowhere(const std::string& text, ReadOptions options) {
     return read_limited(text, "<stdin>", "stdin", options, images_built_in);
 }
 
-std::shared_ptr<const Recording> load_standard_input(const ReadOptions& options) {
+std::shared_ptr<const Recording> load_standard_input(const ReadOptions& options, std::optional<int> context) {
     const std::string front = read_standard_input(trace::kFrontBytes);
     if (trace::is_trace(front) || trace::is_dump(front)) {
         check_no_step("<stdin>", options.step);
-        return trace::open_standard_input(front);
+        return trace::open_standard_input(front, context);
     }
     return std::make_shared<CommandList>(
         read_from_nowhere(front + read_standard_input(kReadAtMost - front.size()), options));
@@ -73,9 +73,9 @@ CommandList read_built_in(const EmbeddedFile& file, const ReadOptions& options) 
 }
 
 std::shared_ptr<const Recording> load_recording(const std::string& scene, std::optional<WindowSize> window,
-                                                const std::string& step) {
+                                                const std::string& step, std::optional<int> context) {
     const ReadOptions options{.step = step, .window = window};
-    if (scene == "-") return load_standard_input(options);
+    if (scene == "-") return load_standard_input(options, context);
     std::vector<std::string_view> names;
     for (const EmbeddedFile& file : kSceneFiles) {
         names.push_back(file.name.substr(0, file.name.rfind(".gl")));
@@ -98,7 +98,7 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
             throw SceneError(
                 scene +
                 ": cannot read a recorded program from a pipe or a device; give a file, or - for standard input");
-        return holds_trace(front, path) ? trace::open_trace(scene) : trace::open_dump(scene);
+        return holds_trace(front, path) ? trace::open_trace(scene, context) : trace::open_dump(scene, context);
     }
     if (front.starts_with("\x7f"
                           "ELF"))

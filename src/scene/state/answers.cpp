@@ -195,9 +195,16 @@ Answer answer(const State& state, Enum pname) {
         case kGL_LIST_INDEX: return one(state.lists().open_name);
         case kGL_LIST_MODE: return one(state.lists().open_name == 0 ? 0 : state.lists().open_mode);
         case kGL_MAX_LIST_NESTING: return one(kMaxListNesting);
+        case kGL_MAP1_GRID_DOMAIN: return {a.grid1.first, a.grid1.last};
+        case kGL_MAP1_GRID_SEGMENTS: return one(a.grid1.segments);
+        case kGL_MAP2_GRID_DOMAIN: return {a.grid2_u.first, a.grid2_u.last, a.grid2_v.first, a.grid2_v.last};
+        case kGL_MAP2_GRID_SEGMENTS:
+            return {static_cast<double>(a.grid2_u.segments), static_cast<double>(a.grid2_v.segments)};
+        case kGL_MAX_EVAL_ORDER: return one(kMaxEvalOrder);
         case kGL_MAX_LIGHTS: return one(kMaxLights);
         case kGL_MAX_CLIP_PLANES: return one(kMaxClipPlanes);
         case kGL_MAX_TEXTURE_SIZE: return one(kMaxTextureSize);
+        case kGL_MAX_TEXTURE_LOD_BIAS: return one(kMaxLodBias);
         default: return {};
     }
 }
@@ -215,6 +222,17 @@ Answer tex_env_answer(const State& state, Enum target, Enum pname) {
     return pname == kGL_TEXTURE_ENV_COLOR ? list(unit.env_color) : Answer{};
 }
 
+Answer tex_gen_answer(const State& state, Enum coord, Enum pname) {
+    if (coord < kGL_S || coord > kGL_Q) return {};
+    const TexGen& gen = state.attributes().units[state.attributes().active_unit].tex_gen[coord - kGL_S];
+    switch (pname) {
+        case kGL_TEXTURE_GEN_MODE: return one(gen.mode);
+        case kGL_OBJECT_PLANE: return list(gen.object_plane);
+        case kGL_EYE_PLANE: return list(gen.plane_eye);
+        default: return {};
+    }
+}
+
 Answer tex_parameter_answer(const State& state, Enum target, Enum pname) {
     if (target != kGL_TEXTURE_1D && target != kGL_TEXTURE_2D) return {};
     const Texture& texture = state.bound_texture(target);
@@ -226,6 +244,11 @@ Answer tex_parameter_answer(const State& state, Enum target, Enum pname) {
         case kGL_TEXTURE_BORDER_COLOR: return list(texture.border_color);
         case kGL_TEXTURE_PRIORITY: return one(texture.priority);
         case kGL_GENERATE_MIPMAP: return one(texture.generate_mipmap);
+        case kGL_TEXTURE_LOD_BIAS: return one(texture.lod_bias);
+        case kGL_TEXTURE_MIN_LOD: return one(texture.min_lod);
+        case kGL_TEXTURE_MAX_LOD: return one(texture.max_lod);
+        case kGL_TEXTURE_BASE_LEVEL: return one(texture.base_level);
+        case kGL_TEXTURE_MAX_LEVEL: return one(texture.max_level);
         default: return {};
     }
 }
@@ -258,6 +281,9 @@ bool is_answered(CommandId id) {
         case CommandId::glGetClipPlane:
         case CommandId::glGetTexEnvfv:
         case CommandId::glGetTexEnviv:
+        case CommandId::glGetTexGenfv:
+        case CommandId::glGetTexGendv:
+        case CommandId::glGetTexGeniv:
         case CommandId::glGetTexParameterfv:
         case CommandId::glGetTexParameteriv:
         case CommandId::glIsEnabled: return true;
@@ -297,6 +323,9 @@ Answer answer_in_doubles(const State& state, const Command& query) {
         case CommandId::glGetClipPlane: return clip_plane_answer(state, query.enumerant(0));
         case CommandId::glGetTexEnvfv:
         case CommandId::glGetTexEnviv: return tex_env_answer(state, query.enumerant(0), query.enumerant(1));
+        case CommandId::glGetTexGenfv:
+        case CommandId::glGetTexGendv:
+        case CommandId::glGetTexGeniv: return tex_gen_answer(state, query.enumerant(0), query.enumerant(1));
         case CommandId::glGetTexParameterfv:
         case CommandId::glGetTexParameteriv: return tex_parameter_answer(state, query.enumerant(0), query.enumerant(1));
         default: return answer(state, query.enumerant(0));

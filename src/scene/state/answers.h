@@ -13,6 +13,7 @@ using Answer = std::vector<double>;
 Answer answer(const State& state, Enum pname);  // glGetDoublev; a capability's answer is glIsEnabled's
 Answer clip_plane_answer(const State& state, Enum plane);
 Answer tex_env_answer(const State& state, Enum target, Enum pname);
+Answer tex_gen_answer(const State& state, Enum coord, Enum pname);
 Answer tex_parameter_answer(const State& state, Enum target, Enum pname);
 Answer tex_level_answer(const State& state, Enum target, int level, Enum pname);
 

@@ -44,7 +44,8 @@ auto viewport(auto& a) { return std::tie(a.raster.viewport, a.raster.depth_near,
 // The parameters of a texture (tables 6.16 and 6.17), without its images.
 auto parameters(auto& texture) {
     return std::tie(texture.min_filter, texture.mag_filter, texture.wrap_s, texture.wrap_t, texture.border_color,
-                    texture.priority, texture.generate_mipmap);
+                    texture.priority, texture.generate_mipmap, texture.lod_bias, texture.min_lod, texture.max_lod,
+                    texture.base_level, texture.max_level);
 }
 
 void restore_enables(Attributes& now, const Attributes& saved) {
@@ -55,6 +56,8 @@ void restore_enables(Attributes& now, const Attributes& saved) {
     for (std::size_t i = 0; i < saved.units.size(); ++i) {
         now.units[i].enabled_1d = saved.units[i].enabled_1d;
         now.units[i].enabled_2d = saved.units[i].enabled_2d;
+        for (std::size_t n = 0; n < saved.units[i].tex_gen.size(); ++n)
+            now.units[i].tex_gen[n].enabled = saved.units[i].tex_gen[n].enabled;
     }
 }
 
@@ -104,6 +107,11 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
     if (bit(kGL_TRANSFORM_BIT)) transform(now) = transform(saved);
     if (bit(kGL_ENABLE_BIT)) restore_enables(now, saved);
     if (bit(kGL_COLOR_BUFFER_BIT)) restore_color_buffer(now, saved);
+    if (bit(kGL_EVAL_BIT)) {
+        now.grid1 = saved.grid1;
+        now.grid2_u = saved.grid2_u;
+        now.grid2_v = saved.grid2_v;
+    }
     if (bit(kGL_HINT_BIT)) now.hints = saved.hints;
     if (bit(kGL_LIST_BIT)) now.list_base = saved.list_base;
     if (bit(kGL_TEXTURE_BIT)) {
@@ -127,9 +135,14 @@ void State::push_attrib(const Command& c) {
         return raise(kGL_STACK_OVERFLOW, c, "the attribute stack is full ({} levels); a glPopAttrib is missing",
                      kAttributeStackDepth);
     }
-    SavedAttributes saved{a_, c.enumerant(0), {}, {}, c.place};
-    parameters(saved.texture_1d) = parameters(bound_texture(kGL_TEXTURE_1D));
-    parameters(saved.texture_2d) = parameters(bound_texture(kGL_TEXTURE_2D));
+    SavedAttributes saved{a_, c.enumerant(0), {}, c.place};
+    if (saved.mask & kGL_TEXTURE_BIT)  // 6.1.14: of the textures that are bound in any unit
+        for (const TextureBindings& one : a_.units)
+            for (const Enum target : {kGL_TEXTURE_1D, kGL_TEXTURE_2D}) {
+                const auto [at, is_new] =
+                    saved.textures.try_emplace({target, target == kGL_TEXTURE_1D ? one.bound_1d : one.bound_2d});
+                if (is_new) parameters(at->second) = parameters(*texture_of(one, target));
+            }
     attribute_stack_.push_back(std::move(saved));
 }
 
@@ -148,12 +161,14 @@ void State::pop_attrib(const Command& c) {
         keep(one.bound_1d, kGL_TEXTURE_1D);
         keep(one.bound_2d, kGL_TEXTURE_2D);
     }
-    const auto put_back = [&](Enum target, const Texture& before) {
-        if (parameters(bound_texture(target)) == parameters(before)) return;  // avoids a copy
-        if (Texture* texture = writable_texture(c, target)) parameters(*texture) = parameters(before);
-    };
-    put_back(kGL_TEXTURE_1D, saved.texture_1d);
-    put_back(kGL_TEXTURE_2D, saved.texture_2d);
+    for (const TextureBindings& one : a_.units)
+        for (const Enum target : {kGL_TEXTURE_1D, kGL_TEXTURE_2D}) {
+            const auto found = saved.textures.find({target, target == kGL_TEXTURE_1D ? one.bound_1d : one.bound_2d});
+            if (found == saved.textures.end() ||
+                parameters(*texture_of(one, target)) == parameters(found->second))  // avoids a copy
+                continue;
+            if (Texture* texture = writable_texture(c, one, target)) parameters(*texture) = parameters(found->second);
+        }
 }
 
 }  // namespace twinlight

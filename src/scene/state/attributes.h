@@ -25,7 +25,16 @@ std::size_t texels_of(const Texture& texture);  // in all its images
 inline constexpr std::size_t kAttributeStackDepth = 16;
 inline constexpr std::size_t kClientAttributeStackDepth = 16;
 
+inline constexpr double kMaxLodBias = 16;           // GL_MAX_TEXTURE_LOD_BIAS: at least 2 (table 6.31); 16 in Mesa
 inline constexpr std::size_t kMaxTextureUnits = 8;  // GL_MAX_TEXTURE_UNITS: at least 2 (table 6.31); 8 in Mesa
+
+// How a texture coordinate is generated (2.11.4), and whether it is.
+struct TexGen {
+    bool enabled = false;
+    Enum mode = kGL_EYE_LINEAR;
+    glm::dvec4 object_plane{0};
+    glm::dvec4 plane_eye{0};  // times the inverse of the modelview matrix at the call
+};
 
 // The bindings, capabilities and environment of a texture unit (3.8.13, 3.8.16). Draws use only unit 0; another enabled
 // unit is reported as unsupported.
@@ -35,7 +44,13 @@ struct TextureBindings {
     Enum env_mode = kGL_MODULATE;
     glm::dvec4 env_color{0, 0, 0, 0};
     double lod_bias = 0;
+    // Of s, t, r and q.
+    std::array<TexGen, 4> tex_gen{TexGen{.object_plane = {1, 0, 0, 0}, .plane_eye = {1, 0, 0, 0}},
+                                  TexGen{.object_plane = {0, 1, 0, 0}, .plane_eye = {0, 1, 0, 0}}, TexGen{}, TexGen{}};
 };
+
+// Those that are enabled, in the order s, t, r, q.
+std::vector<GeneratedCoordinate> generated_coordinates(const TextureBindings& unit);
 
 // Whether only the driver supports this texture target. A picture with one enabled is reported as partial.
 bool is_driver_only_texture(Enum target);
@@ -85,6 +100,14 @@ struct ClipPlane {  // 2.12
     glm::dvec4 equation_eye{0, 0, 0, 0};
 };
 
+// One variable of glMapGrid (5.1): `segments` equal steps from `first` to `last`.
+struct MapGrid {
+    int segments = 1;
+    double first = 0, last = 1;
+
+    double at(int i) const { return i == 0 ? first : i == segments ? last : first + i * ((last - first) / segments); }
+};
+
 // Hints (5.6), by target. They change no pixel, but can be queried.
 using Hints = std::map<Enum, Enum>;
 
@@ -116,6 +139,7 @@ struct Attributes {
                 {kGL_FOG_HINT, kGL_DONT_CARE},
                 {kGL_GENERATE_MIPMAP_HINT, kGL_DONT_CARE},
                 {kGL_TEXTURE_COMPRESSION_HINT, kGL_DONT_CARE}};
+    MapGrid grid1, grid2_u, grid2_v;
     Enum matrix_mode = kGL_MODELVIEW;
     std::uint32_t list_base = 0;
     // The enabled capabilities that only the driver supports, with the place of glEnable. The key is the capability and

@@ -14,10 +14,6 @@ std::span<const DriverOnlyCapability> driver_only_capabilities() {
         {kGL_POLYGON_SMOOTH, kGL_POLYGON_BIT, true},
         {kGL_INDEX_LOGIC_OP, kGL_COLOR_BUFFER_BIT, false},
         {kGL_DITHER, kGL_COLOR_BUFFER_BIT, false},
-        {kGL_TEXTURE_GEN_S, kGL_TEXTURE_BIT, true},
-        {kGL_TEXTURE_GEN_T, kGL_TEXTURE_BIT, true},
-        {kGL_TEXTURE_GEN_R, kGL_TEXTURE_BIT, false},  // not used by textures of one and two dimensions
-        {kGL_TEXTURE_GEN_Q, kGL_TEXTURE_BIT, true},
         {kGL_TEXTURE_3D, kGL_TEXTURE_BIT, true},
         {kGL_TEXTURE_CUBE_MAP, kGL_TEXTURE_BIT, true},
         {kGL_TEXTURE_RECTANGLE, kGL_TEXTURE_BIT, true},
@@ -26,7 +22,7 @@ std::span<const DriverOnlyCapability> driver_only_capabilities() {
         {kGL_SAMPLE_ALPHA_TO_ONE, kGL_MULTISAMPLE_BIT, false},
         {kGL_SAMPLE_COVERAGE, kGL_MULTISAMPLE_BIT, false},
         {kGL_AUTO_NORMAL, kGL_EVAL_BIT, false},
-        // Evaluators draw only by commands that are themselves reported as unsupported.
+        // State follows evaluators (evaluators.cpp), which have no effect on other drawing.
         {kGL_MAP1_COLOR_4, kGL_EVAL_BIT, false},
         {kGL_MAP1_INDEX, kGL_EVAL_BIT, false},
         {kGL_MAP1_NORMAL, kGL_EVAL_BIT, false},
@@ -66,6 +62,8 @@ auto* supported_flag(A& a, Enum cap) {
     if (cap >= kGL_LIGHT0 && cap < kGL_LIGHT0 + kMaxLights) return &a.lighting.lights[cap - kGL_LIGHT0].enabled;
     if (cap >= kGL_CLIP_PLANE0 && cap < kGL_CLIP_PLANE0 + kMaxClipPlanes)
         return &a.clip_planes[cap - kGL_CLIP_PLANE0].enabled;
+    if (cap >= kGL_TEXTURE_GEN_S && cap <= kGL_TEXTURE_GEN_Q)
+        return &a.units[a.active_unit].tex_gen[cap - kGL_TEXTURE_GEN_S].enabled;
     switch (cap) {
         case kGL_LIGHTING: return &a.lighting.enabled;
         case kGL_COLOR_MATERIAL: return &a.lighting.color_material.enabled;

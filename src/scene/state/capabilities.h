@@ -13,8 +13,6 @@ struct DriverOnlyCapability {
     bool changes_pixels;
 
     bool is_per_unit() const { return group == kGL_TEXTURE_BIT; }  // each texture unit has its own
-    // Whether it generates texture coordinates, which have no effect without a texture.
-    bool generates_coordinates() const { return cap >= kGL_TEXTURE_GEN_S && cap <= kGL_TEXTURE_GEN_Q; }
 };
 
 std::span<const DriverOnlyCapability> driver_only_capabilities();

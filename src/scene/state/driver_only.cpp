@@ -8,23 +8,6 @@
 
 namespace twinlight {
 
-namespace {
-
-// The number of points of a map that a command evaluates (5.1). If the range ends at the largest integer, Mesa loops
-// forever.
-double evaluated_points(const Command& c) {
-    const auto between = [&c](std::size_t from) {
-        constexpr double kLargest = 2147483647;
-        const double first = c.number(from), last = c.number(from + 1);
-        return last == kLargest ? kLargest : std::max(0.0, last - first + 1);
-    };
-    if (c.id == CommandId::glEvalMesh1) return between(1);
-    if (c.id == CommandId::glEvalMesh2) return between(1) * between(3);
-    return 1;
-}
-
-}  // namespace
-
 // These set state that affects pictures only together with a capability or a command that is itself noted.
 void State::driver_only_state(const Command&) {}
 // The same, but also allowed between Begin and End: fog coordinates, and the indices of color index mode.
@@ -34,13 +17,7 @@ void State::driver_only_attribute(const Command&) {}
 void State::driver_only_query(const Command&) {}
 
 // These change the picture.
-void State::driver_only_drawing(const Command& c) {
-    if (!has_time(c, evaluated_points(c))) return;
-    note_unsupported(std::string(c.name()), c.place);
-}
-
-// The same, but also allowed between Begin and End.
-void State::driver_only_vertex(const Command& c) { driver_only_drawing(c); }
+void State::driver_only_drawing(const Command& c) { note_unsupported(std::string(c.name()), c.place); }
 
 // ---- Values that change later drawing ----
 

@@ -11,6 +11,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -138,12 +139,59 @@ struct ColorMaterial {  // 2.14.3
     friend bool operator==(const ColorMaterial&, const ColorMaterial&) = default;
 };
 
+// A list of light sources that copies share until one of them is changed: a frame may have a hundred thousand Draws with
+// the same lights. Only functions that are not const copy the list, so read a list as a const one, and keep no reference
+// to a light of a list that is copied.
+class LightSources {
+  public:
+    explicit LightSources(std::size_t count) : shared_(std::make_shared<std::vector<LightSource>>(count)) {}
+    LightSources(std::initializer_list<LightSource> lights)
+        : shared_(std::make_shared<std::vector<LightSource>>(lights)) {}
+    // Without moves, so that there always is a list.
+    LightSources(const LightSources&) = default;
+    LightSources& operator=(const LightSources&) = default;
+    ~LightSources() = default;
+
+    std::size_t size() const { return shared_->size(); }
+    bool empty() const { return shared_->empty(); }
+    const LightSource& operator[](std::size_t i) const { return (*shared_)[i]; }
+    const LightSource& at(std::size_t i) const { return shared_->at(i); }
+    const LightSource& front() const { return shared_->front(); }
+    const LightSource& back() const { return shared_->back(); }
+    auto begin() const { return shared_->cbegin(); }
+    auto end() const { return shared_->cend(); }
+
+    LightSource& operator[](std::size_t i) { return own()[i]; }
+    LightSource& at(std::size_t i) { return own().at(i); }
+    LightSource& back() { return own().back(); }
+    auto begin() { return own().begin(); }
+    auto end() { return own().end(); }
+    void clear() { shared_ = std::make_shared<std::vector<LightSource>>(); }
+    void resize(std::size_t count) { own().resize(count); }
+    void resize(std::size_t count, const LightSource& light) { own().resize(count, light); }
+    void push_back(const LightSource& light) { own().push_back(light); }
+
+    bool is_shared() const { return shared_.use_count() > 1; }
+
+    friend bool operator==(const LightSources& a, const LightSources& b) {
+        return a.shared_ == b.shared_ || *a.shared_ == *b.shared_;
+    }
+
+  private:
+    std::vector<LightSource>& own() {
+        if (is_shared()) shared_ = std::make_shared<std::vector<LightSource>>(*shared_);
+        return *shared_;
+    }
+
+    std::shared_ptr<std::vector<LightSource>> shared_;
+};
+
 struct LightingState {
     LightingState() : lights(kMaxLights) { lights[0].diffuse = lights[0].specular = glm::dvec4(1); }
 
     bool enabled = false;  // GL_LIGHTING
     // GL_LIGHT0 to GL_LIGHT7, followed by the lights that pragmas define. At least kMaxLights.
-    std::vector<LightSource> lights;
+    LightSources lights;
     LightModel light_model;
     // The materials at the start of the Draw. If color_material is enabled, each vertex's colour replaces the
     // properties that track it (2.14.3).
@@ -232,6 +280,10 @@ struct Texture {                         // 3.8.4, table 3.18
     glm::dvec4 border_color{0, 0, 0, 0};
     double priority = 1;
     bool generate_mipmap = false;
+    double lod_bias = 0;                     // a Draw's is in its TextureUnit
+    double min_lod = -1000, max_lod = 1000;  // limits of the level of detail
+    // The first level in use, and the last. A Draw's texture has only the levels in use: they count from 0 again.
+    int base_level = 0, max_level = 1000;
 
     // The border's colour with the components that the texels have (table 3.15).
     glm::dvec4 border_texel() const {
@@ -253,12 +305,24 @@ struct Texture {                         // 3.8.4, table 3.18
     }
 };
 
+// A texture coordinate that GL computes from each vertex (2.11.4).
+struct GeneratedCoordinate {
+    int coordinate = 0;          // 0 to 3: s, t, r, q
+    Enum mode = kGL_EYE_LINEAR;  // or GL_OBJECT_LINEAR, GL_SPHERE_MAP, GL_REFLECTION_MAP, GL_NORMAL_MAP
+    glm::dvec4 plane{0};         // of GL_OBJECT_LINEAR in object coordinates, of GL_EYE_LINEAR in eye coordinates
+
+    friend bool operator==(const GeneratedCoordinate&, const GeneratedCoordinate&) = default;
+    bool needs_normal() const { return mode != kGL_OBJECT_LINEAR && mode != kGL_EYE_LINEAR; }
+};
+
 struct TextureUnit {
     std::shared_ptr<const Texture> texture;  // null if texturing is disabled or the texture incomplete (3.8.10)
     Enum env_mode = kGL_MODULATE;            // 3.8.13: or GL_DECAL, GL_REPLACE, GL_BLEND, GL_ADD
     glm::dvec4 env_color{0, 0, 0, 0};
-    double lod_bias = 0;           // GL_TEXTURE_LOD_BIAS of the unit
+    double lod_bias = 0;           // GL_TEXTURE_LOD_BIAS of the unit and of the texture: their sum, limited (3.8.8)
     glm::dmat4 texture_matrix{1};  // multiplies every texture coordinate (2.11.2)
+    // They replace the vertices' own coordinates; in the order s, t, r, q.
+    std::vector<GeneratedCoordinate> generated{};
 
     friend bool operator==(const TextureUnit&, const TextureUnit&) = default;
 };
@@ -376,11 +440,12 @@ struct Draw {
     bool draws_points() const { return mode == kGL_POINTS || draws_polygons_as(kGL_POINT); }
     bool draws_lines() const { return (mode != kGL_POINTS && !draws_polygons(mode)) || draws_polygons_as(kGL_LINE); }
 
-    // Whether Shading::kExact draws surfaces instead of the mesh. It does so only for filled polygons, and only if both
-    // faces have the same stencil test: shaders draw a surface as a rectangle, whose face is not the surface's.
+    // Whether Shading::kExact draws surfaces instead of the mesh. It does so only for filled polygons whose texture
+    // coordinates are not generated (GL generates them for vertices), and only if both faces have the same stencil
+    // test: shaders draw a surface as a rectangle, whose face is not the surface's.
     bool has_exact_surfaces() const {
-        return surfaces && !draws_borders() && raster.viewport.width > 0 && raster.viewport.height > 0 &&
-               (!fragment.stencil || fragment.stencil->front == fragment.stencil->back);
+        return surfaces && !draws_borders() && texture.generated.empty() && raster.viewport.width > 0 &&
+               raster.viewport.height > 0 && (!fragment.stencil || fragment.stencil->front == fragment.stencil->back);
     }
 
     std::size_t count() const { return indices.empty() ? vertices.size() : indices.size(); }

@@ -7,6 +7,7 @@
 #include <glm/mat3x3.hpp>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include "scene/state/state.h"
 
@@ -159,11 +160,12 @@ bool State::note_typed(const Command& c, LightSource& source, const TypedLight& 
 
 void State::drop_typed_lights() {
     std::vector<TypedLight> kept{{}};
-    const auto keep = [&](std::vector<LightSource>& lights) {
-        for (LightSource& light : lights) {
-            if (light.typed == 0) continue;
-            kept.push_back(typed_lights_[light.typed]);
-            light.typed = static_cast<std::uint32_t>(kept.size() - 1);
+    const auto keep = [&](LightSources& lights) {
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            const std::uint32_t typed = std::as_const(lights)[i].typed;
+            if (typed == 0) continue;
+            kept.push_back(typed_lights_[typed]);
+            lights[i].typed = static_cast<std::uint32_t>(kept.size() - 1);
         }
     };
     keep(a_.lighting.lights);
@@ -334,7 +336,7 @@ void State::extra_light(const Command& c) {
     }
     const auto values = parameter_values(c, Owner::kLight, pname);
     if (!values) return;
-    std::vector<LightSource>& lights = a_.lighting.lights;
+    LightSources& lights = a_.lighting.lights;
     const auto i = static_cast<std::size_t>(number);
     if (i >= lights.size()) lights.resize(i + 1);
     lights[i].enabled = true;

@@ -15,16 +15,17 @@ namespace {
 
 // 5.4: commands that are executed immediately, even while a list is compiled: those on lists, client state and objects'
 // names, and queries. GLU's functions for quadrics are not GL commands.
-constexpr CommandSet kNeverCompiled = CommandSet::of(
-    {"new_list",     "end_list",        "gen_lists",        "delete_lists",  "pixel_store",         "flush",
-     "gen_textures", "delete_textures", "client_arrays",    "get_light",     "get_material",        "render_mode",
-     "hit_buffer",   "is_enabled",      "query_clip_plane", "query_tex_env", "query_tex_parameter", "driver_only_query",
-     "new_quadric",  "delete_quadric",  "set_quadric"});
+constexpr CommandSet kNeverCompiled =
+    CommandSet::of({"new_list",       "end_list",      "gen_lists",           "delete_lists",      "pixel_store",
+                    "flush",          "gen_textures",  "delete_textures",     "client_arrays",     "get_light",
+                    "get_material",   "render_mode",   "hit_buffer",          "is_enabled",        "query_clip_plane",
+                    "query_tex_env",  "query_tex_gen", "query_tex_parameter", "driver_only_query", "new_quadric",
+                    "delete_quadric", "set_quadric"});
 
 // Commands that send vertices or their attributes.
-constexpr CommandSet kSendsVertices =
-    CommandSet::of({"begin", "end", "vertex", "normal", "color", "tex_coord", "edge_flag", "material", "array_element",
-                    "draw_arrays", "rect", "shape", "mesh_file", "quadric_shape", "driver_only_vertex"});
+constexpr CommandSet kSendsVertices = CommandSet::of(
+    {"begin", "end", "vertex", "normal", "color", "tex_coord", "edge_flag", "material", "array_element", "draw_arrays",
+     "rect", "shape", "mesh_file", "quadric_shape", "eval_coord", "eval_point", "eval_mesh"});
 
 bool reads_pixels(const Command& c) {
     const auto names_pixels = [](const Parameter& parameter) { return parameter.name == "pixels"; };

@@ -9,6 +9,7 @@
 
 #include "base/math/directions.h"
 #include "base/math/normal_matrix.h"
+#include "scene/state/not_finite.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -62,7 +63,17 @@ std::size_t State::stack_limit() const {
     return a_.matrix_mode == kGL_PROJECTION ? kProjectionStackDepth : kTextureStackDepth;
 }
 
-void State::multiply(const glm::dmat4& matrix) { stack().back().matrix *= matrix; }
+// RULING: a product that no float holds is refused, like such a number in a command.
+void State::multiply(const Command& c, const glm::dmat4& matrix) {
+    const glm::dmat4 product = stack().back().matrix * matrix;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!is_in_float_range(product[column][row]))
+                return raise(kGL_INVALID_VALUE, c,
+                             "{} makes an element of the {} matrix {:.2g}; the largest float is 3.4e+38", c.name(),
+                             enum_name(a_.matrix_mode), product[column][row]);
+    stack().back().matrix = product;
+}
 
 void State::matrix_mode(const Command& c) {
     if (known(c, c.enumerant(0), {kGL_MODELVIEW, kGL_PROJECTION, kGL_TEXTURE})) a_.matrix_mode = c.enumerant(0);
@@ -88,13 +99,13 @@ void State::pop_matrix(const Command& c) {
 
 // Matrices are given by columns (2.11.2), as in GLM.
 void State::load_matrix(const Command& c) { stack().back().matrix = glm::make_mat4(c.arguments.data()); }
-void State::mult_matrix(const Command& c) { multiply(glm::make_mat4(c.arguments.data())); }
+void State::mult_matrix(const Command& c) { multiply(c, glm::make_mat4(c.arguments.data())); }
 
 // 2.11.2: the same, by rows.
 void State::load_transpose_matrix(const Command& c) {
     stack().back().matrix = glm::transpose(glm::make_mat4(c.arguments.data()));
 }
-void State::mult_transpose_matrix(const Command& c) { multiply(glm::transpose(glm::make_mat4(c.arguments.data()))); }
+void State::mult_transpose_matrix(const Command& c) { multiply(c, glm::transpose(glm::make_mat4(c.arguments.data()))); }
 
 // 2.12: the inverse of the current modelview matrix transforms planes to eye coordinates. RULING: if the matrix is
 // singular, every point is inside; the specification leaves this undefined.
@@ -106,22 +117,24 @@ void State::clip_plane(const Command& c) {
     }
     const glm::dvec4 equation(c.number(1), c.number(2), c.number(3), c.number(4));
     const bool singular = is_singular(glm::dmat3(modelview())) || glm::determinant(modelview()) == 0;
-    a_.clip_planes[plane - kGL_CLIP_PLANE0].equation_eye =
-        singular ? glm::dvec4(0) : glm::transpose(glm::inverse(modelview())) * equation;
+    glm::dvec4& equation_eye = a_.clip_planes[plane - kGL_CLIP_PLANE0].equation_eye;
+    equation_eye = singular ? glm::dvec4(0) : glm::transpose(glm::inverse(modelview())) * equation;
+    for (int i = 0; i < 4; ++i)  // nearly singular: the inverse overflows
+        if (!std::isfinite(equation_eye[i])) equation_eye = glm::dvec4(0);
 }
 
 void State::rotate(const Command& c) {
     const glm::dvec3 axis(c.number(1), c.number(2), c.number(3));
     if (glm::length(axis) == 0) return;  // RULING: no axis, no rotation (2.11.2 leaves it open; Mesa does the same)
-    multiply(glm::rotate(glm::dmat4(1), radians(c.number(0)), axis));
+    multiply(c, glm::rotate(glm::dmat4(1), radians(c.number(0)), axis));
 }
 
 void State::scale(const Command& c) {
-    multiply(glm::scale(glm::dmat4(1), glm::dvec3(c.number(0), c.number(1), c.number(2))));
+    multiply(c, glm::scale(glm::dmat4(1), glm::dvec3(c.number(0), c.number(1), c.number(2))));
 }
 
 void State::translate(const Command& c) {
-    multiply(glm::translate(glm::dmat4(1), glm::dvec3(c.number(0), c.number(1), c.number(2))));
+    multiply(c, glm::translate(glm::dmat4(1), glm::dvec3(c.number(0), c.number(1), c.number(2))));
 }
 
 void State::frustum(const Command& c) {
@@ -130,20 +143,20 @@ void State::frustum(const Command& c) {
         return raise(kGL_INVALID_VALUE, c,
                      "glFrustum needs near > 0, far > 0, near != far, left != right and bottom != top");
     }
-    multiply(frustum_matrix(l, r, b, t, n, f));
+    multiply(c, frustum_matrix(l, r, b, t, n, f));
 }
 
 void State::ortho(const Command& c) {
     const double l = c.number(0), r = c.number(1), b = c.number(2), t = c.number(3), n = c.number(4), f = c.number(5);
     if (l == r || b == t || n == f)
         return raise(kGL_INVALID_VALUE, c, "glOrtho needs left != right, bottom != top and near != far");
-    multiply(ortho_matrix(l, r, b, t, n, f));
+    multiply(c, ortho_matrix(l, r, b, t, n, f));
 }
 
 void State::ortho_2d(const Command& c) {
     const double l = c.number(0), r = c.number(1), b = c.number(2), t = c.number(3);
     if (l == r || b == t) return raise(kGL_INVALID_VALUE, c, "gluOrtho2D needs left != right and bottom != top");
-    multiply(ortho_matrix(l, r, b, t, -1, 1));
+    multiply(c, ortho_matrix(l, r, b, t, -1, 1));
 }
 
 // GLU ignores a view without extent and raises no error.
@@ -157,7 +170,7 @@ void State::perspective(const Command& c) {
     m[1][1] = cotangent;
     m[2] = {0, 0, -(f + n) / (f - n), -1};
     m[3] = {0, 0, -2 * n * f / (f - n), 0};
-    multiply(m);
+    multiply(c, m);
 }
 
 void State::look_at(const Command& c) {
@@ -173,7 +186,7 @@ void State::look_at(const Command& c) {
         m[i][1] = up_dir[i];
         m[i][2] = -forward_dir[i];
     }
-    multiply(glm::translate(m, -eye));
+    multiply(c, glm::translate(m, -eye));
 }
 
 void State::viewport(const Command& c) {

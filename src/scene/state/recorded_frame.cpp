@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "scene/command/text.h"
+#include "scene/state/draws_nothing.h"
+#include "scene/state/not_finite.h"
 
 namespace twinlight {
 
@@ -18,31 +21,36 @@ constexpr std::size_t kCommandsBetweenProgress = 1 << 16;
 
 const Command kEnd{CommandId::glEnd, {}, {}};
 
-// The first steps of a recording, with a glEnd added if they stop inside glBegin.
+std::optional<Command> made_finite(const Step& step) {
+    return step.kind == Step::Kind::kCommand ? twinlight::made_finite(step.command) : std::nullopt;
+}
+
+// The first steps of a recording, and the commands that end what these leave open.
 class Beginning final : public Recording {
   public:
-    Beginning(std::shared_ptr<const Recording> whole, std::size_t steps, bool ends_inside_begin, std::string given_name)
-        : Recording(std::move(given_name)),
-          whole_(std::move(whole)),
-          steps_(steps),
-          ends_inside_begin_(ends_inside_begin) {}
+    Beginning(std::shared_ptr<const Recording> whole, std::size_t steps, std::vector<Command> endings,
+              std::string given_name)
+        : Recording(std::move(given_name)), whole_(std::move(whole)), steps_(steps), endings_(std::move(endings)) {}
 
     void for_each(const std::function<bool(const Step&)>& visit) const override {
         std::size_t left = steps_;
         bool go_on = true;
         if (left > 0) {
             whole_->for_each([&](const Step& step) {
-                go_on = visit(step);
+                const std::optional<Command> finite = made_finite(step);
+                go_on = finite ? visit({.command = *finite}) : visit(step);
                 return --left > 0 && go_on;
             });
         }
-        if (ends_inside_begin_ && go_on) visit({.command = kEnd});
+        for (auto ending = endings_.begin(); go_on && ending != endings_.end(); ++ending)
+            go_on = visit({.command = *ending});
     }
+    std::vector<std::string> notes() const override { return whole_->notes(); }
 
   private:
     std::shared_ptr<const Recording> whole_;
     std::size_t steps_;
-    bool ends_inside_begin_;
+    std::vector<Command> endings_;
 };
 
 // The command that ends a frame.
@@ -69,8 +77,10 @@ class Player {
 
     bool swaps() const { return swaps_; }
     int frames() const { return frame_; }  // complete frames before the chosen one
-    // The last note about the recording, to add to a message: "; ...", or "".
-    std::string also() const { return notes_.empty() ? "" : "; " + notes_.back(); }
+    // Why nothing is drawn.
+    std::string why() const {
+        return nothing_.why(frame_, state_.error_count()) + (notes_.empty() ? "" : "; " + notes_.back());
+    }
     RecordedFrame result(const std::shared_ptr<const Recording>& recording);
 
     // The smallest size that contains all viewports; nullopt if they are empty.
@@ -85,6 +95,7 @@ class Player {
   private:
     bool take(const Step& step);
     bool take_end();
+    void end_begin();
     void command(const Command& command);
     bool end_frame();
     void reach(const Viewport& viewport) {
@@ -105,10 +116,14 @@ class Player {
     bool swaps_ = false;
     bool changed_ = false;  // something was drawn or cleared since the end of the last frame
     bool drawn_ = false;    // something was drawn
-    bool ended_inside_begin_ = false;
+    bool ever_drawn_ = false;
+    std::vector<Command> endings_;
+    DrawsNothing nothing_;
     bool draws_in_initial_viewport_ = false;
     std::int64_t reach_x_ = 0, reach_y_ = 0;
     std::vector<std::string> notes_;
+    int not_finite_ = 0;  // commands with NaN or infinity
+    std::string first_not_finite_;
 };
 
 // Returns true when the frame is complete.
@@ -119,9 +134,18 @@ bool Player::take(const Step& step) {
         state_.drop_picture();
     }
     ++steps_;
+    if (!ever_drawn_) nothing_.take(step);
     if (choice_.progress && steps_ % kCommandsBetweenProgress == 0) choice_.progress(frame_, steps_);
     switch (step.kind) {
-        case Step::Kind::kCommand: command(step.command); break;
+        case Step::Kind::kCommand:
+            if (const auto finite = made_finite(step)) {
+                if (not_finite_++ == 0)
+                    first_not_finite_ = fmt::format("{} ({})", step.command.place.str(), finite->name());
+                command(*finite);
+            } else {
+                command(step.command);
+            }
+            break;
         case Step::Kind::kOutside: state_.outside(step.text, step.command.place); break;
         case Step::Kind::kCutOff: notes_.emplace_back(step.text); break;
         case Step::Kind::kFrameEnd: break;
@@ -131,11 +155,17 @@ bool Player::take(const Step& step) {
 
 // Handles the commands after the end of the last frame. Returns true if they complete the chosen frame.
 bool Player::take_end() {
-    if (state_.inside_begin()) {
-        ended_inside_begin_ = true;
-        command(kEnd);
-    }
-    return changed_ && end_frame();
+    const bool is_cut = state_.inside_begin() || state_.unfinished() || swaps_;
+    end_begin();
+    if (!changed_ || !end_frame()) return false;
+    if (is_cut) notes_.emplace_back("the recording ends inside this frame, so its picture may be incomplete");
+    return true;
+}
+
+void Player::end_begin() {
+    if (!state_.inside_begin()) return;
+    endings_.push_back(kEnd);
+    command(kEnd);
 }
 
 void Player::command(const Command& command) {
@@ -151,7 +181,7 @@ void Player::command(const Command& command) {
         const Draw* draw = std::get_if<Draw>(&*item);
         if (!draw) continue;
         const Viewport& viewport = draw->raster.viewport;
-        drawn_ = true;
+        drawn_ = ever_drawn_ = true;
         draws_in_initial_viewport_ |=
             viewport.x == 0 && viewport.y == 0 && viewport.width == width_ && viewport.height == height_;
         reach(viewport);
@@ -177,9 +207,11 @@ RecordedFrame Player::result(const std::shared_ptr<const Recording>& recording) 
         throw SceneError(fmt::format("{}: frame {} draws nothing; leave out --frame to get the first frame that does",
                                      recording->name, frame_));
     }
-    if (state_.inside_begin()) {
-        ended_inside_begin_ = true;
-        command(kEnd);
+    end_begin();
+    // Scenes must end what they begin, but a frame may leave it to the next.
+    for (Command& ending : state_.endings()) {
+        state_.apply(ending);
+        endings_.push_back(std::move(ending));
     }
     reach(state_.raster().viewport);
     RecordedFrame result;
@@ -187,7 +219,12 @@ RecordedFrame Player::result(const std::shared_ptr<const Recording>& recording) 
     result.error_count = state_.error_count();
     if (!state_.errors().empty()) result.first_error = state_.errors().front();
     result.notes = std::move(notes_);
-    result.scene = {std::make_shared<const Beginning>(recording, steps_, ended_inside_begin_,
+    if (not_finite_ > 0)
+        result.notes.push_back(fmt::format(
+            "{} of the program's commands up to this frame {} NaN or infinity; the first: {}. GL leaves open what that "
+            "does (section 2.1.1). All renderers draw 0 for NaN, and 2^32 for infinity.",
+            not_finite_, not_finite_ == 1 ? "has" : "have", first_not_finite_));
+    result.scene = {std::make_shared<const Beginning>(recording, steps_, std::move(endings_),
                                                       fmt::format("{}, frame {}", recording->name, frame_)),
                     state_.take_frame()};
     return result;
@@ -207,8 +244,11 @@ RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& record
         }
         if (!found) {
             const int frames = player.frames();
-            if (!choice.number || frames == 0)
-                throw SceneError(recording->name + ": this recording draws nothing" + player.also());
+            if (!choice.number || frames == 0) {
+                std::string why = player.why();
+                for (const std::string& note : recording->notes()) why += "; " + note;
+                throw SceneError(fmt::format("{}: this recording draws nothing: {}", recording->name, why));
+            }
             throw SceneError(
                 fmt::format("{}: the recording has no frame {}; {}", recording->name, *choice.number,
                             frames == 1 ? "its only frame is 0" : fmt::format("its frames are 0 to {}", frames - 1)));

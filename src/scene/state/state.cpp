@@ -13,6 +13,7 @@
 
 #include "scene/command/command_set.h"
 #include "scene/state/capabilities.h"
+#include "scene/state/not_finite.h"
 
 namespace twinlight {
 
@@ -20,14 +21,26 @@ namespace {
 
 // The commands allowed between Begin and End (2.6.3). begin, end and perspective are listed because they raise their
 // own errors, GLU's quadrics because they are not GL commands.
-constexpr CommandSet kLegalInside = CommandSet::of(
-    {"vertex", "normal", "color", "tex_coord", "edge_flag", "material", "begin", "end", "multi_tex_coord",
-     "driver_only_vertex", "driver_only_attribute", "driver_only_secondary_color", "call_list", "call_lists",
-     "array_element", "perspective", "new_quadric", "delete_quadric", "set_quadric"});
-
-// Commands that set a vertex's attributes accept NaN and infinity.
-constexpr CommandSet kTakesAnyNumber = CommandSet::of({"vertex", "normal", "color", "tex_coord", "multi_tex_coord",
-                                                       "driver_only_secondary_color", "driver_only_attribute"});
+constexpr CommandSet kLegalInside = CommandSet::of({"vertex",
+                                                    "normal",
+                                                    "color",
+                                                    "tex_coord",
+                                                    "edge_flag",
+                                                    "material",
+                                                    "begin",
+                                                    "end",
+                                                    "multi_tex_coord",
+                                                    "eval_coord",
+                                                    "eval_point",
+                                                    "driver_only_attribute",
+                                                    "driver_only_secondary_color",
+                                                    "call_list",
+                                                    "call_lists",
+                                                    "array_element",
+                                                    "perspective",
+                                                    "new_quadric",
+                                                    "delete_quadric",
+                                                    "set_quadric"});
 
 // Adds one to the count of `name`.
 void count(std::vector<Unsupported>& list, std::string_view name, const Place& place, MissingFrom missing_from) {
@@ -62,11 +75,15 @@ void State::carry_out(const Command& command) {
     };
     if (open_ && !kLegalInside.contains(command.id)) return raise_inside(command);
     // RULING: GL leaves NaN and infinity undefined (2.1.1). Here commands refuse them, so they cannot spread. Only
-    // vertices accept them, because real programs send such vertices; see sanitize().
-    const auto is_finite = [](double v) { return std::isfinite(v); };
-    if (!kTakesAnyNumber.contains(command.id) && !std::ranges::all_of(command.arguments, is_finite))
+    // vertices accept them, because real programs send such vertices; see sanitize(). In a recorded program other
+    // commands have finite numbers already; see made_finite().
+    if (const auto wrong = number_that_is_not_finite(command)) {
+        if (std::isfinite(*wrong))
+            return raise(kGL_INVALID_VALUE, command, "{} is given {}; the largest float is 3.4e+38", command.name(),
+                         *wrong);
         return raise(kGL_INVALID_VALUE, command, "{} needs finite numbers, but a value is NaN or infinite",
                      command.name());
+    }
     (this->*kCarriedOutBy[static_cast<std::size_t>(command.id)])(command);
 }
 
@@ -125,16 +142,22 @@ void State::begin(const Command& c) {
         return raise(kGL_INVALID_ENUM, c, "glBegin is given {}; expected a primitive type, GL_POINTS to GL_POLYGON",
                      enum_name(c.enumerant(0)));
     }
-    if (!has_room(c, bytes_of_draw())) return;
+    open_bytes_ = bytes_of_draw();
+    if (!has_room(c, open_bytes_)) return;
     open_ = new_draw(c.enumerant(0), c.place);
 }
 
+constexpr std::size_t kMuchRoom = 1000;  // in vertices
+
 void State::end(const Command& c) {
     if (!open_) return raise(kGL_INVALID_OPERATION, c, "glEnd without a glBegin");
-    if (open_->vertices.empty())
-        item_bytes_ -= std::min(item_bytes_, bytes_of_draw());
-    else
+    if (open_->vertices.empty()) {
+        item_bytes_ -= std::min(item_bytes_, open_bytes_);
+    } else {
+        // What the vector has grown by in vain stays as long as the frame.
+        if (open_->vertices.capacity() - open_->vertices.size() > kMuchRoom) open_->vertices.shrink_to_fit();
         show(std::move(*open_));
+    }
     open_.reset();
     a_.current.material = 0;  // the next Draw starts its own list of materials
 }
@@ -170,12 +193,16 @@ void State::tex_coord(const Command& c) {
 }
 
 void sanitize(Vertex& vertex) {
-    const auto is_finite = [](const auto& v) { return std::isfinite(glm::dot(v, v * 0.0)); };
-    if (!is_finite(vertex.position_object)) vertex.position_object = glm::dvec4(0);
-    if (!is_finite(vertex.normal_object)) vertex.normal_object = glm::dvec3(0);
+    const auto all_in_range = [](const auto& v) {
+        bool all = true;
+        for (int i = 0; i < v.length(); ++i) all &= is_in_float_range(v[i]);
+        return all;
+    };
+    if (!all_in_range(vertex.position_object)) vertex.position_object = glm::dvec4(0);
+    if (!all_in_range(vertex.normal_object)) vertex.normal_object = glm::dvec3(0);
     for (int i = 0; i < 4; ++i) {
-        if (!std::isfinite(vertex.color[i])) vertex.color[i] = 0;
-        if (!std::isfinite(vertex.tex_coord[i])) vertex.tex_coord[i] = 0;
+        if (!is_in_float_range(vertex.color[i])) vertex.color[i] = 0;
+        if (!is_in_float_range(vertex.tex_coord[i])) vertex.tex_coord[i] = 0;
     }
 }
 
@@ -207,6 +234,11 @@ Draw State::new_draw(Enum mode, const Place& place) {
                     .env_color = a_.units[0].env_color,
                     .lod_bias = a_.units[0].lod_bias,
                     .texture_matrix = texture_[0].back().matrix};
+    if (draw.texture.texture) {
+        draw.texture.lod_bias =  // 3.8.8, equation 3.19
+            std::clamp(draw.texture.lod_bias + draw.texture.texture->lod_bias, -kMaxLodBias, kMaxLodBias);
+        draw.texture.generated = generated_coordinates(a_.units[0]);
+    }
     if (draw.texture.texture && draw.texture.env_mode == kGL_COMBINE) note_unsupported("glTexEnv(GL_COMBINE)", place);
     for (std::size_t i = 1; i < a_.units.size(); ++i) {
         if (!complete_texture(a_.units[i])) continue;
@@ -224,9 +256,7 @@ Draw State::new_draw(Enum mode, const Place& place) {
         if (a_.clip_planes[i].enabled) draw.raster.clip_planes_eye[i] = a_.clip_planes[i].equation_eye;
     for (const auto& [capability, where] : a_.driver_only) {
         const DriverOnlyCapability& row = driver_only_capability(capability.first);
-        // Textures of units above 0 are already noted.
-        const bool is_idle = row.generates_coordinates() && (capability.second > 0 || !draw.texture.texture);
-        if (!row.changes_pixels || is_idle) continue;
+        if (!row.changes_pixels) continue;
         note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), where);
     }
     note_driver_only_values(draw);
@@ -286,6 +316,29 @@ std::optional<GlError> State::unfinished() const {
         return GlError{kGL_STACK_OVERFLOW, attribute_stack_.back().pushed,
                        "this glPushAttrib has no glPopAttrib; each push needs a pop"};
     return std::nullopt;
+}
+
+std::vector<Command> State::endings() const {
+    std::vector<Command> endings;
+    const auto add = [&](CommandId id, std::vector<double> arguments = {}) {
+        endings.push_back({id, std::move(arguments), {}});
+    };
+    const auto pop_all = [&](const MatrixStack& stack, Enum mode) {
+        if (stack.size() < 2) return;
+        add(CommandId::glMatrixMode, {static_cast<double>(mode)});
+        for (std::size_t i = 1; i < stack.size(); ++i) add(CommandId::glPopMatrix);
+    };
+    if (open_) add(CommandId::glEnd);
+    if (lists_.open_name != 0) add(CommandId::glEndList);
+    for (std::size_t i = 0; i < attribute_stack_.size(); ++i) add(CommandId::glPopAttrib);
+    pop_all(modelview_, kGL_MODELVIEW);
+    pop_all(projection_, kGL_PROJECTION);
+    for (std::size_t i = 0; i < texture_.size(); ++i) {
+        if (texture_[i].size() < 2) continue;
+        add(CommandId::glActiveTexture, {static_cast<double>(kGL_TEXTURE0) + static_cast<double>(i)});
+        pop_all(texture_[i], kGL_TEXTURE);
+    }
+    return endings;
 }
 
 Frame State::take_frame() {

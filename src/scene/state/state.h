@@ -1,7 +1,9 @@
 // State: GL's state machine in double precision. It executes commands, raises GL's errors and builds a Frame.
 #pragma once
 
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "scene/shape/quadric.h"
 #include "scene/state/arrays.h"
 #include "scene/state/attributes.h"
+#include "scene/state/evaluators.h"
 #include "scene/state/frame.h"
 #include "scene/state/gl_error.h"
 #include "scene/state/lists.h"
@@ -48,8 +51,8 @@ constexpr std::size_t bytes_of_vertices(std::size_t vertices, std::size_t indice
     return vertices * kVertex + (indices > 0 ? indices : vertices) * kDrawn;
 }
 
-// RULING for a vertex with NaN or infinity: a position with such a component becomes (0, 0, 0, 0), which is clipped
-// away (2.12); a normal becomes (0, 0, 0); in colours and texture coordinates only the component becomes 0.
+// RULING for a vertex with NaN, infinity or a number beyond the largest float: a position with such a component becomes
+// (0, 0, 0, 0), which is clipped away (2.12); a normal becomes (0, 0, 0); in colours and texture coordinates only the component becomes 0.
 void sanitize(Vertex& vertex);
 
 class State {
@@ -78,6 +81,8 @@ class State {
     // The error of the first glBegin, glNewList or push that is still open at the end of a scene; nullopt if there is
     // none.
     std::optional<GlError> unfinished() const;
+    // The commands that end them all.
+    std::vector<Command> endings() const;
 
     // The picture so far.
     const std::vector<FrameItem>& items() const { return items_; }
@@ -124,9 +129,9 @@ class State {
     Effect push_attrib, pop_attrib;
     Effect enable, disable;
     Effect client_arrays, array_element, draw_arrays;
-    Effect draw_buffer, driver_only_state, driver_only_drawing, driver_only_vertex, driver_only_attribute,
-        driver_only_query, driver_only_secondary_color, driver_only_point_parameter, driver_only_pixel_transfer,
-        driver_only_bitmap, driver_only_copy_image;
+    Effect draw_buffer, driver_only_state, driver_only_drawing, driver_only_attribute, driver_only_query,
+        driver_only_secondary_color, driver_only_point_parameter, driver_only_pixel_transfer, driver_only_bitmap,
+        driver_only_copy_image;
     Effect stencil_func, stencil_op, stencil_mask, clear_stencil;
     Effect accumulate, clear_accumulation;
     Effect polygon_stipple, logic_op;
@@ -138,6 +143,7 @@ class State {
     Effect matrix_mode, load_identity, push_matrix, pop_matrix, load_matrix, mult_matrix, rotate, scale, translate,
         frustum, ortho, perspective, ortho_2d, look_at, viewport, clip_plane, load_transpose_matrix,
         mult_transpose_matrix;
+    Effect map, map_grid, eval_coord, eval_point, eval_mesh;
     Effect build_mipmaps, texture_file;
     Effect front_face, cull_face, polygon_mode, depth_func, depth_mask, flush, depth_range, polygon_offset, line_width,
         point_size, edge_flag, hint;
@@ -146,8 +152,8 @@ class State {
     Effect spectrum, reflectance, illuminant, transfer;
     Effect begin, end, normal, color, vertex, tex_coord, multi_tex_coord, rect;
     Effect pixel_store, tex_image, tex_sub_image;
-    Effect bind_texture, active_texture, tex_parameter, tex_env, query_tex_env, query_tex_parameter, gen_textures,
-        delete_textures, prioritize_textures;
+    Effect bind_texture, active_texture, tex_parameter, tex_env, tex_gen, query_tex_env, query_tex_gen,
+        query_tex_parameter, gen_textures, delete_textures, prioritize_textures;
     // glMaterial; `reflectance` is null or the spectrum that the colour was computed from.
     void set_material(const Command&, const Spectrum* reflectance);
     void set_light(const Command&, LightSource& source, Enum pname, const std::vector<double>& values);
@@ -164,7 +170,11 @@ class State {
     // Whether this many more bytes, or this much more work, stay within the picture's limits; if not, raises
     // GL_OUT_OF_MEMORY.
     bool has_room(const Command& command, std::size_t bytes);
-    std::size_t bytes_of_draw() const { return sizeof(Draw) + a_.lighting.lights.size() * sizeof(LightSource); }
+    // Draws share lights that have not changed.
+    std::size_t bytes_of_draw() const {
+        const LightSources& lights = a_.lighting.lights;
+        return sizeof(Draw) + (lights.is_shared() ? 0 : lights.size() * sizeof(LightSource));
+    }
     bool has_time(const Command& command, double work);
     // The faces that a command of the stencil sets. Raises GL_INVALID_ENUM and returns nullopt for another name.
     std::optional<std::vector<StencilFace*>> stencil_faces(const Command& command, bool names_face);
@@ -189,9 +199,12 @@ class State {
     bool known_capability(const Command& command);  // raises GL_INVALID_ENUM if not
     // The texture that a glTex* command may change: no Draw shares it. Raises the error and returns null for a wrong
     // target.
-    Texture* writable_texture(const Command& command, Enum target);
+    Texture* writable_texture(const Command& command, Enum target);  // of the active unit
+    Texture* writable_texture(const Command& command, const TextureBindings& bindings, Enum target);
     const std::shared_ptr<Texture>& texture_of(const TextureBindings& bindings, Enum target) const;
     std::shared_ptr<const Texture> complete_texture(const TextureBindings& bindings) const;
+    std::shared_ptr<const Texture> with_levels(const std::shared_ptr<const Texture>& texture, int first,
+                                               int last) const;
     TextureBindings& unit() { return a_.units[a_.active_unit]; }
     const TextureBindings& unit() const { return a_.units[a_.active_unit]; }
     bool check_pixel_type(const Command& command, const PixelSource& source);
@@ -202,11 +215,14 @@ class State {
     bool has_texels(const Command& command, double count, std::size_t replaced = 0);
     bool counts(const Command& command, const char* what);  // n >= 0; if not, raises GL_INVALID_VALUE
     void track_color();                                     // 2.14.3: the material follows the current colour
-    void multiply(const glm::dmat4& matrix);
+    void multiply(const Command& c, const glm::dmat4& matrix);
     MatrixStack& stack();
     std::size_t stack_limit() const;
     Draw new_draw(Enum mode, const Place& place);
     void send_shape(const Command& command, std::vector<ShapePart> parts, std::vector<Surface> surfaces);
+    void send_evaluated(const Command& command, double u, std::optional<double> v);  // glEvalCoord
+    // The vertex on the enabled maps; none if no map of vertices is enabled.
+    std::optional<Vertex> evaluated(double u, std::optional<double> v) const;
     Quadric* quadric(
         const Command& command);  // its first argument; raises the error and returns null if it does not exist
     bool can_send(const Command& command);  // whether its quadric can be drawn; if not, raises the error
@@ -222,13 +238,17 @@ class State {
     struct SavedAttributes {
         Attributes attributes;
         Enum mask = 0;
-        Texture texture_1d, texture_2d;  // the parameters of the bound textures (table 6.16)
+        // The parameters of the textures that are bound in any unit (table 6.16), by target and name.
+        std::map<std::pair<Enum, std::uint32_t>, Texture> textures;
         Place pushed;
     };
 
     StateOptions options_;
     Attributes a_;
     TextureObjects textures_;
+    // Textures of which not all levels are in use, and the levels in use. Holding a texture keeps it unchanged.
+    mutable std::map<const Texture*, std::pair<std::shared_ptr<const Texture>, std::shared_ptr<const Texture>>>
+        parts_of_textures_;
     PixelStore pixel_store_;
     std::vector<std::optional<PixelStore>> saved_pixel_stores_;  // by glPushClientAttrib, one per level
     VertexArrays arrays_;
@@ -240,6 +260,8 @@ class State {
     Enum render_mode_ = kGL_RENDER;                      // 5.2
     bool has_selection_ = false, has_feedback_ = false;  // has a buffer with room
     std::optional<Draw> open_;                           // between Begin and End
+    std::size_t open_bytes_ = 0;                         // what it counts in item_bytes_, besides its vertices
+    std::map<Enum, EvaluatorMap> maps_;                  // by the target of glMap
     std::map<double, Quadric> quadrics_;                 // by number
     std::map<double, Place> deleted_quadrics_;           // the place of gluDeleteQuadric
     std::vector<FrameItem> items_;

@@ -164,7 +164,7 @@ void State::tex_image(const Command& c) {
     textures_.texels -= texels_of(*texture);
     if (texture->levels.size() <= level) texture->levels.resize(level + 1);
     texture->levels[level] = std::move(image);
-    if (level == 0) generate_mipmaps(*texture);
+    if (a.level == texture->base_level) generate_mipmaps(*texture);
     textures_.texels += texels_of(*texture);
 }
 
@@ -199,7 +199,8 @@ void State::tex_sub_image(const Command& c) {
     }
     const auto rows = pixels(c, source);
     if (!rows || source.width == 0 || source.height == 0) return;
-    const bool mipmaps = level == 0 && bound.generate_mipmap;
+    const bool is_base = level == bound.base_level;
+    const bool mipmaps = is_base && bound.generate_mipmap;
     if (!has_time(
             c, static_cast<double>(mipmaps ? texels_of(bound) : 0) + static_cast<double>(source.width) * source.height))
         return;
@@ -215,16 +216,18 @@ void State::tex_sub_image(const Command& c) {
             static_cast<std::size_t>(y0 + y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x0);
         for (std::size_t x = 0; x < row.size(); ++x) image.texels[to + x] = stored(row[x], format);
     }
-    if (level == 0) generate_mipmaps(*texture);
+    if (is_base) generate_mipmaps(*texture);
     textures_.texels += texels_of(*texture);
 }
 
 // 3.8.8, "Automatic mipmap generation".
 void State::generate_mipmaps(Texture& texture) const {
-    if (!texture.generate_mipmap || texture.levels[0].texels.empty()) return;
-    const InternalFormat format = *internal_format(texture.levels[0].internal_format);
-    texture.levels.resize(1);
-    while (texture.levels.back().width > 1 || texture.levels.back().height > 1)
+    const auto base = static_cast<std::size_t>(texture.base_level);
+    if (!texture.generate_mipmap || texture.levels[base].texels.empty()) return;
+    const InternalFormat format = *internal_format(texture.levels[base].internal_format);
+    texture.levels.resize(base + 1);
+    while ((texture.levels.back().width > 1 || texture.levels.back().height > 1) &&
+           texture.levels.size() <= static_cast<std::size_t>(texture.max_level))
         texture.levels.push_back(half(texture.levels.back(), format));
 }
 

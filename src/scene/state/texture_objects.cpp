@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
+#include <limits>
 
 #include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
@@ -18,7 +20,12 @@ const std::shared_ptr<Texture>& State::texture_of(const TextureBindings& binding
 
 Texture* State::writable_texture(const Command& c, Enum target) {
     if (!known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return nullptr;
-    auto& texture = const_cast<std::shared_ptr<Texture>&>(texture_of(unit(), target));  // NOLINT: belongs to this State
+    return writable_texture(c, unit(), target);
+}
+
+Texture* State::writable_texture(const Command& c, const TextureBindings& bindings, Enum target) {
+    auto& texture =
+        const_cast<std::shared_ptr<Texture>&>(texture_of(bindings, target));  // NOLINT: belongs to this State
     if (texture.use_count() > 1) {
         if (!has_room(c, texels_of(*texture) * sizeof(glm::vec4))) return nullptr;
         texture = std::make_shared<Texture>(*texture);
@@ -62,11 +69,6 @@ struct DriverOnlyParameter {
     std::optional<double> initial;  // nullopt: it only modifies another parameter, and alone changes no pixel
 };
 constexpr DriverOnlyParameter kDriverOnlyParameters[] = {
-    {kGL_TEXTURE_BASE_LEVEL, 0},
-    {kGL_TEXTURE_MAX_LEVEL, 1000},
-    {kGL_TEXTURE_MIN_LOD, -1000},
-    {kGL_TEXTURE_MAX_LOD, 1000},
-    {kGL_TEXTURE_LOD_BIAS, 0},
     {kGL_TEXTURE_MAX_ANISOTROPY_EXT, 1},
     {kGL_TEXTURE_COMPARE_MODE, kGL_NONE},
     {kGL_TEXTURE_COMPARE_FUNC, std::nullopt},
@@ -77,6 +79,12 @@ const DriverOnlyParameter* driver_only_parameter(Enum pname) {
     const auto* row = std::find_if(std::begin(kDriverOnlyParameters), std::end(kDriverOnlyParameters),
                                    [pname](const DriverOnlyParameter& r) { return r.pname == pname; });
     return row == std::end(kDriverOnlyParameters) ? nullptr : row;
+}
+
+// GL 2.1 does not say how a float becomes a level. Mesa rounds a single one, and drops the fraction of one in an array.
+int level_number(double value, bool is_array) {
+    constexpr double kLargest = std::numeric_limits<int>::max();
+    return static_cast<int>(std::clamp(is_array ? value : std::round(value), -kLargest, kLargest));
 }
 
 }  // namespace
@@ -93,7 +101,7 @@ void State::query_tex_env(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
     if (!known(c, target, {kGL_TEXTURE_ENV, kGL_TEXTURE_FILTER_CONTROL})) return;
     if (target == kGL_TEXTURE_ENV)
-        known(c, pname, {kGL_TEXTURE_ENV_MODE, kGL_TEXTURE_ENV_COLOR});
+        known(c, pname, {kGL_TEXTURE_ENV_MODE, kGL_TEXTURE_ENV_COLOR, kGL_ALPHA_SCALE});
     else
         known(c, pname, {kGL_TEXTURE_LOD_BIAS});
 }
@@ -117,6 +125,11 @@ void State::tex_parameter(const Command& c) {
     const auto set = [&](Enum Texture::*member, std::initializer_list<Enum> allowed) {
         if (known(c, name, allowed)) assign(member, name);
     };
+    const auto set_level = [&](int Texture::*member) {
+        const int level = level_number(values->front(), !c.array().empty());
+        if (level < 0) return raise(kGL_INVALID_VALUE, c, "{} is {}; it must be 0 or more", enum_name(pname), level);
+        assign(member, level);
+    };
     const auto wraps = {kGL_CLAMP, kGL_REPEAT, kGL_CLAMP_TO_EDGE, kGL_CLAMP_TO_BORDER, kGL_MIRRORED_REPEAT};
     switch (pname) {
         case kGL_TEXTURE_MIN_FILTER:
@@ -132,6 +145,11 @@ void State::tex_parameter(const Command& c) {
                           glm::clamp(glm::dvec4((*values)[0], (*values)[1], (*values)[2], (*values)[3]), 0.0, 1.0));
         case kGL_TEXTURE_PRIORITY: return assign(&Texture::priority, std::clamp(values->front(), 0.0, 1.0));
         case kGL_GENERATE_MIPMAP: return assign(&Texture::generate_mipmap, values->front() != 0);
+        case kGL_TEXTURE_LOD_BIAS: return assign(&Texture::lod_bias, values->front());
+        case kGL_TEXTURE_MIN_LOD: return assign(&Texture::min_lod, values->front());
+        case kGL_TEXTURE_MAX_LOD: return assign(&Texture::max_lod, values->front());
+        case kGL_TEXTURE_BASE_LEVEL: return set_level(&Texture::base_level);
+        case kGL_TEXTURE_MAX_LEVEL: return set_level(&Texture::max_level);
         default: return;
     }
 }
@@ -139,6 +157,13 @@ void State::tex_parameter(const Command& c) {
 void State::tex_env(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
     if (!known(c, target, {kGL_TEXTURE_ENV, kGL_TEXTURE_FILTER_CONTROL})) return;
+    if (target == kGL_TEXTURE_ENV && pname == kGL_ALPHA_SCALE) {  // of GL_COMBINE (table 3.24)
+        const double scale = c.number(2);
+        if (scale != 1 && scale != 2 && scale != 4)
+            return raise(kGL_INVALID_VALUE, c, "GL_ALPHA_SCALE is {}; it must be 1, 2 or 4", scale);
+        if (scale != 1) note_lasting("glTexEnv(GL_ALPHA_SCALE)", c.place);
+        return;
+    }
     const Owner owner = target == kGL_TEXTURE_ENV ? Owner::kTexEnv : Owner::kTexFilterControl;
     const auto values = parameter_values(c, owner, pname);
     if (!values) return;
@@ -157,26 +182,54 @@ void State::tex_env(const Command& c) {
     }
 }
 
-// The texture of a Draw: that of the enabled target with more dimensions (3.8.15), if it is complete (3.8.10). A
-// complete texture has its base level and, for a mipmap filter, all levels down to 1 x 1, each half the size of the
-// last and in one format.
+// The texture of a Draw: that of the enabled target with more dimensions (3.8.15), if it is complete (3.8.10), with the
+// levels in use. A complete texture has its base level and, for a mipmap filter, all levels from there to 1 x 1 or the
+// last level in use, each half the size of the one before and in one format.
 std::shared_ptr<const Texture> State::complete_texture(const TextureBindings& bindings) const {
     if (!bindings.enabled_1d && !bindings.enabled_2d) return nullptr;
     std::shared_ptr<const Texture> texture =
         texture_of(bindings, bindings.enabled_2d ? kGL_TEXTURE_2D : kGL_TEXTURE_1D);
-    if (texture->levels.empty() || texture->levels[0].texels.empty()) return nullptr;
-    if (texture->min_filter == kGL_NEAREST || texture->min_filter == kGL_LINEAR) return texture;
-    int width = texture->levels[0].width, height = texture->levels[0].height;
-    for (std::size_t level = 1; width > 1 || height > 1; ++level) {
-        width = std::max(1, width / 2);
-        height = std::max(1, height / 2);
-        if (level >= texture->levels.size()) return nullptr;
-        const TextureImage& image = texture->levels[level];
-        const bool fits = image.width == width && image.height == height && !image.texels.empty() &&
-                          image.internal_format == texture->levels[0].internal_format;
-        if (!fits) return nullptr;
+    const auto image = [&](int level) -> const TextureImage* {
+        const auto index = static_cast<std::size_t>(level);
+        return index < texture->levels.size() && !texture->levels[index].texels.empty() ? &texture->levels[index]
+                                                                                        : nullptr;
+    };
+    const TextureImage* base = image(texture->base_level);
+    if (!base || texture->base_level > texture->max_level) return nullptr;
+    int last = texture->base_level;
+    if (texture->min_filter != kGL_NEAREST && texture->min_filter != kGL_LINEAR) {
+        int width = base->width, height = base->height;
+        while ((width > 1 || height > 1) && last < texture->max_level) {
+            width = std::max(1, width / 2);
+            height = std::max(1, height / 2);
+            const TextureImage* next = image(++last);
+            if (!next || next->width != width || next->height != height ||
+                next->internal_format != base->internal_format)
+                return nullptr;
+        }
+    } else if (texture->base_level == 0) {
+        return texture;
     }
-    return texture;
+    return with_levels(texture, texture->base_level, last);
+}
+
+// A copy that has only these levels. It is kept as long as the State or a Draw has the texture, so that Draws share it.
+std::shared_ptr<const Texture> State::with_levels(const std::shared_ptr<const Texture>& texture, int first,
+                                                  int last) const {
+    if (first == 0 && static_cast<std::size_t>(last) + 1 >= texture->levels.size()) return texture;
+    auto& [of, part] = parts_of_textures_[texture.get()];
+    if (!part) {
+        std::erase_if(parts_of_textures_, [&](const auto& entry) {
+            return entry.first != texture.get() && entry.second.first.use_count() == 1;
+        });
+        Texture levels = *texture;
+        levels.levels.assign(texture->levels.begin() + first, texture->levels.begin() + last + 1);
+        levels.base_level = Texture().base_level;
+        levels.max_level = Texture().max_level;
+        of = texture;
+        part = std::make_shared<const Texture>(std::move(levels));
+    }
+    return part;
 }
 
 // ---- Names (3.8.12) ----

@@ -1,6 +1,7 @@
 #include "scene/trace/apitrace.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,6 +18,9 @@
 namespace twinlight::trace {
 
 namespace {
+
+// A damaged trace of nine bytes can make apitrace fill the memory. Blobs have at most 256 MiB.
+constexpr rlim_t kMostBytes = 2'000'000'000;
 
 // The first line of apitrace's messages.
 std::string first_words(const Descriptor& file) {
@@ -45,7 +49,11 @@ ApitraceDump::ApitraceDump(const std::string& name, const std::string& trace, co
                       dump.get(),
                       messages_.get(),
                       folder()});
-    if (process_ > 0) return;
+    if (process_ > 0) {
+        const rlimit most{kMostBytes, kMostBytes};
+        ::prlimit(process_, RLIMIT_AS, &most, nullptr);
+        return;
+    }
     if (errno != ENOENT && errno != EACCES) throw SceneError(name + ": " + std::strerror(errno));
     throw SceneError(
         name +
@@ -61,10 +69,12 @@ ApitraceDump::~ApitraceDump() {
 
 std::string ApitraceDump::wait() {
     const int status = wait_for(std::exchange(process_, 0));
+    // Then its last words are about its own code.
+    if (WIFSIGNALED(status))
+        return "it failed (signal " + std::to_string(WTERMSIG(status)) + "); the file is damaged, or not a recording";
     const std::string words = first_words(messages_);
-    if (!words.empty() || (WIFEXITED(status) && WEXITSTATUS(status) == 0)) return words;
-    return WIFSIGNALED(status) ? std::string("it was stopped by signal ") + std::to_string(WTERMSIG(status))
-                               : std::string("it ended with status ") + std::to_string(WEXITSTATUS(status));
+    if (!words.empty() || WEXITSTATUS(status) == 0) return words;
+    return "it ended with status " + std::to_string(WEXITSTATUS(status));
 }
 
 }  // namespace twinlight::trace

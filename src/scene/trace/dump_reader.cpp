@@ -16,11 +16,21 @@ namespace {
 using Form = Argument::Form;
 
 constexpr std::size_t kMostMappings = 1024;
-constexpr std::size_t kMostThreads = 4096;
+// Enough to see which context draws most.
+constexpr int kMostCallsCounted = 300'000, kMostFramesCounted = 8;
 
 // With an enumerant that GL 2.1 lacks, these change no pixel: an unknown capability is already off.
 bool is_harmless_with_unknown_name(std::string_view function) {
     return function == "glDisable" || function == "glDisableClientState" || function == "glHint";
+}
+
+// EXT_vertex_array: arrays are enabled by glEnable, as drivers still allow. Returns the command of GL 2.1.
+CommandId client_state(const Command& command) {
+    const bool enables = command.id == CommandId::glEnable;
+    if (!enables && command.id != CommandId::glDisable) return command.id;
+    const Enum cap = command.enumerant(0);
+    if (cap < kGL_VERTEX_ARRAY || cap > kGL_EDGE_FLAG_ARRAY) return command.id;
+    return enables ? CommandId::glEnableClientState : CommandId::glDisableClientState;
 }
 
 }  // namespace
@@ -47,20 +57,27 @@ bool DumpReader::for_each(const std::function<bool(const Step&)>& visit) {
     return go_on_;
 }
 
-std::optional<ContextName> DumpReader::first_to_draw() {
+void DumpReader::count_contexts(bool whole, ContextCounts& counts) {
     const std::function<bool(const Step&)> nothing = [](const Step&) { return true; };
     visit_ = &nothing;
-    while (next_call()) {
+    int calls = 0, frames = 0;  // since the first that draws
+    while ((whole || (calls < kMostCallsCounted && frames < kMostFramesCounted)) && next_call()) {
         const Function& function = functions_.find(function_name_);
         if (function.role == Role::kMakeCurrent) {
             make_current();
+            const auto current = current_.find(thread_);
+            counts.make_current(thread_, current == current_.end() ? 0 : current->second);
             continue;
         }
-        const auto current = current_.find(thread_);
-        if (function.draws) return current == current_.end() ? std::nullopt : std::optional(current->second);
-        lexer_.skip_line();
+        if (ContextCounts::needs_arguments(function, function_name_)) {
+            if (!read_call()) continue;
+        } else {
+            lexer_.skip_line();
+        }
+        counts.count(thread_, function, function_name_, arguments_.numbers);
+        if (counts.any_draws()) ++calls;
+        if (calls > 0 && function.role == Role::kFrameEnd) ++frames;
     }
-    return std::nullopt;
 }
 
 void DumpReader::fail_here(const std::string& message) const {
@@ -152,7 +169,10 @@ bool DumpReader::read_end_of_call() {
 void DumpReader::carry_out(const Function& function) {
     switch (function.role) {
         case Role::kMakeCurrent: return make_current();
-        case Role::kIgnored: lexer_.skip_line(); return;
+        case Role::kIgnored:
+            if (function.makes_context) return create_context();
+            lexer_.skip_line();
+            return;
         case Role::kFrameEnd:
             lexer_.skip_line();
             if (in_followed_) step({Step::Kind::kFrameEnd, command_});
@@ -161,8 +181,11 @@ void DumpReader::carry_out(const Function& function) {
     }
     if (!in_followed_) {
         lexer_.skip_line();
-        if (function.draws || function.makes_objects) outside(function_name_ + " in another context");
-        return;
+        const auto current = current_.find(thread_);
+        if (!function.makes_objects || current == current_.end() || !groups_.may_share(current->second, *followed_))
+            return;
+        const auto number = std::ranges::find(contexts_, current->second) - contexts_.begin();
+        return outside(fmt::format("{} in context {}", function_name_, number));
     }
     switch (function.role) {
         case Role::kCommand: return carry_out_command(function);
@@ -191,6 +214,7 @@ void DumpReader::carry_out_command(const Function& function) {
     }
     command_.id = function.command;
     convert(arguments_, result_, blobs_, command_);
+    command_.id = client_state(command_);
     step({Step::Kind::kCommand, command_});
 }
 
@@ -198,8 +222,21 @@ void DumpReader::make_current() {
     if (!read_call() || arguments_.list.empty()) return;
     const Argument& context = arguments_.list.back();
     if (current_.size() >= kMostThreads && !current_.contains(thread_)) return;
-    current_[thread_] = context.form == Form::kNumber ? arguments_.numbers[context.first] : 0;
+    const ContextName name = context.form == Form::kNumber ? arguments_.numbers[context.first] : 0;
+    current_[thread_] = name;
+    if (name != 0 && contexts_.size() < kMostContexts && std::ranges::find(contexts_, name) == contexts_.end())
+        contexts_.push_back(name);
     choose_context();
+}
+
+// glXCreateContext(dpy, vis, shareList, direct) = context, and its later forms.
+void DumpReader::create_context() {
+    const std::size_t share = function_name_ == "glXCreateNewContext" ? 3 : 2;
+    if (!read_call() || share >= arguments_.list.size() || result_.list.empty()) return;
+    const auto handle = [](const Arguments& from, std::size_t i) {
+        return from.list[i].form == Form::kNumber ? from.numbers[from.list[i].first] : 0;
+    };
+    groups_.create(handle(result_, 0), handle(arguments_, share));
 }
 
 // glMapBuffer(target, access) = address, or glMapBufferRange(target, offset, length, access) = address.

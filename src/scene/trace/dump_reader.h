@@ -20,28 +20,29 @@
 #include "scene/command/command.h"
 #include "scene/trace/arguments.h"
 #include "scene/trace/blobs.h"
+#include "scene/trace/contexts.h"
 #include "scene/trace/dump_lexer.h"
 #include "scene/trace/functions.h"
 
 namespace twinlight::trace {
-
-// A GL context, identified by its handle in the window system.
-using ContextName = double;
 
 class DumpReader {
   public:
     // `name` is the name of the dump in places.
     DumpReader(ByteSource& source, const std::string& name, BlobFolder blobs);
 
-    // Reports only the commands of this context. Drawing in other contexts, and objects created there, are reported as
+    // Reports only the commands of this context. Objects that another context creates and shares with it are reported as
     // kOutside. Without this call all commands count as one context.
     void follow(ContextName context);
 
     // Calls `visit` for the next steps until it returns false. Returns true if the dump ended. Throws SceneError.
     bool for_each(const std::function<bool(const Step&)>& visit);
 
-    // Reads up to the first draw and returns its context, for follow().
-    std::optional<ContextName> first_to_draw();
+    // Reads what the contexts draw: the first frames that draw, or with `whole` the whole dump.
+    void count_contexts(bool whole, ContextCounts& counts);
+    bool at_end() { return lexer_.at_end(); }
+    // The number of the last call that was read.
+    int call_number() const { return command_.place.line; }
 
   private:
     struct Mapping {
@@ -57,6 +58,7 @@ class DumpReader {
     bool read_call();
     bool read_end_of_call();
     void make_current();
+    void create_context();
     void map_buffer();
     void copy_memory();
     void choose_context();  // updates whether the current thread uses the followed context
@@ -75,6 +77,8 @@ class DumpReader {
     Arguments arguments_, result_;
     unsigned thread_ = 0;
     std::map<unsigned, ContextName> current_;  // the current context of each thread
+    std::vector<ContextName> contexts_;        // in the order in which they became current
+    ShareGroups groups_;
     std::optional<ContextName> followed_;
     bool in_followed_ = true;
     std::vector<Mapping> mappings_;

@@ -84,6 +84,19 @@ bool makes_current(std::string_view name) {
                                      "wglMakeContextCurrent", "CGLSetCurrentContext"});
 }
 
+bool makes_context(std::string_view name) {
+    return name == "glXCreateContext" || name == "glXCreateNewContext" || name == "glXCreateContextAttribsARB" ||
+           name == "eglCreateContext";
+}
+
+// glVertex3f, glVertex2sv, but not glVertexPointer.
+bool is_vertex(std::string_view name) {
+    if (name == "glArrayElement" || name.starts_with("glEvalCoord") || name.starts_with("glEvalPoint")) return true;
+    constexpr std::string_view kStart = "glVertex";
+    return name.starts_with(kStart) && name.size() > kStart.size() && name[kStart.size()] >= '2' &&
+           name[kStart.size()] <= '4';
+}
+
 bool draws_something(std::string_view name) {
     if (name.starts_with("glDrawBuffer")) return false;
     return name == "glBegin" || starts_with_one_of(name, {"glDraw", "glMultiDraw", "glRect", "glCallList", "glBitmap",
@@ -96,7 +109,10 @@ bool makes_objects(std::string_view name) {
 }
 
 Function classify(std::string_view name) {
-    Function function{.draws = draws_something(name), .makes_objects = makes_objects(name)};
+    Function function{.draws = draws_something(name),
+                      .is_vertex = is_vertex(name),
+                      .makes_context = makes_context(name),
+                      .makes_objects = makes_objects(name)};
     const std::optional<CommandId> command = find_command_or_extension(name);
     if (ends_frame(name)) {
         function.role = Role::kFrameEnd;

@@ -26,6 +26,8 @@ struct Function {
     Role role = Role::kOutside;
     CommandId command{};         // for kCommand
     bool draws = false;          // draws vertices or pixels
+    bool is_vertex = false;      // one vertex between glBegin and glEnd: glVertex*, glArrayElement
+    bool makes_context = false;  // creates a context: one argument names the context to share objects with
     bool makes_objects = false;  // creates objects that contexts may share: textures, lists, buffer objects
 };
 

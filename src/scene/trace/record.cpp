@@ -20,6 +20,7 @@
 #include "base/image/descriptor.h"
 #include "base/image/file.h"
 #include "scene/command/text.h"
+#include "scene/trace/contexts.h"
 #include "scene/trace/functions.h"
 #include "scene/trace/process.h"
 #include "scene/trace/temporary_folder.h"
@@ -223,9 +224,18 @@ std::string find_program(const std::string& name) {
     return fs::absolute(found).string();
 }
 
+namespace {
+
+constexpr std::size_t kMostProgram = 256u << 20;
+
+}  // namespace
+
+bool names_egl(const std::string& program) {
+    return read_file(program, kMostProgram).find("libEGL.so") != std::string::npos;
+}
+
 WindowSystem window_system_of(const std::string& program) {
-    constexpr std::size_t kMost = 256u << 20;
-    const std::string bytes = read_file(program, kMost);
+    const std::string bytes = read_file(program, kMostProgram);
     const auto names = [&](std::string_view library) { return bytes.find(library) != std::string::npos; };
     // libGL.so says nothing: programs with EGL may use it for GL's functions.
     const bool has_glx = names("libGLX.so") || names("libglut.so") || names("glXMakeC");
@@ -252,7 +262,7 @@ Recorded record(const RecordOptions& options) {
     const pid_t process = start({arguments, -1, messages.get(), messages.get(), ".", true});
     if (process <= 0) throw SceneError(std::string("env: ") + std::strerror(errno));
 
-    Recorded recorded{.output = "", .has_own_display = own.has_value()};
+    Recorded recorded{.output = "", .has_own_display = own.has_value(), .window_system = window_system};
     {
         Running running(process);
         const auto end = steady_clock::now() + std::chrono::duration<double>(options.seconds);
@@ -270,8 +280,9 @@ Recorded record(const RecordOptions& options) {
     }
     const std::string why =
         run_tool({"apitrace", "trim", "--frames=0-" + std::to_string(options.frames - 1), "-o", kept, whole});
-    if (!why.empty()) throw SceneError("apitrace trim: " + why);
-    fs::copy_file(kept, options.trace, fs::copy_options::overwrite_existing, error);
+    // A program that starts others may leave a trace whose end cannot be read.
+    if (!why.empty()) recorded.not_trimmed = "apitrace trim: " + why;
+    fs::copy_file(why.empty() ? kept : whole, options.trace, fs::copy_options::overwrite_existing, error);
     if (error) throw FileError(options.trace + ": " + error.message());
     return recorded;
 }
@@ -279,18 +290,23 @@ Recorded record(const RecordOptions& options) {
 std::optional<BusiestFrame> busiest_frame(const std::string& trace) {
     const std::shared_ptr<const Recording> recording = open_trace(trace);
     FunctionTable functions;
-    std::vector<std::size_t> draws{0};
+    ContextCounts counts;
+    std::vector<double> vertices{0};  // of each frame
+    double before = 0;
     recording->for_each([&](const Step& step) {
-        if (step.kind == Step::Kind::kFrameEnd) draws.push_back(0);
-        if (step.kind == Step::Kind::kCommand && functions.find(step.command.name()).draws) ++draws.back();
+        if (step.kind == Step::Kind::kFrameEnd) vertices.push_back(0);
+        if (step.kind != Step::Kind::kCommand) return true;
+        counts.count(0, functions.find(step.command.name()), step.command.name(), step.command.arguments);
+        vertices.back() += counts.all() - std::exchange(before, counts.all());
         return true;
     });
-    const bool has_swaps = draws.size() > 1;
-    if (has_swaps && draws.back() == 0) draws.pop_back();
-    const std::size_t most = *std::ranges::max_element(draws);
+    const bool has_swaps = vertices.size() > 1;
+    if (has_swaps && vertices.back() == 0) vertices.pop_back();
+    const double most = *std::ranges::max_element(vertices);
     if (most == 0) return std::nullopt;
-    const auto first = std::ranges::find_if(draws, [&](std::size_t count) { return 10 * count >= 9 * most; });
-    return BusiestFrame{static_cast<int>(first - draws.begin()), *first, static_cast<int>(draws.size()), has_swaps};
+    const auto first = std::ranges::find_if(vertices, [&](double count) { return 10 * count >= 9 * most; });
+    return BusiestFrame{static_cast<int>(first - vertices.begin()), static_cast<int>(vertices.size()), has_swaps,
+                        recording->notes()};
 }
 
 }  // namespace twinlight::trace

@@ -26,10 +26,15 @@ std::string find_program(const std::string& name);
 // The window system of a program, from the libraries that it names; GLX unless it names only EGL.
 WindowSystem window_system_of(const std::string& program);
 
+// Whether the program names EGL, so that it may use EGL although it names GLX too.
+bool names_egl(const std::string& program);
+
 struct Recorded {
     std::string output;            // what the program printed, without apitrace's messages; its end, if it is long
     bool ended_itself = false;     // before the time was over
     bool has_own_display = false;  // ran in Xvfb
+    WindowSystem window_system{};
+    std::string not_trimmed{};  // why the recording has all frames; "" if it was cut to RecordOptions::frames
 };
 
 struct RecordOptions {
@@ -46,12 +51,12 @@ struct RecordOptions {
 Recorded record(const RecordOptions& options);
 
 struct BusiestFrame {
-    int number = 0;          // counted from 0
-    std::size_t draws = 0;   // its drawing commands
-    int frames = 0;          // of the recording
-    bool has_swaps = false;  // if false, the program never swaps buffers, and `number` is 0
+    int number = 0;                    // counted from 0
+    int frames = 0;                    // of the recording
+    bool has_swaps = false;            // if false, the program never swaps buffers, and `number` is 0
+    std::vector<std::string> notes{};  // Recording::notes()
 };
-// The first frame with at least nine tenths of the largest number of drawing commands of a frame. nullopt if nothing is
+// The first frame with at least nine tenths of the largest number of vertices of a frame. nullopt if nothing is
 // drawn. Throws SceneError if the trace cannot be read.
 std::optional<BusiestFrame> busiest_frame(const std::string& trace);
 

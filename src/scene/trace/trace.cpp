@@ -1,6 +1,7 @@
 #include "scene/trace/trace.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -34,25 +35,28 @@ void write_all(const Descriptor& file, std::string_view bytes, const std::string
 class TraceRecording final : public Recording {
   public:
     // A dump in a file.
-    TraceRecording(std::string given_name, std::string place, Descriptor file, std::string blobs)
+    TraceRecording(std::string given_name, std::string place, Descriptor file, std::string blobs,
+                   std::optional<int> context)
         : Recording(std::move(given_name)), place_(std::move(place)), blobs_(std::move(blobs)) {
         text_.emplace(place_, std::move(file));
-        choose_context();
+        choose_context(context);
     }
     // The dump of a .trace: of the file `trace`, or of `input`.
-    TraceRecording(std::string given_name, std::string place, const std::string& trace, const Descriptor& input)
+    TraceRecording(std::string given_name, std::string place, const std::string& trace, const Descriptor& input,
+                   std::optional<int> context)
         : Recording(std::move(given_name)), place_(std::move(place)), apitrace_(std::in_place, place_, trace, input) {
         blobs_ = apitrace_->folder();
         text_.emplace(place_, nameless_file(), apitrace_->take_output(),
                       [this] { apitrace_error_ = apitrace_->wait(); });
-        choose_context();
+        choose_context(context);
     }
     // A dump from a pipe, of which `front` has already been read.
-    TraceRecording(std::string given_name, std::string place, Descriptor pipe, std::string_view front)
+    TraceRecording(std::string given_name, std::string place, Descriptor pipe, std::string_view front,
+                   std::optional<int> context)
         : Recording(std::move(given_name)), place_(std::move(place)), blobs_(".") {
         text_.emplace(place_, nameless_file(), std::move(pipe), std::function<void()>());
         text_->put_in_front(front);
-        choose_context();
+        choose_context(context);
     }
 
     void for_each(const std::function<bool(const Step&)>& visit) const override {
@@ -71,11 +75,34 @@ class TraceRecording final : public Recording {
         visit({Step::Kind::kCutOff, nowhere, error});
     }
 
+    std::vector<std::string> notes() const override { return notes_; }
+
   private:
-    void choose_context() {
+    void choose_context(std::optional<int> wanted) {
         DumpTextReading reading(*text_);
         DumpReader reader(reading, place_, BlobFolder(blobs_));
-        context_ = reader.first_to_draw();
+        ContextCounts counts;
+        try {
+            reader.count_contexts(wanted.has_value(), counts);
+        } catch (const SceneError&) {  // visiting throws it again
+        }
+        const std::vector<ContextUse>& contexts = counts.contexts();
+        if (wanted && *wanted > 0 && static_cast<std::size_t>(*wanted) >= contexts.size()) {
+            throw SceneError(fmt::format("{}: the recording has no context {}; {}", place_, *wanted,
+                                         contexts.size() > 1
+                                             ? fmt::format("its contexts are 0 to {}", contexts.size() - 1)
+                                             : "its only context is 0"));
+        }
+        const std::optional<std::size_t> chosen =
+            wanted && !contexts.empty() ? std::optional(static_cast<std::size_t>(*wanted)) : counts.busiest();
+        if (!chosen) return;
+        context_ = contexts[*chosen].name;
+        const bool others_draw = std::ranges::any_of(
+            contexts, [&](const ContextUse& use) { return use.vertices > 0 && use.name != *context_; });
+        if (!others_draw) return;
+        const std::string part = reader.at_end() ? "" : fmt::format("up to call {}, ", reader.call_number());
+        notes_.push_back(fmt::format("{}{}; this is context {}, --context N chooses another", part,
+                                     list_of_contexts(contexts), *chosen));
     }
 
     std::string place_;  // its name in places
@@ -83,7 +110,8 @@ class TraceRecording final : public Recording {
     std::optional<ApitraceDump> apitrace_;
     mutable std::optional<DumpText> text_;
     mutable std::string apitrace_error_;
-    std::optional<ContextName> context_;
+    std::optional<ContextName> context_;  // the only one that is visited; all if there is none
+    std::vector<std::string> notes_;
 };
 
 std::string_view first_content_line(std::string_view text) {
@@ -131,25 +159,26 @@ bool is_dump(std::string_view front) {
     return skip(is_word) && line.starts_with('(');
 }
 
-std::shared_ptr<const Recording> open_trace(const std::string& path) {
+std::shared_ptr<const Recording> open_trace(const std::string& path, std::optional<int> context) {
     const std::filesystem::path file = path;
-    return std::make_shared<TraceRecording>(one_line(file.filename().string()), one_line(path), path, Descriptor());
+    return std::make_shared<TraceRecording>(one_line(file.filename().string()), one_line(path), path, Descriptor(),
+                                            context);
 }
 
-std::shared_ptr<const Recording> open_dump(const std::string& path) {
+std::shared_ptr<const Recording> open_dump(const std::string& path, std::optional<int> context) {
     const std::filesystem::path file = path;
     Descriptor text(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (!text.valid()) refuse(path);
     const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
-    return std::make_shared<TraceRecording>(one_line(file.filename().string()), one_line(path), std::move(text),
-                                            folder);
+    return std::make_shared<TraceRecording>(one_line(file.filename().string()), one_line(path), std::move(text), folder,
+                                            context);
 }
 
-std::shared_ptr<const Recording> open_standard_input(std::string_view front) {
+std::shared_ptr<const Recording> open_standard_input(std::string_view front, std::optional<int> context) {
     const std::string place = "<stdin>";
     Descriptor pipe(::dup(STDIN_FILENO));
     if (!pipe.valid()) refuse(place);
-    if (!is_trace(front)) return std::make_shared<TraceRecording>("stdin", place, std::move(pipe), front);
+    if (!is_trace(front)) return std::make_shared<TraceRecording>("stdin", place, std::move(pipe), front, context);
     const Descriptor file = nameless_file();
     std::string block(front);
     while (!block.empty()) {
@@ -162,7 +191,7 @@ std::shared_ptr<const Recording> open_standard_input(std::string_view front) {
         if (count < 0) refuse(place);
         block.resize(static_cast<std::size_t>(count));
     }
-    return std::make_shared<TraceRecording>("stdin", place, "", file);
+    return std::make_shared<TraceRecording>("stdin", place, "", file, context);
 }
 
 }  // namespace twinlight::trace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,12 +17,13 @@ bool is_trace(std::string_view front);  // the front of a .trace
 bool is_dump(std::string_view front);   // the front of the output of `apitrace dump`
 
 // A recording can be visited any number of times. apitrace runs only once; its dump stays in a temporary file as long
-// as the recording exists. All three throw SceneError.
-std::shared_ptr<const Recording> open_trace(const std::string& path);
+// as the recording exists. Only one GL context is visited: `context`, counted from 0 in the order in which they became
+// current, or the one that draws most. All three throw SceneError.
+std::shared_ptr<const Recording> open_trace(const std::string& path, std::optional<int> context = std::nullopt);
 // The blobs must be in the folder of the dump.
-std::shared_ptr<const Recording> open_dump(const std::string& path);
+std::shared_ptr<const Recording> open_dump(const std::string& path, std::optional<int> context = std::nullopt);
 // Reads either kind from standard input, of which `front` has already been read. A dump's blobs must be in the working
 // folder.
-std::shared_ptr<const Recording> open_standard_input(std::string_view front);
+std::shared_ptr<const Recording> open_standard_input(std::string_view front, std::optional<int> context = std::nullopt);
 
 }  // namespace twinlight::trace

@@ -570,7 +570,31 @@ TEST_F(Cli, FuzzTellsWhatItCompared) {
     EXPECT_EQ(out_.names(), std::vector<std::string>());  // the folder is made for failures alone
 }
 
+TEST_F(Cli, FuzzAgainstTheOracleTellsWhatItJudged) {
+    const ProgramResult result =
+        run({"fuzz", "--against", "oracle", "--count", "16", "--json", "-o", out_ / "failures"});
+    EXPECT_EQ(result.status, 0) << result.out;
+    const json summary = json::parse(result.out);
+    EXPECT_EQ(summary["against"], "oracle");
+    EXPECT_EQ(summary["states"], 16);
+    EXPECT_EQ(summary["failures"], json::array());
+    bool has_reference = false, has_shaders = false;
+    for (const json& judged : summary["results"]) {
+        EXPECT_GT(judged["compared"], 0) << judged["name"];
+        EXPECT_GT(judged["verdicts"]["right"], 0) << judged["name"];
+        has_reference = has_reference || judged["name"] == "reference, double";
+        has_shaders = has_shaders || judged["name"] == "shaders, uniform";
+    }
+    EXPECT_TRUE(has_reference && has_shaders) << result.out;
+    const ProgramResult text = run({"fuzz", "--against", "oracle", "--count", "4", "-o", out_ / "failures"});
+    EXPECT_EQ(text.status, 0);
+    EXPECT_NE(text.out.find("No unexplained difference."), std::string::npos) << text.out;
+    EXPECT_EQ(out_.names(), std::vector<std::string>());
+}
+
 TEST_F(Cli, FuzzRefusesBadUse) {
+    expect_refused(run({"fuzz", "--against", "oracel"}), "'oracel' is not one of oracle, renderers");
+    expect_refused(run({"fuzz", "--against", "oracle", "--pictures-only"}), "--pictures-only");
     expect_refused(run({"fuzz", "--count", "0"}), "--count");
     expect_refused(run({"fuzz", "--float-only", "--pictures-only"}), "--pictures-only");
     expect_refused(run({"fuzz", "--lift", "fog of a vertex whose w is not 2"}),
@@ -798,8 +822,8 @@ TEST_F(Cli, ExplainsAPixelTermByTermThreeWays) {
 TEST_F(Cli, ComparesAllStepsOnOnePage) {
     const std::string file = scene(std::string(kScene) +
                                    "#pragma twinlight step(\"One light\")\nglEnable(GL_LIGHT1);\n"
-                                   "#pragma twinlight step(\"Drawn by the driver only\")\nglutSolidCube(0.2);\n"
-                                   "glEnable(GL_POLYGON_SMOOTH);\nglutSolidCube(0.1);\n");
+                                   "#pragma twinlight step(\"Nine lights\")\n"
+                                   "#pragma twinlight light(8, GL_DIFFUSE, 1, 1, 1, 1)\nglutSolidCube(0.2);\n");
     for (const bool from_input : {false, true}) {
         const std::string folder = out_ / (from_input ? "input" : "file");
         const ProgramResult result = from_input ? run_shell("twinlight", "\"$PROGRAM\" compare - --size 64x48 -o " +
@@ -807,19 +831,19 @@ TEST_F(Cli, ComparesAllStepsOnOnePage) {
                                                 : run({"compare", file, "--size", "64x48", "-o", folder});
         ASSERT_EQ(result.status, 0) << result.err;
         EXPECT_NE(result.out.find("\n1. One light\n   All three agree"), std::string::npos) << result.out;
-        EXPECT_NE(result.out.find("\n2. Drawn by the driver only\n"), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find("\n2. Nine lights\n"), std::string::npos) << result.out;
         const json all = json::parse(read_file(fs::path(folder) / "comparison.json"));
         EXPECT_EQ(all["scene"], from_input ? "stdin" : "scene.gl");
         EXPECT_EQ(all["verdict"], "partial") << "the worst of the steps";
         ASSERT_EQ(all["steps"].size(), 2U);
-        EXPECT_EQ(all["steps"][1]["title"], "Drawn by the driver only");
+        EXPECT_EQ(all["steps"][1]["title"], "Nine lights");
         EXPECT_EQ(all["steps"][0]["comparison"]["verdict"], "within");
         for (const json& step : all["steps"])
             for (const json& render : step["comparison"]["renders"])
                 EXPECT_TRUE(fs::exists(fs::path(folder) / step["folder"].get<std::string>() /
                                        render["file"].get<std::string>()));
         const std::string page = read_file(fs::path(folder) / "index.html");
-        for (const std::string title : {"1. One light", "2. Drawn by the driver only"})
+        for (const std::string title : {"1. One light", "2. Nine lights"})
             EXPECT_NE(page.find(title), std::string::npos) << title;
     }
     // One step has the report of a scene without steps.

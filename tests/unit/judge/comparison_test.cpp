@@ -2,19 +2,27 @@
 #include "judge/compare/comparison.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/ptrace.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "../pictures.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
+#include "judge/compare/missing.h"
 #include "judge/report/report.h"
 #include "judge/report/words.h"
 #include "scene/command/command.h"
+#include "scene/command/text.h"
 
 namespace twinlight::report {
 namespace {
@@ -26,8 +34,11 @@ using nlohmann::json;
 
 constexpr int kWidth = 40, kHeight = 30;
 
+// Its only command enables fog.
 Scene empty_scene() {
-    return {std::make_shared<const CommandList>("stub", std::vector<Command>()), {.width = kWidth, .height = kHeight}};
+    return {std::make_shared<const CommandList>(
+                "stub", std::vector<Command>{{CommandId::glEnable, {static_cast<double>(kGL_FOG)}, {}}}),
+            {.width = kWidth, .height = kHeight}};
 }
 
 // Pictures of one grey; the left column is an edge.
@@ -35,6 +46,8 @@ struct Stub {
     float fixed = 128.0F / 255, programmable = 128.0F / 255, reference = 128.0F / 255;
     float allowed = 0;
     std::vector<Unsupported> unsupported;
+    // The fixed function's grey without glEnable(GL_FOG), the scene's only command.
+    float without_fog = 128.0F / 255;
     std::map<std::string, int> calls;  // "fixed gouraud GL", ...
 
     void count(const std::string& name, const Look& look) {
@@ -44,13 +57,18 @@ struct Stub {
                                                  : " scene") +
                 (look.lecture_variants ? " variants" : " GL")];
     }
+    static bool has_commands(const Scene& scene) {
+        bool any = false;
+        scene.recording->for_each([&](const Step&) { return any = true; });
+        return any;
+    }
     static Image picture(const Frame& frame, float grey) { return {frame.width, frame.height, {grey, grey, grey, 1}}; }
 
     Renderers renderers() {
         return {.fixed =
                     [this](const Scene& scene, const fixed::Options& options) {
                         count("fixed", {options.shading, false});
-                        return picture(scene.frame, fixed);
+                        return picture(scene.frame, has_commands(scene) ? fixed : without_fog);
                     },
                 .programmable =
                     [this](const Frame& frame, const programmable::Options& options) {
@@ -298,6 +316,7 @@ TEST(Verdict, NamesWhatTheDriverIsKnownToGetWrongWhereItIsBeyond) {
 TEST(Verdict, IsPartialWhereARendererLeavesSomethingOut) {
     Stub stub;
     stub.fixed = 0.6F;
+    stub.without_fog = 128.0F / 255;
     stub.unsupported = {fog(2)};  // programmable and reference do without
     const Comparison comparison = stub.compare();
     EXPECT_EQ(pair_named(comparison, "fixed ~ programmable").verdict, Verdict::kPartial);
@@ -307,14 +326,90 @@ TEST(Verdict, IsPartialWhereARendererLeavesSomethingOut) {
     EXPECT_TRUE(comparison.within_tolerance());
     EXPECT_EQ(answer(comparison).headline,
               "The comparison is partial: one kind of command is not drawn by every renderer.");
-    EXPECT_TRUE(answer(comparison).where.starts_with("The first is glEnable(GL_FOG) at scene.gl:3:1. "));
+    EXPECT_EQ(answer(comparison).where,
+              "The first is glEnable(GL_FOG) at scene.gl:3:1. Where leaving them out changes no pixel of the fixed "
+              "function, the pictures agree.");
+    EXPECT_EQ(answer(comparison).details.front(), "They change 1,200 of 1,200 pixels.");
     EXPECT_EQ(json::parse(comparison_json(comparison))["verdict"], "partial");
+}
+
+// A difference where the missing commands change nothing has another cause.
+TEST(Verdict, IsBeyondWhereTheMissingCommandsExplainNothing) {
+    Stub stub;
+    stub.fixed = stub.without_fog = 0.6F;
+    stub.unsupported = {fog(2)};
+    const Comparison comparison = stub.compare();
+    EXPECT_EQ(pair_named(comparison, "fixed ~ programmable").verdict, Verdict::kBeyond);
+    EXPECT_EQ(pair_named(comparison, "programmable ~ reference").verdict, Verdict::kWithin);
+    EXPECT_EQ(comparison.verdict(), Verdict::kBeyond);
+    EXPECT_FALSE(comparison.within_tolerance());
+}
+
+TEST(Verdict, IsWithinIfTheMissingCommandsChangeNoPixel) {
+    Stub stub;
+    stub.unsupported = {fog(2)};
+    const Comparison comparison = stub.compare();
+    EXPECT_EQ(comparison.verdict(), Verdict::kWithin);
+    EXPECT_EQ(answer(comparison).headline, "All three agree: no pixel away from edges differs.");
+    EXPECT_EQ(answer(comparison).details.front(),
+              "Not every renderer draws all commands, but leaving those out changes no pixel.");
+    // Commands that no renderer draws might change every picture.
+    stub.unsupported.push_back({"glUseProgram", 1, {}, MissingFrom::kEverything});
+    EXPECT_EQ(stub.compare().verdict(), Verdict::kPartial);
+}
+
+TEST(Verdict, IsPartialIfTheMissingCommandsCannotBeLeftOut) {
+    Stub stub;
+    stub.fixed = 0.6F;
+    stub.unsupported = {fog(2), fog(1)};
+    stub.unsupported[1].name = "a border of a texture";
+    const Comparison comparison = stub.compare();
+    EXPECT_TRUE(comparison.changed_by_missing.empty());
+    EXPECT_EQ(comparison.verdict(), Verdict::kPartial);
+    EXPECT_NE(answer(comparison).where.find("the missing commands may cause any difference"), std::string::npos);
+}
+
+TEST(Missing, LeavesOutTheCommandsThatTheNamesMean) {
+    const auto left = [](const std::string& name) {
+        const auto scene = std::make_shared<const CommandList>(
+            read_scene("glEnable(GL_FOG);\nglEnable(GL_TEXTURE_2D);\nglFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);\n"
+                       "glFogf(GL_FOG_DENSITY, 0.5);\nglTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, 1);\n"
+                       "glActiveTexture(GL_TEXTURE1);\nglEnable(GL_TEXTURE_2D);\nglEvalMesh2(GL_FILL, 0, 1, 0, 1);\n",
+                       "scene.gl", "scene"));
+        Unsupported item = fog(1);
+        item.name = name;
+        const auto less = without_missing(scene, {item});
+        std::vector<int> lines;
+        if (!less) return lines;
+        for (int i = 1; i <= 8; ++i) lines.push_back(i);
+        less->for_each([&](const Step& step) {
+            std::erase(lines, step.command.place.line);
+            return true;
+        });
+        return lines;
+    };
+    using Lines = std::vector<int>;
+    EXPECT_EQ(left("glEnable(GL_FOG)"), Lines{1});
+    EXPECT_EQ(left("glFog(GL_FOG_COORD_SRC, GL_FOG_COORD)"), Lines{3});
+    EXPECT_EQ(left("glTexParameter(GL_TEXTURE_LOD_BIAS)"), Lines{5});
+    EXPECT_EQ(left("texture unit 1"), Lines{7});
+    EXPECT_EQ(left("glEvalMesh2"), Lines{8});
+    EXPECT_EQ(left("glEval"), Lines{});
+    for (const char* name : {"texture unit x", "glEnable(GL_NO_SUCH_NAME)", "glEnable(GL_FOG", "a border"}) {
+        Unsupported item = fog(1);
+        item.name = name;
+        EXPECT_EQ(without_missing(empty_scene().recording, {item}), nullptr) << name;
+    }
+    Unsupported item = fog(1);
+    item.missing_from = MissingFrom::kEverything;
+    EXPECT_EQ(without_missing(empty_scene().recording, {item}), nullptr);
 }
 
 // What both leave out cannot be why they differ.
 TEST(Verdict, IsBeyondWhereBothLeaveTheSameOut) {
     Stub stub;
     stub.reference = 0.6F;
+    stub.without_fog = 0.7F;
     stub.unsupported = {fog(2)};
     const Comparison comparison = stub.compare();
     EXPECT_EQ(pair_named(comparison, "fixed ~ programmable").verdict, Verdict::kPartial);
@@ -375,6 +470,103 @@ TEST_F(ReportTest, SaysWhereItCannotBeWritten) {
     write_file_atomically((folder_ / "file").string(), "x");
     EXPECT_THROW(write_report(stub.compare(), (folder_ / "file").string()), FileError);
     EXPECT_THROW(write_report(stub.compare(), (folder_ / "file" / "below").string()), FileError);
+}
+
+// The files of the folder and those below it, without the temporary ones that a killed process leaves behind.
+std::map<std::string, std::string> files_in(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file() && entry.path().extension() != ".part")
+            files[entry.path().lexically_relative(folder).string()] = read_file(entry.path().string());
+    return files;
+}
+
+TEST_F(ReportTest, RemovesPicturesThatTheNewReportLacks) {
+    Stub stub;
+    Comparison exact = stub.compare();
+    exact.renders.back().name = "reference-exact";
+    const std::string out = (folder_ / "out").string();
+    write_report(std::vector<ComparedStep>{{"one", stub.compare()}, {"two", stub.compare()}}, out);
+    write_file_atomically(out + "/step-2/mine.png", "mine");
+    write_file_atomically(out + "/fixed-mine.png", "mine");
+    write_report(exact, out);
+    std::map<std::string, std::string> expected = files_in(out);
+    EXPECT_EQ(expected.size(), 14u);  // as above, and two of others
+    EXPECT_EQ(expected.count("step-2/mine.png") + expected.count("fixed-mine.png"), 2u);
+    EXPECT_FALSE(fs::exists(folder_ / "out/step-1"));
+    write_report(stub.compare(), out);
+    EXPECT_FALSE(fs::exists(folder_ / "out/reference-exact.png"));
+    EXPECT_EQ(files_in(out).size(), 14u);
+}
+
+// Runs `work` in a process that is killed as it begins its n-th rename or removal of a file. Returns false if it has fewer.
+bool killed_at(int n, const std::function<void()>& work) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr);
+        ::raise(SIGSTOP);
+        try {
+            work();
+        } catch (...) {
+        }
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ::ptrace(PTRACE_SETOPTIONS, child, nullptr, PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL);
+    int count = 0;
+    while (true) {
+        ::ptrace(PTRACE_SYSCALL, child, nullptr, nullptr);
+        if (::waitpid(child, &status, 0) < 0 || !WIFSTOPPED(status)) return false;
+        if (WSTOPSIG(status) != (SIGTRAP | 0x80)) continue;
+        __ptrace_syscall_info info{};
+        ::ptrace(PTRACE_GET_SYSCALL_INFO, child, sizeof info, &info);
+        if (info.op != PTRACE_SYSCALL_INFO_ENTRY) continue;
+        const auto number = static_cast<long>(info.entry.nr);
+        const bool moves = number == SYS_renameat || number == SYS_renameat2 || number == SYS_unlinkat
+#ifdef SYS_rename
+                           || number == SYS_rename || number == SYS_unlink
+#endif
+            ;
+        if (!moves || ++count < n) continue;
+        ::kill(child, SIGKILL);
+        ::waitpid(child, &status, 0);
+        return true;
+    }
+}
+
+// As long as there is a page, the folder is whole; old pictures never lie beside new ones.
+TEST_F(ReportTest, IsWholeOrWithoutAPageIfTheProgramIsKilled) {
+    Stub old_stub, new_stub;
+    old_stub.fixed = old_stub.programmable = old_stub.reference = 0.2F;
+    const Comparison old_one = old_stub.compare(), new_one = new_stub.compare();
+    const std::string out = (folder_ / "out").string();
+    const auto written = [&](const Comparison& comparison) {
+        fs::remove_all(out);
+        write_report(comparison, out);
+        return files_in(out);
+    };
+    const std::map<std::string, std::string> new_files = written(new_one), old_files = written(old_one);
+    ASSERT_EQ(new_files.size(), old_files.size());
+    int incomplete = 0, n = 1;
+    for (; killed_at(n, [&] { write_report(new_one, out); }); ++n) {
+        const std::map<std::string, std::string> found = files_in(out);
+        if (found.count("index.html") == 1) {
+            EXPECT_TRUE(found == old_files || found == new_files) << "killed at " << n;
+        } else {
+            ++incomplete;
+            std::size_t old_ones = 0, new_ones = 0;
+            for (const auto& [name, bytes] : found) {
+                if (old_files.at(name) == new_files.at(name)) continue;
+                ++(bytes == old_files.at(name) ? old_ones : new_ones);
+            }
+            EXPECT_TRUE(old_ones == 0 || new_ones == 0) << "killed at " << n;
+        }
+        ASSERT_EQ(written(old_one), old_files);
+    }
+    EXPECT_EQ(files_in(out), new_files);  // the last one was not killed
+    EXPECT_GT(incomplete, 10);
+    EXPECT_GT(n, 20);
 }
 
 TEST(ComparisonJson, HasTheFormThatTheHeaderTells) {

@@ -244,6 +244,25 @@ TEST(Study, LeavesOutWhatIsRefused) {
     for (const Point& point : study.points) EXPECT_NE(point.choice.method, Method::kPrecise);
 }
 
+TEST(Study, GoesOnWhereAChoiceFails) {
+    ChoiceRenderers renderers = known_renderers();
+    const auto prepare = renderers.prepare;
+    renderers.prepare = [&](const Frame& frame, const Choice& choice) {
+        if (choice.shading == Shading::kPhong) throw std::runtime_error("the driver refuses a vertex shader: why");
+        return prepare(frame, choice);
+    };
+    int failed = 0;
+    Settings settings = quick();
+    settings.failed = [&](const Choice& choice, const std::string& reason) {
+        EXPECT_EQ(choice.shading, Shading::kPhong);
+        EXPECT_EQ(reason, "the driver refuses a vertex shader: why");
+        ++failed;
+    };
+    const Study study = run(known_frame, true, renderers, settings), whole = known_study();
+    EXPECT_GT(failed, 0);
+    EXPECT_EQ(study.points.size() + static_cast<std::size_t>(failed), whole.points.size());
+}
+
 // Ends the study after some steps.
 Settings ending_after(int pieces) {
     Settings settings = quick(60);

@@ -38,6 +38,25 @@ TEST(Plan, TakesTheShadingFromTheOptionsOrElseFromTheShadeModel) {
     EXPECT_EQ(facts(draw).shading, Shading::kGouraud);
 }
 
+// 2.14.1: between two directions (w = 0), VP is the unit vector of their difference.
+TEST(Plan, LetsADirectionalLightsDirectionDependOnVerticesThatAreDirections) {
+    Draw draw = lit_triangle();
+    draw.lighting.lights[0].position_eye = {0, 0, -1, 0};  // behind the triangle
+    draw.lighting.lights[0].spot_cutoff_deg = 45;          // and the light is outside its own cone
+    draw.lighting.lights[0].spot_direction_eye = {0, 0, -1};
+    EXPECT_TRUE(facts(draw).lights.empty());
+    draw.vertices[1].position_object = {0, 0, -2, 0};  // P - V = (0, 0, 1)
+    const EffectSet effects = facts(draw);
+    ASSERT_EQ(effects.lights.size(), 1u);
+    EXPECT_TRUE(effects.lights[0].meets_directions && effects.lights[0].spot && effects.vertex_w);
+    EXPECT_FALSE(effects.lights[0].directional || effects.lights[0].attenuated);
+    draw.vertices[1].position_object.w = 1e-30;
+    EXPECT_TRUE(facts(draw).lights.empty());
+    draw.vertices[1].position_object.w = 1;
+    draw.eye_from_object[2] = {0, 0, 1, 0.5};  // gives it w = 0
+    EXPECT_EQ(facts(draw).lights.size(), 1u);
+}
+
 TEST(Plan, SaysOfEachLightThatIsOffThatItIsNotEnabled) {
     EXPECT_EQ(reason(lit_triangle(), "GL_LIGHT7"), "it is not enabled");
     EXPECT_EQ(reason(lit_triangle(), "GL_LIGHT0"), "");

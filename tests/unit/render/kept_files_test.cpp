@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -157,6 +158,30 @@ TEST(KeptFiles, RefuseSpectraAndManyLights) {
     EXPECT_NE(why_not_kept(frame).find("spectra"), std::string::npos);
     frame.items = {square(attenuated_cone())};
     EXPECT_EQ(why_not_kept(frame), "");
+}
+
+// Planes keep the coordinates that glTexGen was given them for, so that they stay right in other poses.
+TEST(KeptFiles, GenerateTextureCoordinates) {
+    Draw draw = square(attenuated_cone());
+    auto texture = std::make_shared<Texture>();
+    texture->levels = {{.width = 1, .height = 1, .texels = {glm::vec4(1)}}};
+    texture->min_filter = kGL_LINEAR;
+    draw.texture.texture = texture;
+    draw.texture.generated = {{.coordinate = 0, .mode = kGL_EYE_LINEAR, .plane = {1, 0, 0, 2}},
+                              {.coordinate = 1, .mode = kGL_OBJECT_LINEAR, .plane = {0, 3, 0, 4}}};
+    const std::vector<NamedFile> planes = files_of({draw});
+    const std::string shader = text_of(planes, "kind1.vert"), scene = text_of(planes, "scene.c");
+    EXPECT_NE(shader.find("tex_coord.s = dot(EyePlaneS[0], position_eye);"), std::string::npos) << shader;
+    EXPECT_NE(shader.find("tex_coord.t = dot(ObjectPlaneT[0], position);"), std::string::npos) << shader;
+    EXPECT_EQ(shader.find("MultiTexCoord0"), std::string::npos) << shader;
+    EXPECT_NE(scene.find("eye_plane(\"EyePlaneS[0]\", (float[]){1, 0, 0, 2});"), std::string::npos) << scene;
+    EXPECT_NE(scene.find("object_plane(\"ObjectPlaneT[0]\", (float[]){0, 3, 0, 4});"), std::string::npos) << scene;
+    draw.texture.generated = {{.coordinate = 0, .mode = kGL_SPHERE_MAP}};
+    draw.lighting.normalize = false;
+    draw.lighting.rescale_normal = true;
+    const std::string sphere = text_of(files_of({draw}), "kind1.vert");
+    EXPECT_NE(sphere.find("vec3 normal_eye = NormalScale * (NormalMatrix * Normal);"), std::string::npos) << sphere;
+    EXPECT_NE(sphere.find("tex_coord.s = sphere_map(reflected).x;"), std::string::npos) << sphere;
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST(Coverage, CountsEveryCentreOnceAmongTrianglesThatShareEdges) {
         for (int i = 0; i < 6; ++i) {
             reference::Piece piece;
             piece.shape = reference::Shape::kTriangle;
-            piece.corners = {{hub}, {rim[i]}, {rim[(i + 1) % 6]}};
+            piece.corners = reference::Corners({{hub}, {rim[i]}, {rim[(i + 1) % 6]}});
             reference::for_each_pixel(piece, {0, 0, kSize, kSize}, [&](int x, int y) { ++count[y * kSize + x]; });
         }
         for (const int n : count) ASSERT_EQ(n, 1) << "round " << round << ", hub " << hub.x << ' ' << hub.y;

@@ -40,9 +40,10 @@ TEST(DecidingRulings, AreToldOfHardCases) {
         {{Ruling::kLightAtVertex}, {"light-at-vertex", "light-at-vertex-in-cone", "light-direction-zero"}},
         {{Ruling::kAttenuation}, {"attenuation-0-0-0"}},
         {{Ruling::kLightAtVertex, Ruling::kAttenuation}, {"light-at-vertex-quadratic", "light-at-vertex-without-k0"}},
-        {{Ruling::kZeroNormal}, {"normal-zero", "normal-zero-normalized"}},
+        {{Ruling::kZeroNormal}, {"normal-zero-normalized"}},
+        {{}, {"normal-zero", "vertex-w-0", "vertex-w-0-directional", "vertex-w-0-spot"}},
         {{Ruling::kSingularModelview}, {"modelview-singular"}},
-        {{Ruling::kAtInfinity, Ruling::kSquares}, {"vertex-w-0"}},  // "very far away": the square overflows
+        {{Ruling::kAtInfinity}, {"vertex-w-0-attenuated"}},
         {{Ruling::kOppositeHalfVector}, {"highlight-opposite", "viewer-local-opposite"}},
         {{Ruling::kSquares}, {"light-far-1e30", "light-near-1e-30", "normal-1e30-normalized", "spot-direction-1e-30"}},
         {{Ruling::kSpotBorder}, {"spot-0-on-axis", "spot-90-at-edge"}},

@@ -87,7 +87,14 @@ TEST(TextureLevels, FollowLambda) {
     // Sixteen texels per pixel are four halvings.
     const TexturePlace place{.per_x = {4, 0}, .per_y = {1, 0}};
     EXPECT_EQ(scale_factor(texture, place), 16);
-    EXPECT_EQ(level_of_detail(16, -1), 3);
+    texture.max_lod = 2.5;
+    TextureUnit unit{.texture = std::make_shared<const Texture>(texture), .lod_bias = -1};
+    EXPECT_EQ(level_of_detail(4, unit), 1);
+    EXPECT_EQ(level_of_detail(16, unit), 2.5);
+    texture.min_lod = 3;  // larger than the largest: they change places
+    unit.texture = std::make_shared<const Texture>(texture);
+    EXPECT_EQ(level_of_detail(4, unit), 2.5);
+    EXPECT_EQ(level_of_detail(100, unit), 3);
 }
 
 TEST(TextureBounds, HoldTheSampleAndTellChoicesApart) {

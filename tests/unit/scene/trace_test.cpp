@@ -138,14 +138,67 @@ TEST_F(Traces, TakeWritesToMappedBuffersForGlBufferSubData) {
               "glBufferSubData(GL_ARRAY_BUFFER, 8, 4, (const GLubyte[]){97, 98, 99, 100});");
 }
 
-TEST_F(Traces, FollowTheContextThatDrawsFirst) {
-    const Lines lines = steps(
-        "1 @0 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xa) = True\n2 @0 glEnable(cap = GL_LIGHT0)\n"
-        "3 @1 glXMakeCurrent(dpy = 0x1, drawable = 3, ctx = 0xb) = True\n4 @1 glEnable(cap = GL_LIGHT1)\n"
-        "5 @1 glBegin(mode = GL_POINTS)\n6 @1 glEnd()\n7 @0 glBegin(mode = GL_LINES)\n8 @1 glEnable(cap = "
-        "GL_LIGHT2)\n");
-    EXPECT_EQ(lines, (Lines{"glEnable(GL_LIGHT1);", "glBegin(GL_POINTS);", "glEnd();",
-                            "outside: glBegin in another context", "glEnable(GL_LIGHT2);"}));
+// ---- Contexts ----
+
+// One window draws a label, then the other a triangle.
+constexpr const char* kTwoWindows =
+    "1 @0 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xa) = True\n2 @0 glEnable(cap = GL_LIGHT0)\n"
+    "3 @1 glXMakeCurrent(dpy = 0x1, drawable = 3, ctx = 0xb) = True\n4 @1 glEnable(cap = GL_LIGHT1)\n"
+    "5 @0 glBegin(mode = GL_POINTS)\n6 @0 glVertex2f(x = 0, y = 0)\n7 @0 glEnd()\n"
+    "8 @1 glNewList(list = 1, mode = GL_COMPILE)\n9 @1 glVertex2f(x = 1, y = 0)\n10 @1 glVertex2f(x = 2, y = 0)\n"
+    "11 @1 glEndList()\n12 @1 glCallList(list = 1)\n13 @0 glEnable(cap = GL_LIGHT2)\n";
+
+TEST_F(Traces, FollowTheContextThatDrawsMost) {
+    EXPECT_EQ(steps(kTwoWindows), (Lines{"glEnable(GL_LIGHT1);", "glNewList(1, GL_COMPILE);", "glVertex2f(1, 0);",
+                                         "glVertex2f(2, 0);", "glEndList();", "glCallList(1);"}));
+    EXPECT_EQ(
+        recording(kTwoWindows)->notes(),
+        Lines{"context 1 draws 2 vertices, context 0 draws 1 vertex; this is context 1, --context N chooses another"});
+    // What a list holds counts only when it is called.
+    const std::string uncalled = std::string(kTwoWindows).replace(std::string(kTwoWindows).find("12 @1"), 29, "");
+    EXPECT_EQ(steps(uncalled).front(), "glEnable(GL_LIGHT0);");
+    EXPECT_EQ(recording(uncalled)->notes(), Lines{});
+}
+
+TEST_F(Traces, FollowTheContextThatIsChosen) {
+    recording(kTwoWindows);
+    const auto first = load_recording(folder_ / "dump.txt", std::nullopt, {}, 0);
+    Lines lines;
+    first->for_each([&](const Step& step) {
+        if (step.kind == Step::Kind::kCommand) lines.push_back(print_command(step.command));
+        return true;
+    });
+    EXPECT_EQ(lines, (Lines{"glEnable(GL_LIGHT0);", "glBegin(GL_POINTS);", "glVertex2f(0, 0);", "glEnd();",
+                            "glEnable(GL_LIGHT2);"}));
+    try {
+        load_recording(folder_ / "dump.txt", std::nullopt, {}, 2);
+        ADD_FAILURE() << "there is no context 2";
+    } catch (const SceneError& error) {
+        EXPECT_TRUE(std::string(error.what()).ends_with("the recording has no context 2; its contexts are 0 to 1"))
+            << error.what();
+    }
+}
+
+// A texture that another context makes is missing only if the two share objects.
+TEST_F(Traces, NameObjectsOfOtherContextsIfTheyAreShared) {
+    const auto outside = [this](const std::string& share) {
+        const Lines lines = steps(
+            "1 glXCreateContext(dpy = 0x1, vis = &{visualid = 3}, shareList = NULL, direct = True) = 0xa\n"
+            "2 glXCreateContext(dpy = 0x1, vis = &{visualid = 3}, shareList = " +
+            share +
+            ", direct = True) = 0xb\n3 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xb) = True\n"
+            "4 glNewList(list = 1, mode = GL_COMPILE)\n5 glEndList()\n"
+            "6 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xa) = True\n7 glRecti(x1 = 0, y1 = 0, x2 = 1, y2 = 1)\n");
+        return std::ranges::count(lines, "outside: glNewList in context 0");
+    };
+    EXPECT_EQ(outside("0xa"), 1);
+    EXPECT_EQ(outside("0xc"), 1);  // not known
+    EXPECT_EQ(outside("NULL"), 0);
+}
+
+TEST_F(Traces, EnableArraysAsExtVertexArrayDoes) {
+    EXPECT_EQ(steps("1 glEnable(cap = GL_VERTEX_ARRAY)\n2 glDisable(cap = GL_EDGE_FLAG_ARRAY)\n"),
+              (Lines{"glEnableClientState(GL_VERTEX_ARRAY);", "glDisableClientState(GL_EDGE_FLAG_ARRAY);"}));
 }
 
 // ---- Errors ----
@@ -269,6 +322,77 @@ TEST_F(Traces, EndAFrameAtGlFlushWhereNothingIsEverSwapped) {
     EXPECT_EQ(draws(frame(text, 1).scene.frame), 2u);
     // In a program that swaps, a flush does not end a frame.
     EXPECT_EQ(draws(frame(std::string(kTriangle) + "glFlush()\n" + kTriangle + kSwap).scene.frame), 2u);
+}
+
+TEST_F(Traces, SayWhyTheyDrawNothing) {
+    const auto why = [this](const std::string& text) {
+        try {
+            frame(text);
+        } catch (const SceneError& error) {
+            const std::string what = error.what();
+            return what.substr(std::min(what.find(": this "), what.size()));
+        }
+        return std::string("no error");
+    };
+    EXPECT_EQ(why("1 glFlush()\n" + std::string(kSwap)),
+              ": this recording draws nothing: 1 frame; none of its 1 command draws: perhaps it ended or was cut "
+              "before that");
+    EXPECT_EQ(why("1 glUseProgram(program = 4)\nglUseProgram(program = 5)\nglVertexAttribPointer(index = 0)\n"),
+              ": this recording draws nothing: 0 frames; it draws with shaders: glUseProgram (2 times), "
+              "glVertexAttribPointer (once); it has no GL command");
+    EXPECT_EQ(why("1 glNewList(list = 1, mode = GL_COMPILE)\n" + std::string(kTriangle) + "glEndList()\n"),
+              ": this recording draws nothing: 0 frames; it draws only inside display lists that it never calls (once "
+              "in lists)");
+    EXPECT_EQ(why("1 glBegin(mode = GL_POINTS)\nglEnd()\n"),
+              ": this recording draws nothing: 0 frames; glBegin (once): no vertex that shows");
+    EXPECT_NE(why("1 glFlush()\n2 glVertex2f(x = 1,").find("; the recording ends inside call 2"), std::string::npos);
+    const std::string other =
+        why("1 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xa) = True\n2 glFlush()\n"
+            "3 @1 glXMakeCurrent(dpy = 0x1, drawable = 3, ctx = 0xb) = True\n4 @1 glRecti(x1 = 0, y1 = 0, x2 = 1, y2 = "
+            "1)\n");
+    EXPECT_EQ(other, "no error");
+    try {
+        make_recorded_frame(load_recording(folder_ / "dump.txt", std::nullopt, {}, 0), {});
+        ADD_FAILURE() << "context 0 draws nothing";
+    } catch (const SceneError& error) {
+        EXPECT_NE(std::string(error.what()).find("; context 1 draws 1 vertex; this is context 0, --context N chooses"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
+// A scene must end what it begins.
+TEST_F(Traces, EndWhatAFrameLeavesOpen) {
+    const auto last = [](const RecordedFrame& found) {
+        Lines lines;
+        found.scene.recording->for_each([&](const Step& step) {
+            if (step.kind == Step::Kind::kCommand) lines.push_back(print_command(step.command));
+            return true;
+        });
+        return lines;
+    };
+    const std::string open =
+        "1 glPushAttrib(mask = GL_LIGHTING_BIT)\nglMatrixMode(mode = GL_PROJECTION)\nglPushMatrix()\nglPushMatrix()\n" +
+        std::string(kTriangle);
+    const RecordedFrame whole = frame(open + kSwap);
+    Lines lines = last(whole);
+    ASSERT_GT(lines.size(), 5U);
+    EXPECT_EQ(Lines(lines.end() - 4, lines.end()),
+              (Lines{"glPopAttrib();", "glMatrixMode(GL_PROJECTION);", "glPopMatrix();", "glPopMatrix();"}));
+    EXPECT_EQ(whole.notes, Lines{});
+    // What the export prints can be read again.
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    const auto again = std::make_shared<CommandList>(read_scene(text, "again.gl", "again"));
+    EXPECT_NO_THROW(make_scene(again, {.width = 64, .height = 48}));
+
+    const RecordedFrame cut =
+        frame(std::string(kTriangle) + kSwap + "glNewList(list = 3, mode = " + "GL_COMPILE_AND_EXECUTE)\n" + kTriangle +
+                  "glBegin(mode = GL_POINTS)\n",
+              1);
+    lines = last(cut);
+    EXPECT_EQ(Lines(lines.end() - 2, lines.end()), (Lines{"glEnd();", "glEndList();"}));
+    EXPECT_EQ(cut.notes, Lines{"the recording ends inside this frame, so its picture may be incomplete"});
 }
 
 TEST_F(Traces, GoOnAfterWhatGlRefuses) {

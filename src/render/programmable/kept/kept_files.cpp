@@ -46,6 +46,12 @@ Kind kind_of(const Draw& draw, const Plan& plan, Glsl version) {
     }
     for (int i = 0; i < kMaxClipPlanes; ++i)
         if (draw.raster.clip_planes_eye[static_cast<std::size_t>(i)]) kept.clip_planes.push_back(i);
+    const TextureEffects& texture = kind.effects.texture;
+    for (const GeneratedCoordinate& one : draw.texture.generated) {
+        const auto i = static_cast<std::size_t>(one.coordinate);
+        kept.eye_planes[i] = texture.generated[i] == Generated::kLinear && one.mode == kGL_EYE_LINEAR;
+    }
+    kept.rescales_generated = texture.generated_normal == GeneratedNormal::kUnchanged && draw.lighting.rescale_normal;
     if (draw.fragment.alpha_test) kept.alpha_func = draw.fragment.alpha_func;
     // OpenGL ES has no 1D textures: they become 2D textures of height 1.
     if (version == Glsl::k300es) kind.effects.texture.one_dimensional = false;
@@ -324,7 +330,16 @@ class Writer {
                                    found - textures_.begin() + 1, c_.number(unit.lod_bias)));
         if (effects.texture.matrix)
             uniform("texture matrix", fmt::format("texture_matrix({});", c_.floats(unit.texture_matrix)));
+        write_generated(unit, effects.texture);
         uniform("texture color", fmt::format("texture_env_color({});", c_.floats(unit.env_color)));
+    }
+    void write_generated(const TextureUnit& unit, const TextureEffects& effects) {
+        for (const GeneratedCoordinate& one : unit.generated) {
+            if (effects.generated[static_cast<std::size_t>(one.coordinate)] != Generated::kLinear) continue;
+            const bool is_eye = one.mode == kGL_EYE_LINEAR;
+            const std::string name = fmt::format("{}Plane{}[0]", is_eye ? "Eye" : "Object", "STRQ"[one.coordinate]);
+            uniform(name, fmt::format("{}_plane(\"{}\", {});", is_eye ? "eye" : "object", name, c_.floats(one.plane)));
+        }
     }
     Enum target_of(const Texture& texture) const {
         return version_ == Glsl::k300es ? Enum{kGL_TEXTURE_2D} : texture.target;
@@ -388,7 +403,15 @@ class Writer {
                                     c_.member("border_color", c_.list(c_.numbers(texture.border_texel()))) + ", " +
                                     c_.member("level_count", fmt::format("{}", count)) + ", " +
                                     c_.member("levels", c_.list(levels));
-        return c_.statement(fmt::format("    load_texture({}, {});\n", number, c_.structure("texture", members)));
+        std::string load = fmt::format("    load_texture({}, {});\n", number, c_.structure("texture", members));
+        const auto limit = [&](const char* parameter, double lod, double initial) {
+            if (lod != initial)
+                load += fmt::format("    glTexParameterf({}, {}, {});\n", enum_name(target_of(texture)), parameter,
+                                    c_.number(lod));
+        };
+        limit("GL_TEXTURE_MIN_LOD", texture.min_lod, Texture().min_lod);
+        limit("GL_TEXTURE_MAX_LOD", texture.max_lod, Texture().max_lod);
+        return c_.statement(load);
     }
 
     // ---- The page ----

@@ -6,6 +6,15 @@ uniform mat4 ModelViewMatrix;  // from object to eye coordinates
 uniform mat3 NormalMatrix;  // the transposed inverse of the modelview matrix's upper 3x3 (section 2.11.3)
 uniform float NormalScale;  // GL_RESCALE_NORMAL's factor (section 2.11.3)
 uniform mat4 TextureMatrix[1];
+// glTexGen (section 2.11.4)
+uniform vec4 ObjectPlaneS[1];
+uniform vec4 ObjectPlaneT[1];
+uniform vec4 ObjectPlaneR[1];
+uniform vec4 ObjectPlaneQ[1];
+uniform vec4 EyePlaneS[1];
+uniform vec4 EyePlaneT[1];
+uniform vec4 EyePlaneR[1];
+uniform vec4 EyePlaneQ[1];
 uniform SAMPLER Texture0;  // of texture unit 0
 uniform vec4 TextureEnvColor[1];  // GL_TEXTURE_ENV_COLOR
 uniform vec4 ClipPlane[8];  // glClipPlane, in eye coordinates (section 2.12)

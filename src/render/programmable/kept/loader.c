@@ -226,15 +226,18 @@ void fog(const float* color, float density, float start, float end) {
 }
 
 // A plane is a row: it is multiplied by the inverse of the camera's matrix, which only turns and moves.
-void clip_plane(int number, const float* plane) {
-    char name[32];
-    snprintf(name, sizeof name, "ClipPlane[%d]", number);
+static void set_moved_plane(const char* name, const float* plane) {
     float moved[4] = {0, 0, 0, plane[3]};
     for (int row = 0; row < 3; ++row) {
         for (int i = 0; i < 3; ++i) moved[row] += (float)(camera[4 * i + row] * plane[i]);
         moved[3] -= moved[row] * (float)camera[12 + row];
     }
     glUniform4fv(at(name), 1, moved);
+}
+void clip_plane(int number, const float* plane) {
+    char name[32];
+    snprintf(name, sizeof name, "ClipPlane[%d]", number);
+    set_moved_plane(name, plane);
 }
 
 void use_texture(GLenum target, int texture, float lod_bias) {
@@ -243,6 +246,8 @@ void use_texture(GLenum target, int texture, float lod_bias) {
 }
 void texture_matrix(const float* matrix) { glUniformMatrix4fv(at("TextureMatrix[0]"), 1, GL_FALSE, matrix); }
 void texture_env_color(const float* color) { glUniform4fv(at("TextureEnvColor[0]"), 1, color); }
+void object_plane(const char* uniform, const float* plane) { glUniform4fv(at(uniform), 1, plane); }
+void eye_plane(const char* uniform, const float* plane) { set_moved_plane(uniform, plane); }
 
 void draw(GLenum mode, int first_vertex, int first_index, int index_count) {
     int stride = 0, offset = 0;

@@ -49,6 +49,8 @@ void clip_plane(int number, const float* plane);  // in eye coordinates
 void use_texture(GLenum target, int texture, float lod_bias);
 void texture_matrix(const float* matrix);
 void texture_env_color(const float* color);
+void object_plane(const char* uniform, const float* plane);  // of glTexGen, in object coordinates
+void eye_plane(const char* uniform, const float* plane);     // of glTexGen, in eye coordinates
 void number(const char* uniform, float value);
 // Vertices and indices lie in scene.bin, counted in 4 bytes.
 void draw(GLenum mode, int first_vertex, int first_index, int index_count);

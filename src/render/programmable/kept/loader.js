@@ -139,11 +139,13 @@ function fog(color, density, start, end) {
 }
 
 // A plane is a row: it is multiplied by the inverse of the camera's matrix, which only turns and moves.
-function clip_plane(i, plane) {
+function eye_plane(uniform, plane) {
     const normal = moved(plane[0], plane[1], plane[2], 0);
     const w = plane[3] - normal[0] * camera[12] - normal[1] * camera[13] - normal[2] * camera[14];
-    gl.uniform4fv(at("ClipPlane[" + i + "]"), [...normal, w]);
+    gl.uniform4fv(at(uniform), [...normal, w]);
 }
+function clip_plane(i, plane) { eye_plane("ClipPlane[" + i + "]", plane); }
+function object_plane(uniform, plane) { gl.uniform4fv(at(uniform), plane); }
 
 function use_texture(target, texture) { gl.bindTexture(target, textures[texture]); }
 function texture_matrix(matrix) { gl.uniformMatrix4fv(at("TextureMatrix[0]"), false, matrix); }

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
 #include <stdexcept>
 
 #include "base/math/normal_matrix.h"
@@ -166,10 +167,13 @@ bool floats_suffice(const Draw& draw, const Plan& plan) {
     constexpr double kMostDifferent = 4096;
     const auto [shortest, longest] = std::minmax({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
     if (longest > kMostDifferent * shortest) return false;
+    const auto is_denormal = [](double k) { return k > 0 && k < std::numeric_limits<float>::min(); };
     return std::ranges::all_of(draw.lighting.lights, [&](const LightSource& light) {
         const double w = light.position_eye.w == 0 ? 1 : light.position_eye.w;
         return !light.enabled ||
-               (fits(glm::dvec3(light.position_eye) / w, 1e18) && fits(light.spot_direction_eye, 1e18));
+               (!is_denormal(light.constant_attenuation) && !is_denormal(light.linear_attenuation) &&
+                !is_denormal(light.quadratic_attenuation) && fits(glm::dvec3(light.position_eye) / w, 1e18) &&
+                fits(light.spot_direction_eye, 1e18));
     });
 }
 
@@ -218,7 +222,7 @@ Uniforms precise_uniforms(const Draw& draw, const Plan& plan, const Code& code) 
         set_in("spot_dir", floats(in_space.spot_direction));
         set_in("half_dir", floats(in_space.half_dir));
         set("cos_cutoff", {in_space.spot_cutoff_cosine});
-        set("spot_exponent", {static_cast<float>(light.spot_exponent)});
+        set("spot_exponent", {static_cast<float>(normal_exponent(light.spot_exponent))});
         set("attenuation", floats({light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation}));
     });
     return values;

@@ -1,5 +1,5 @@
 // The terms of the lighting equation (GL 2.1, section 2.14.1), with the names of src/lighting/equation.h, and their
-// helpers; fog and sRGB at the end. A program contains only the functions that it calls (shader_assembly.h). All values
+// helpers; sphere maps, fog and sRGB at the end. A program contains only the functions that it calls (shader_assembly.h). All values
 // are parameters, so that the same function serves every light, both faces, and object or eye coordinates. For integer
 // exponents EXPONENT is int and POWER is whole_power; otherwise float and real_power.
 
@@ -19,6 +19,12 @@ vec3 unit_of_any(vec3 v) {
 vec3 vector_to(vec3 place_object, vec4 vertex_object) {
     vec3 way = u_eye_from_object_turned * (place_object * vertex_object.w - vertex_object.xyz);
     return vertex_object.w < 0.0 ? -way : way;
+}
+
+// The vector from a vertex to a light in a direction (w = 0). If the vertex is a direction too, it is the difference of
+// the two (section 2.14.1).
+vec3 between_directions(vec3 toward_light, vec3 vertex, float vertex_w) {
+    return vertex_w == 0.0 ? toward_light - vertex : toward_light;
 }
 
 // The distance to a light whose VP times |w| is vp.
@@ -101,6 +107,12 @@ float reflected_highlight(vec3 n, vec3 vp_dir, vec3 vpe_dir, EXPONENT shininess)
 // x, but never infinite: the power of a long normal may overflow, and infinity times 0 is not a number.
 float bounded(float x) {
     return min(x, 1e30);
+}
+
+// s and t of GL_SPHERE_MAP (section 2.11.4), from the reflected direction r. Where m is 0, they are 1/2.
+vec2 sphere_map(vec3 r) {
+    float m = 2.0 * length(r + vec3(0.0, 0.0, 1.0));
+    return r.xy / max(m, 1e-18) + 0.5;
 }
 
 // The fog factor f for GL_LINEAR (section 3.10). fog_scale is 1 / (end - start).

@@ -9,6 +9,13 @@ uniform float u_object_scale;  // a power of two: scaled positions (x, y, z, w) 
 uniform vec3 u_viewer_object;  // the eye, in object coordinates
 uniform vec3 u_viewer_dir_object;  // the direction to the eye, for a viewer at infinity
 uniform mat4 u_texture_matrix;
+// Generated texture coordinates (section 2.11.4): factors of the object coordinates x, y, z and w, for each coordinate.
+uniform vec4 u_plane_s_object;
+uniform vec4 u_plane_t_object;
+uniform vec4 u_plane_r_object;
+uniform vec4 u_plane_q_object;
+uniform mat4 u_generated_eye_from_object;  // the modelview matrix; its scale does not matter
+uniform mat3 u_generated_normal_from_object;  // for normals, with GL_RESCALE_NORMAL's factor (section 2.11.3)
 uniform SAMPLER u_texture;
 uniform vec4 u_texture_env_color;
 uniform vec4 u_eye_z_from_object;  // the modelview matrix's third row

@@ -6,6 +6,7 @@ void main() {
 #insert clip_position
 #endif
 #insert lit
+#insert generated
 #insert outputs
 #insert point_size
 #insert clip_distances

@@ -1,0 +1,24 @@
+// What the commands that only the fixed function draws change in its picture.
+//
+// The fixed function draws the scene once more without them. Where its two pictures are equal, the missing commands
+// cannot be why another picture differs.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/image/image.h"
+#include "scene/command/command.h"
+#include "scene/state/frame.h"
+
+namespace twinlight::compare {
+
+// The recording without the commands that `missing` names and that only the fixed function draws; null if there are
+// none, or if one cannot be left out by its name.
+std::shared_ptr<const Recording> without_missing(std::shared_ptr<const Recording> recording,
+                                                 const std::vector<Unsupported>& missing);
+
+// The pixels in which the two pictures differ, in whole codes. Both have one size.
+PixelMask changed_pixels(const Image& with, const Image& without);
+
+}  // namespace twinlight::compare

@@ -1,0 +1,21 @@
+// How much correct pictures of a frame may differ at each pixel: allowed_difference() of reference.h for a part of the
+// picture.
+#pragma once
+
+#include <cstdint>
+
+#include "render/reference/coverage.h"
+#include "render/reference/pictures.h"
+
+namespace twinlight::reference {
+
+enum class Joining : std::uint8_t {
+    kReplaces,  // what was found before
+    kAdds,      // pictures may differ in either way
+};
+
+// Finds the differences of the pixels `within`, y up, with one cut of quadrilaterals.
+void find_differences(const StagedFrame& stages, const Options& options, const PixelRect& within,
+                      OpenDifference& difference, Joining joining);
+
+}  // namespace twinlight::reference

@@ -1,0 +1,44 @@
+// Several pictures of one frame. A comparison needs eight of them, which differ only in how lit Draws are shaded and in
+// how quadrilaterals are cut. A picture is drawn again only where that can change a pixel.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "render/reference/reference.h"
+#include "render/reference/staged_frame.h"
+
+namespace twinlight::reference {
+
+// What makes correct pictures of a frame differ, while it is found: bytes, not bits, because bands write concurrently.
+struct OpenDifference {
+    std::vector<char> edge;
+    Image channels;
+};
+
+class Pictures {
+  public:
+    // The frame must outlive this, and must not change.
+    explicit Pictures(const Frame& frame) : frame_(&frame) {}
+    const Frame& frame() const { return *frame_; }
+
+    // The same as the functions in reference.h, bit for bit.
+    Image render(const Options& options);
+    AllowedDifference allowed_difference(const Options& options);
+
+  private:
+    struct Drawn {
+        Options options;
+        Image image;
+    };
+    struct Found {
+        Options options;
+        OpenDifference difference;
+    };
+
+    const Frame* frame_;
+    std::vector<Drawn> drawn_;    // the newest of each cut
+    std::optional<Found> found_;  // the newest
+};
+
+}  // namespace twinlight::reference
