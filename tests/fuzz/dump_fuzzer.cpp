@@ -4,11 +4,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "base/image/file.h"
 #include "scene/command/text.h"
+#include "scene/trace/contexts.h"
 #include "scene/trace/dump_reader.h"
 #include "scene/trace/temporary_folder.h"
 #include "scene/trace/trace.h"
@@ -51,15 +53,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     is_trace(text);
     is_dump(text);
+    ContextCounts counts;
     try {
-        std::optional<ContextName> context;
-        {
-            TextSource source(text);
-            context = DumpReader(source, "fuzz", BlobFolder(blobs())).first_to_draw();
-        }
+        TextSource source(text);
+        const bool whole = size % 2 == 0;
+        DumpReader(source, "fuzz", BlobFolder(blobs())).count_contexts(whole, counts);
+    } catch (const SceneError&) {  // reading throws it again
+    }
+    list_of_contexts(counts.contexts());
+    const std::optional<std::size_t> busiest = counts.busiest();
+    try {
         TextSource source(text);
         DumpReader reader(source, "fuzz", BlobFolder(blobs()));
-        if (context) reader.follow(*context);
+        if (busiest) reader.follow(counts.contexts()[*busiest].name);
         reader.for_each([](const Step& step) {
             if (step.kind == Step::Kind::kCommand) print_command(step.command);
             return true;

@@ -9,11 +9,10 @@
 
 #include "judge/fuzz/random.h"
 #include "render/context/context.h"
-#include "render/context/gl.h"
-#include "render/fixed/fixed.h"
 #include "render/reference/vertex_stage.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
+#include "sent_points.h"
 
 namespace twinlight {
 namespace {
@@ -27,9 +26,7 @@ class Builder {
     explicit Builder(std::uint64_t seed) : random_(seed) {}
 
     std::string text() {
-        add("GLubyte texel[] = {9, 9, 9, 9}; glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, "
-            "GL_UNSIGNED_BYTE, "
-            "texel); glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST); glEnable(GL_TEXTURE_2D);");
+        add(kOneTexel);
         add(fmt::format(
             "glMatrixMode(GL_PROJECTION); glOrtho(-{0}, {0}, -{0}, {0}, -{0}, {0}); glMatrixMode(GL_MODELVIEW);",
             kReach));
@@ -88,30 +85,8 @@ class Builder {
     std::string text_;
 };
 
-struct Sent {
-    glm::dvec4 window, color, tex_coord;
-};
-
-std::vector<Sent> of_driver(const CommandList& scene) {
-    std::vector<GLfloat> buffer(4096);
-    glFeedbackBuffer(static_cast<GLsizei>(buffer.size()), GL_4D_COLOR_TEXTURE, buffer.data());
-    fixed::Driver driver(kSide, kSide);
-    glRenderMode(GL_FEEDBACK);
-    for (const Command& command : scene.commands) driver.execute(command);
-    const GLint written = glRenderMode(GL_RENDER);
-    std::vector<Sent> all;
-    constexpr std::size_t kPoint = 13;  // the token; x, y, z, w; r, g, b, a; s, t, r, q
-    for (std::size_t i = 0; i + kPoint <= static_cast<std::size_t>(std::max(written, 0)); i += kPoint) {
-        const auto four = [&](std::size_t at) {
-            return glm::dvec4(buffer[i + at], buffer[i + at + 1], buffer[i + at + 2], buffer[i + at + 3]);
-        };
-        all.push_back({four(1), four(5), four(9)});
-    }
-    return all;
-}
-
-std::vector<Sent> of_state(const Frame& frame) {
-    std::vector<Sent> all;
+std::vector<SentPoint> of_state(const Frame& frame) {
+    std::vector<SentPoint> all;
     for (const Draw* draw : frame.draws())
         for (const reference::StageVertex& v : reference::vertex_stage(*draw)) {
             const glm::dvec3 ndc = glm::dvec3(v.position_clip) / v.position_clip.w;
@@ -127,8 +102,8 @@ TEST(EvaluatorsMatchDriver, InFloatsOverRandomMaps) {
     for (std::uint64_t seed = 1; seed <= kStates && !HasFailure(); ++seed) {
         const CommandList scene = read_scene(Builder(seed).text(), "scene", "scene");
         SCOPED_TRACE(fmt::format("seed {}\n{}", seed, print_scene(scene)));
-        const std::vector<Sent> state = of_state(make_frame(scene, {.width = kSide, .height = kSide}));
-        const std::vector<Sent> driver = of_driver(scene);
+        const std::vector<SentPoint> state = of_state(make_frame(scene, {.width = kSide, .height = kSide}));
+        const std::vector<SentPoint> driver = sent_by_driver(scene, kSide);
         ASSERT_EQ(driver.size(), state.size());
         constexpr double kPoint = 64 * 0x1p-24;          // the roundings of a sum of at most 20 products
         constexpr double kNormal = 1000 * 1.5 * kPoint;  // two tangents, and their product: each may cancel one digit

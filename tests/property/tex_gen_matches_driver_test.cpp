@@ -8,12 +8,11 @@
 
 #include "judge/fuzz/random.h"
 #include "render/context/context.h"
-#include "render/context/gl.h"
-#include "render/fixed/fixed.h"
 #include "render/reference/tex_gen.h"
 #include "render/reference/vertex_stage.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
+#include "sent_points.h"
 
 namespace twinlight {
 namespace {
@@ -27,9 +26,7 @@ class Builder {
     explicit Builder(std::uint64_t seed) : random_(seed) {}
 
     std::string text() {
-        add("GLubyte texel[] = {9, 9, 9, 9}; glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, "
-            "GL_UNSIGNED_BYTE, "
-            "texel); glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST); glEnable(GL_TEXTURE_2D);");
+        add(kOneTexel);
         add("glMatrixMode(GL_PROJECTION); glOrtho(-99, 99, -99, 99, -99, 99); glMatrixMode(GL_MODELVIEW);");
         for (int coordinate = 0; coordinate < 4; ++coordinate)
             if (random_.chance(0.7)) generate(coordinate);
@@ -80,21 +77,7 @@ class Builder {
     std::string text_;
 };
 
-// The texture coordinates of the vertices, after the texture matrix.
-std::vector<glm::dvec4> of_driver(const CommandList& scene) {
-    std::array<GLfloat, 512> buffer{};
-    glFeedbackBuffer(static_cast<GLsizei>(buffer.size()), GL_4D_COLOR_TEXTURE, buffer.data());
-    fixed::Driver driver(kSide, kSide);
-    glRenderMode(GL_FEEDBACK);
-    for (const Command& command : scene.commands) driver.execute(command);
-    const auto written = static_cast<std::size_t>(std::max(glRenderMode(GL_RENDER), 0));
-    constexpr std::size_t kPoint = 1 + 4 + 4 + 4;  // the token; x, y, z, w; r, g, b, a; s, t, r, q
-    std::vector<glm::dvec4> all;
-    for (std::size_t i = 0; i + kPoint <= written; i += kPoint)
-        all.emplace_back(buffer[i + 9], buffer[i + 10], buffer[i + 11], buffer[i + 12]);
-    return all;
-}
-
+// After the texture matrix.
 TEST(TexGenMatchesDriver, InFloatsOverRandomStates) {
     const auto context = make_offscreen_context(kSide, kSide);
     for (std::uint64_t seed = 1; seed <= kStates && !HasFailure(); ++seed) {
@@ -103,14 +86,15 @@ TEST(TexGenMatchesDriver, InFloatsOverRandomStates) {
         const Frame frame = make_frame(scene, {.width = kSide, .height = kSide});
         const Draw& draw = std::get<Draw>(frame.items.back());
         const std::vector<reference::StageVertex> vertices = reference::vertex_stage(draw);
-        const std::vector<glm::dvec4> driver = of_driver(scene);
+        const std::vector<SentPoint> driver = sent_by_driver(scene, kSide);
         ASSERT_EQ(driver.size(), vertices.size());
         for (std::size_t n = 0; n < vertices.size(); ++n) {
             constexpr double kMatrix =
                 32 * 0x1p-24;  // the product with the texture matrix, and the commands that make it
             const double error = reference::generated_error(draw, draw.vertices[n], vertices[n]);
             for (int i = 0; i < 4; ++i)
-                EXPECT_NEAR(driver[n][i], vertices[n].tex_coord[i], error + kMatrix * (1 + 20)) << n << "strq"[i];
+                EXPECT_NEAR(driver[n].tex_coord[i], vertices[n].tex_coord[i], error + kMatrix * (1 + 20))
+                    << n << "strq"[i];
         }
     }
 }

@@ -57,7 +57,7 @@ RecordingMade record_once(const RecordArguments& arguments, std::optional<trace:
     return made;
 }
 
-// The busiest frame if it can be drawn, else the first that can. Throws SceneError if there is none.
+// The frame that draws the most; if that one cannot be drawn, the first that can. Throws SceneError if no frame can.
 trace::BusiestFrame frame_that_draws(const std::string& file, const std::optional<trace::BusiestFrame>& busiest) {
     const std::shared_ptr<const Recording> recording = load_recording(file);
     trace::BusiestFrame frame = busiest.value_or(trace::BusiestFrame{});

@@ -193,7 +193,7 @@ void judge_reference(const Case& hard_case, const compare::VertexScene& scene, R
 }
 
 // The expected colours against the oracle's, which evaluates the commands in 60 digits. A case with a command that it does
-// not know, such as a display list, or with a number that is none, is left to the long doubles.
+// not know, such as a display list, or with NaN or infinity, is left to the long doubles.
 void judge_expectations(const Case& hard_case, const compare::VertexScene& scene, Result& result) {
     const auto is_finite = [](double x) { return std::isfinite(x); };
     const bool all_finite = std::ranges::all_of(hard_case.scene->commands, [&](const Command& command) {

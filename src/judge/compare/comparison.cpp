@@ -198,7 +198,8 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     if (all) result.queries = queries_of(scene, renderers.answers);
     const Driver driver = parse_driver_name(options.driver);
     result.is_listed_driver = is_listed(driver);
-    if (result.verdict() != Verdict::kWithin)
+    const bool is_judged = result.verdict() != Verdict::kPartial || !result.changed_by_missing.empty();
+    if (!result.within_tolerance() || !is_judged)
         for (const Departure* departure : known_departures_in(scene, driver))
             result.known_departures.push_back(fmt::format("{} ({})", departure->name, departure->section));
     return result;

@@ -25,6 +25,7 @@ VertexRule has_no_q;
 
 DrawRule has_shininess_0_with_factors, has_shininess_0_on_one_side, has_color_material_on_back_alone, rescales_much;
 VertexRule has_color_material_of_no_color, has_w_under_positional_light, has_extreme_direction,
-    has_overflowing_highlight, has_no_answer, is_at_exact_edge_of_cone, is_near_edge_of_cone, has_light_at_horizon;
+    has_overflowing_highlight, has_w_0_under_directional_light, has_no_answer, is_at_exact_edge_of_cone,
+    is_near_edge_of_cone, has_light_at_horizon;
 
 }  // namespace twinlight::compare

@@ -21,9 +21,8 @@ const std::vector<Departure>& departures() {
     static const std::vector<Departure> list = {
         // Departures that affect shaders too come first: if one of these applies, the others do not matter.
         {.name = "no answer in the specification",
-         .section =
-             "2.1.1, 2.11.3, 2.14.1: singular matrix, direction of length 0, vertex whose w is not positive, light "
-             "at the vertex",
+         .section = "2.1.1, 2.11.3, 2.14.1: singular matrix, direction of length 0, vertex whose w is negative, light "
+                    "at the vertex",
          .cause = Cause::kUnspecified,
          .vertex_rule = has_no_answer},
         {.name = "light at the horizon of a vertex",
@@ -194,6 +193,10 @@ const std::vector<Departure>& departures() {
          .section = "2.14.1, 2.1.1: positions and normals up to 2^32 are valid, and unit vectors have length 1",
          .seen_on = kBoth,
          .vertex_rule = has_extreme_direction},
+        {.name = "a vertex whose w is 0 under a directional light",
+         .section = "2.14.1: between two points with w = 0, the direction P1P2 is that of their difference",
+         .seen_on = kBoth,
+         .vertex_rule = has_w_0_under_directional_light},
         {.name = "an overflowing highlight of a long normal",
          .section = "2.14.1: a black term adds nothing; the driver multiplies 0 by (n.h)^s, which is infinite",
          .seen_on = kBoth,

@@ -98,6 +98,11 @@ bool has_w_under_positional_light(const Draw& draw, const Vertex& vertex) {
             any_light(draw, [](const LightSource& light) { return light.position_eye.w != 0; }));
 }
 
+bool has_w_0_under_directional_light(const Draw& draw, const Vertex& vertex) {
+    return (draw.eye_from_object * vertex.position_object).w == 0 &&
+           any_light(draw, [](const LightSource& light) { return light.position_eye.w == 0; });
+}
+
 bool has_extreme_direction(const Draw& draw, const Vertex& vertex) {
     return draw.lighting.enabled &&
            (leaves_floats(vertex.normal_object) || any_light(draw, [](const LightSource& light) {
@@ -127,7 +132,7 @@ bool rescales_much(const Draw& draw) {
 
 bool has_no_answer(const Draw& draw, const Vertex& vertex) {
     const glm::dvec4 eye = draw.eye_from_object * vertex.position_object;
-    if (eye.w <= 0) return true;
+    if (eye.w < 0) return true;
     if (!draw.lighting.enabled) return false;
     if (vertex.normal_object == glm::dvec3(0) || glm::determinant(glm::dmat3(draw.eye_from_object)) == 0) return true;
     return any_light(draw, [&](const LightSource& light) {

@@ -45,6 +45,8 @@ std::optional<NamedCommands> kind_of(std::string_view name) {
     }
     const std::size_t bracket = std::min(name.find('('), name.size());
     const std::string_view function = name.substr(0, bracket);
+    // The other renderers do not ignore these: a copied image is black there, and GL_COMBINE gives the colour.
+    if (function.starts_with("glCopyTexImage") || function.starts_with("glTexEnv")) return std::nullopt;
     const bool is_command = function.starts_with("gl") && function.find(' ') == std::string_view::npos;
     const bool is_closed = bracket == name.size() || name.ends_with(')');
     if (!is_command || !is_closed) return std::nullopt;

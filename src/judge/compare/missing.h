@@ -14,7 +14,7 @@
 namespace twinlight::compare {
 
 // The recording without the commands that `missing` names and that only the fixed function draws; null if there are
-// none, or if one cannot be left out by its name.
+// none, or if one cannot be left out by its name, or if the other renderers do more than ignore it.
 std::shared_ptr<const Recording> without_missing(std::shared_ptr<const Recording> recording,
                                                  const std::vector<Unsupported>& missing);
 

@@ -71,7 +71,6 @@ constexpr const char* kBorder = "a border";
 constexpr const char* kIllConditioned = "ill-conditioned";
 constexpr const char* kDenormals = "denormals";
 constexpr const char* kBeyond = "coordinates beyond a float";
-constexpr const char* kTwoDirections = "a vertex and a light in directions";
 constexpr const char* kOpposite = "opposite directions to light and viewer";
 // 2.1.1 asks for colours up to 1024; a double's largest may be infinite when a long double is not.
 constexpr const char* kBeyondColors = "a colour beyond the largest float";
@@ -215,7 +214,7 @@ class Judged {
     std::string reason(std::size_t vertex, NumberType type) {
         const Limits limits = limits_of(type, strictness_);
         const oracle::Vertex& exact = evaluated({}).at(vertex);
-        bool beyond = false, denormal = false, two_directions = false, wide = false, cancels = false;
+        bool beyond = false, denormal = false, wide = false, cancels = false;
         const auto look_at = [&](const auto& v, double w) {
             for (int i = 0; i < 3; ++i) {
                 const double x = v[static_cast<std::size_t>(i)];
@@ -241,7 +240,6 @@ class Judged {
             if (!light.enabled) continue;
             const glm::dvec4& p = light.position_eye;
             look_at(std::array{p.x, p.y, p.z}, p.w);
-            two_directions |= p.w == 0 && exact.position_eye[3] == 0;
             for (const double k : {light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation})
                 denormal |= is_denormal(k);
             if (p.w == 0) continue;
@@ -265,7 +263,6 @@ class Judged {
         if (cancels) return "a light and a vertex that nearly agree";
         if (beyond) return kBeyond;
         if (limits.flushes && denormal) return kDenormals;
-        if (two_directions) return kTwoDirections;
         if (type == NumberType::kShaderFloat && !keeps_w(programmable::keeping_w(draw().eye_from_object)) &&
             (wide || exact.position_eye[3] == 0))
             return "a wide range under a matrix that projects";
@@ -448,7 +445,7 @@ class OracleRun {
     bool is_worse_than_fixed(Judged& scene, std::size_t vertex, bool back, bool unit_normals,
                              const std::string& verdict) {
         for (const char* decided_by_rounding :
-             {kBorder, kOpposite, kIllConditioned, kBeyondColors, kTwoDirections, kDenormals, kBeyond})
+             {kBorder, kOpposite, kIllConditioned, kBeyondColors, kDenormals, kBeyond})
             if (verdict == decided_by_rounding) return false;
         if (verdict == kRight || is_failure(verdict)) return false;
         if (unit_normals && !scene.draw().lighting.normalize) return false;  // another equation

@@ -59,6 +59,7 @@ class LightingState {
         list_.commands.push_back({id, std::move(arguments), {}});
     }
     bool shows(std::string_view departure) const { return departure_ == departure; }
+    bool shows_w_0() const { return shows("a vertex whose w is 0 under a directional light"); }
 
     // ---- Values ----
     double uniform(double low, double high) { return values_.uniform(low, high); }
@@ -95,6 +96,12 @@ class LightingState {
     void projection() {
         add(Id::glMatrixMode, {kGL_PROJECTION});
         const double near = 0.5, far = 30, half = uniform(0.3, 1);
+        if (shows_w_0()) {  // sees vertices with w = 0, at a depth of 0.9
+            clip_from_eye_ = glm::frustum(-half, half, -half, half, near, far);
+            clip_from_eye_[2][2] = -0.9;
+            load(clip_from_eye_, false);
+            return add(Id::glMatrixMode, {kGL_MODELVIEW});
+        }
         switch (structure_.below(4)) {
             case 0:
                 add(Id::glOrtho, {-2, 2, -2, 2, -20, 20});
@@ -185,7 +192,7 @@ class LightingState {
         const bool needs_place = shows("a vertex whose w is not 1 under a positional light") ||
                                  shows("shininess 0 with attenuation or a spot");
         const bool tiny = shows("a direction whose square does not fit a float");
-        const bool directional = tiny || (!needs_place && chance(0.4));
+        const bool directional = tiny || shows_w_0() || (!needs_place && chance(0.4));
         const double reach = tiny ? 1e-30 : directional ? 1 : 4;
         add(Id::glLightfv, {l, kGL_POSITION, reach * coordinate(), reach * coordinate(), reach * coordinate(),
                             directional ? 0 : uniform(0.5, 2)});
@@ -373,6 +380,10 @@ class LightingState {
         const double z_eye = uniform(-6, -2), w = clip_from_eye_[2][3] * z_eye + clip_from_eye_[3][3];
         const glm::dvec4 eye(x_ndc * w / clip_from_eye_[0][0], y_ndc * w / clip_from_eye_[1][1], z_eye, 1);
         const glm::dvec4 object = glm::inverse(eye_from_object_) * eye;
+        if (shows_w_0()) {
+            const glm::dvec3 direction = glm::inverse(glm::dmat3(eye_from_object_)) * glm::dvec3(eye);
+            return add(Id::glVertex4f, {direction.x, direction.y, direction.z, 0});
+        }
         const double w_object = shows("a vertex whose w is not 1 under a positional light") ? uniform(1.5, 3) : 1;
         const std::vector<double> v{object.x * w_object, object.y * w_object, object.z * w_object, w_object};
         if (w_object != 1) return add(Id::glVertex4f, v);

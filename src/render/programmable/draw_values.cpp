@@ -177,8 +177,9 @@ class DrawUniforms {
     void wide_range() {
         const glm::dvec4 reach = reach_object();
         const double largest = std::max({reach.x, reach.y, reach.z, reach.w});
-        unit_of_directions_ = power_of_two(largest);
-        number("u_object_scale", 1 / unit_of_directions_);
+        const double object_unit = power_of_two(largest);
+        unit_of_directions_ = object_unit * eye_from_object_[3][3];  // keeping_w()
+        number("u_object_scale", 1 / object_unit);
         matrix("u_eye_from_object_turned", glm::dmat3(keeping_w(eye_from_object_)));
         vector("u_viewer_object", point(glm::dvec3(0)));
         if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix_of(draw_, plan_));

@@ -267,21 +267,23 @@ void add_surface_edges(const Frame& frame, const Options& options, PixelMask& ed
 
 }  // namespace
 
-void find_differences(const StagedFrame& stages, const Options& options, const PixelRect& within,
-                      OpenDifference& difference, Joining joining) {
+void find_differences(StagedFrame stages, const Options& options, const PixelRect& within, OpenDifference& difference,
+                      Joining joining) {
     const bool adds = joining == Joining::kAdds;
     Image& channels = difference.channels;
-    draw_in_bands<IntervalBuffer>(stages, within, options, [&](IntervalBuffer& buffer, const PixelRect& band) {
-        for_each(band, [&](int x, int y) {
-            const IntervalBuffer::Pixel pixel = buffer.pixel(x, y);
-            const std::size_t at = channels.index(x, channels.height - 1 - y);
-            difference.edge[at] = pixel.edge || (adds && difference.edge[at] != 0);
-            for (std::size_t c = 0; c < pixel.channels.size(); ++c) {
-                float& channel = channels.pixels[at][c];
-                channel = adds ? std::max(channel, pixel.channels[c]) : pixel.channels[c];
-            }
-        });
-    });
+    if (within.is_empty()) return;
+    draw_in_bands<IntervalBuffer>(stages, make_color_shaders(stages, options), within,
+                                  [&](IntervalBuffer& buffer, const PixelRect& band) {
+                                      for_each(band, [&](int x, int y) {
+                                          const IntervalBuffer::Pixel pixel = buffer.pixel(x, y);
+                                          const std::size_t at = channels.index(x, channels.height - 1 - y);
+                                          difference.edge[at] = pixel.edge || (adds && difference.edge[at] != 0);
+                                          for (std::size_t c = 0; c < pixel.channels.size(); ++c) {
+                                              float& channel = channels.pixels[at][c];
+                                              channel = adds ? std::max(channel, pixel.channels[c]) : pixel.channels[c];
+                                          }
+                                      });
+                                  });
 }
 
 AllowedDifference allowed_difference(const Frame& frame, Options options) {

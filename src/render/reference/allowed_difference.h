@@ -15,7 +15,7 @@ enum class Joining : std::uint8_t {
 };
 
 // Finds the differences of the pixels `within`, y up, with one cut of quadrilaterals.
-void find_differences(const StagedFrame& stages, const Options& options, const PixelRect& within,
-                      OpenDifference& difference, Joining joining);
+void find_differences(StagedFrame stages, const Options& options, const PixelRect& within, OpenDifference& difference,
+                      Joining joining);
 
 }  // namespace twinlight::reference

@@ -227,9 +227,8 @@ class FragmentLoop {
 
 // Draws the pixels `within` in bands of rows, and calls visit(buffer, band) for each band, y up. Buffer: a FragmentLoop.
 template <class Buffer, class Visit>
-void draw_in_bands(const StagedFrame& stages, const PixelRect& within, const Options& options, const Visit& visit) {
-    if (within.is_empty()) return;
-    const std::vector<Shader> shaders = make_shaders(stages, options);
+void draw_in_bands(const StagedFrame& stages, const std::vector<Shader>& shaders, const PixelRect& within,
+                   const Visit& visit) {
     for_each_band(within.y1 - within.y0, [&](int y0, int y1) {
         const PixelRect band{within.x0, within.y0 + y0, within.x1, within.y0 + y1};
         Buffer buffer(stages, shaders, band);

@@ -34,11 +34,13 @@ std::vector<Channels<double>> Framebuffer::colors() {
     return colors;
 }
 
-void draw_pixels(const StagedFrame& stages, const Options& options, const PixelRect& within, Image& image) {
-    draw_in_bands<Framebuffer>(stages, within, options, [&](Framebuffer& framebuffer, const PixelRect& band) {
-        const std::vector<Channels<double>> colors = framebuffer.colors();
-        for_each(band, [&](int x, int y) { image.at(x, image.height - 1 - y) = rgba(colors[band.index(x, y)]); });
-    });
+void draw_pixels(StagedFrame stages, const Options& options, const PixelRect& within, Image& image) {
+    if (within.is_empty()) return;
+    draw_in_bands<Framebuffer>(
+        stages, make_color_shaders(stages, options), within, [&](Framebuffer& framebuffer, const PixelRect& band) {
+            const std::vector<Channels<double>> colors = framebuffer.colors();
+            for_each(band, [&](int x, int y) { image.at(x, image.height - 1 - y) = rgba(colors[band.index(x, y)]); });
+        });
 }
 
 }  // namespace twinlight::reference

@@ -78,6 +78,6 @@ class Framebuffer : public FragmentLoop<DrawnPixels> {
 };
 
 // Draws the pixels `within`, y up, of a picture; others keep their colours.
-void draw_pixels(const StagedFrame& stages, const Options& options, const PixelRect& within, Image& image);
+void draw_pixels(StagedFrame stages, const Options& options, const PixelRect& within, Image& image);
 
 }  // namespace twinlight::reference

@@ -1,6 +1,7 @@
 #include "render/reference/pictures.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "render/reference/allowed_difference.h"
 #include "render/reference/framebuffer.h"
@@ -58,7 +59,7 @@ std::size_t size_of(const PixelRect& rect) { return rect.is_empty() ? 0 : rect.c
 
 Image Pictures::render(const Options& options) {
     const Frame& frame = *frame_;
-    const StagedFrame stages = run_stages(frame, options);
+    StagedFrame stages = run_stages(frame, options);
     Image image(frame.width, frame.height);
     PixelRect within = whole_window(frame);
     for (const Drawn& drawn : drawn_) {
@@ -69,7 +70,7 @@ Image Pictures::render(const Options& options) {
         within = changed;
         image = drawn.image;
     }
-    draw_pixels(stages, options, within, image);
+    draw_pixels(std::move(stages), options, within, image);
     std::erase_if(drawn_, [&](const Drawn& drawn) { return drawn.options.quad_cut == options.quad_cut; });
     drawn_.push_back({options, image});
     return image;
@@ -89,13 +90,11 @@ AllowedDifference Pictures::allowed_difference(const Options& given) {
     } else {
         found_ = Found{options, {std::vector<char>(size_of(within)), Image(frame.width, frame.height)}};
     }
-    find_differences(stages, options, within, found_->difference, Joining::kReplaces);
     const PixelRect of_quadrilaterals = common(within, reach_of(stages, whole_window(frame), is_quadrilaterals));
+    find_differences(std::move(stages), options, within, found_->difference, Joining::kReplaces);
     if (!of_quadrilaterals.is_empty()) {
         options.quad_cut = QuadCut::kSecondToFourth;
-        stages = {};
-        stages = run_stages(frame, options);
-        find_differences(stages, options, of_quadrilaterals, found_->difference, Joining::kAdds);
+        find_differences(run_stages(frame, options), options, of_quadrilaterals, found_->difference, Joining::kAdds);
     }
     AllowedDifference result{.edge = {}, .channels = found_->difference.channels};
     result.edge.assign(found_->difference.edge.begin(), found_->difference.edge.end());

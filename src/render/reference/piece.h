@@ -57,13 +57,13 @@ class Corners {
     std::shared_ptr<const std::vector<Corner>> more_{};  // all of them, if there are more than three
 };
 
-// Of a filled polygon: linear functions of the window position, c.x * x + c.y * y + c.z.
+// Of a filled polygon. Each is a function of the window position (x, y): c.x * x + c.y * y + c.z.
 struct Planes {
     std::array<glm::dvec3, 3> weight_over_w{};
     glm::dvec3 depth{0};
 };
 
-// Of a line; a point has only `from`.
+// Of a line. A point uses only `from`.
 struct Ends {
     WindowVertex from{}, to{};
 };

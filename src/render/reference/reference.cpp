@@ -23,19 +23,20 @@ std::vector<int> shape_numbers(const StagedFrame& stages) {
 }  // namespace
 
 std::vector<int> seen_shapes(const Frame& frame, const Options& options) {
-    const StagedFrame stages = run_stages(frame, options);
+    StagedFrame stages = run_stages(frame, options);
     const std::vector<int> numbers = shape_numbers(stages);
     std::vector<int> seen(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height), -1);
     const PixelRect window{0, 0, frame.width, frame.height};
-    draw_in_bands<Framebuffer>(stages, window, options, [&](const Framebuffer& framebuffer, const PixelRect& band) {
-        for_each(band, [&](int x, int y) {
-            const std::optional<StepId> step = framebuffer.step(x, y);
-            if (!step || *step < 0) return;
-            const std::size_t row = static_cast<std::size_t>(frame.height - 1 - y);
-            seen[row * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(x)] =
-                numbers[stages.piece(*step).draw];
-        });
-    });
+    draw_in_bands<Framebuffer>(stages, make_color_shaders(stages, options), window,
+                               [&](const Framebuffer& framebuffer, const PixelRect& band) {
+                                   for_each(band, [&](int x, int y) {
+                                       const std::optional<StepId> step = framebuffer.step(x, y);
+                                       if (!step || *step < 0) return;
+                                       const std::size_t row = static_cast<std::size_t>(frame.height - 1 - y);
+                                       seen[row * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(x)] =
+                                           numbers[stages.piece(*step).draw];
+                                   });
+                               });
     return seen;
 }
 

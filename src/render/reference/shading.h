@@ -66,6 +66,8 @@ class Shader {
     ColorSteps steps(const Fragment& fragment) const;
     const DrawLighting& lighting() const { return lighting_; }
     Shading shading() const { return shading_; }
+    // Whether colours need more of a Draw's vertices than what is lit when the Shader is made. points() always does.
+    bool needs_vertices() const { return lights_pixels() || draw_.texture.texture || draw_.fog.enabled; }
 
     // The fragment's colour from lit colours, in [0,1], with the rulings that it depends on; `position`: the rulings of
     // the position.

@@ -62,6 +62,16 @@ std::vector<Shader> make_shaders(const StagedFrame& stages, const Options& optio
     return shaders;
 }
 
+std::vector<Shader> make_color_shaders(StagedFrame& stages, const Options& options) {
+    std::vector<Shader> shaders;
+    shaders.reserve(stages.draws.size());
+    for (StagedDraw& staged : stages.draws) {
+        shaders.emplace_back(staged, options);
+        if (!shaders.back().needs_vertices()) std::vector<StageVertex>().swap(staged.vertices);
+    }
+    return shaders;
+}
+
 void for_each_band(int height, const std::function<void(int y0, int y1)>& band) {
     constexpr int kRowsPerBand = 16;
     const int bands = (height + kRowsPerBand - 1) / kRowsPerBand;

@@ -37,6 +37,9 @@ StagedFrame run_stages(const Frame& frame, const Options& options);
 
 // Makes one Shader per Draw.
 std::vector<Shader> make_shaders(const StagedFrame& stages, const Options& options);
+// The same, but only for colours, not for Shader::points(). Deletes the vertices of Draws that are lit then: a frame may
+// have millions.
+std::vector<Shader> make_color_shaders(StagedFrame& stages, const Options& options);
 
 // Calls band(y0, y1) for bands of rows that cover [0, height), on all processors. A band must not depend on anything
 // that another band writes; then the result is the same for any number of threads.

@@ -1,8 +1,11 @@
 #include "render/reference/texture_bounds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace twinlight::reference {
@@ -33,10 +36,19 @@ TexelBounds choice(const TexelBounds& a, const TexelBounds& b) {
 
 // Coordinates on one axis that together show everything in an interval: the ends; for GL_LINEAR also the centres of
 // texels between them, where the weights have corners.
-std::vector<double> looks(Enum filter, double coordinate, double error, int size) {
-    std::vector<double> result = {coordinate - error, coordinate + error};
+struct Looks {
+    static constexpr int kMostCentres = 5;  // a larger interval would bound nothing anyway
+    std::array<double, 2 + kMostCentres> at{};
+    std::size_t count = 0;
+
+    void push_back(double coordinate) { at[count++] = coordinate; }
+    const double* begin() const { return at.data(); }
+    const double* end() const { return at.data() + count; }
+};
+Looks looks(Enum filter, double coordinate, double error, int size) {
+    Looks result{{coordinate - error, coordinate + error}, 2};
     if (filter == kGL_NEAREST) return result;
-    constexpr double kMost = 4;  // centres; a larger interval would bound nothing anyway
+    constexpr double kMost = Looks::kMostCentres - 1;
     const double first = std::ceil((coordinate - error) * size - 0.5);
     const double last = std::min(std::floor((coordinate + error) * size - 0.5), first + kMost);
     for (double centre = first; centre <= last; ++centre) result.push_back((centre + 0.5) / size);
@@ -53,9 +65,12 @@ class Sampler {
         const bool flat = texture_.target == kGL_TEXTURE_1D;
         const glm::dvec2 size(image.width, image.height);
         const glm::dvec2 error = filter == kGL_NEAREST ? st_error_ : st_error_ + kWeightStep / size;
+        const Looks along_s = looks(filter, st_.x, error.x, image.width);
+        const Looks along_t = flat ? Looks{{0}, 1} : looks(filter, st_.y, error.y, image.height);
+        if (filter == kGL_LINEAR && !flat) return linear_level(image, along_s, along_t);
         std::optional<TexelBounds> all;
-        for (double s : looks(filter, st_.x, error.x, image.width))
-            for (double t : flat ? std::vector<double>{0} : looks(filter, st_.y, error.y, image.height)) {
+        for (double s : along_s)
+            for (double t : along_t) {
                 const TexelBounds one = exactly(sample_image(texture_, image, filter, {s, t}));
                 if (!all)
                     all = one;
@@ -64,7 +79,7 @@ class Sampler {
                 else
                     join(*all, one);
             }
-        if (filter == kGL_LINEAR) round_means(*all, flat ? 1 : 2);
+        if (filter == kGL_LINEAR) round_means(*all, 1);
         return *all;
     }
 
@@ -93,6 +108,35 @@ class Sampler {
     }
 
   private:
+    // The same with sample_image(); here each row of texels is mixed once for all looks between the same two rows.
+    TexelBounds linear_level(const TextureImage& image, const Looks& along_s, const Looks& along_t) const {
+        std::array<TexelPair, std::tuple_size_v<decltype(Looks::at)>> rows{};
+        for (std::size_t k = 0; k < along_t.count; ++k)
+            rows[k] = linear_texels(texture_.wrap_t, along_t.at[k], image.height);
+        std::optional<TexelBounds> all;
+        for (double s : along_s) {
+            const TexelPair i = linear_texels(texture_.wrap_s, s, image.width);
+            const auto row = [&](int j) {
+                return glm::mix(texel_at(texture_, image, i.first, j), texel_at(texture_, image, i.second, j),
+                                i.weight);
+            };
+            glm::dvec4 first(0), second(0);
+            for (std::size_t k = 0; k < along_t.count; ++k) {
+                if (k == 0 || rows[k].first != rows[k - 1].first || rows[k].second != rows[k - 1].second) {
+                    first = row(rows[k].first);
+                    second = row(rows[k].second);
+                }
+                const TexelBounds one = exactly(glm::mix(first, second, rows[k].weight));
+                if (all)
+                    join(*all, one);
+                else
+                    all = one;
+            }
+        }
+        round_means(*all, 2);
+        return *all;
+    }
+
     // Means of equal texels are exact, so only channels with a width are rounded.
     static void round_means(TexelBounds& bounds, int means) {
         for (Interval& channel : bounds.texel)

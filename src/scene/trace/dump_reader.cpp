@@ -58,8 +58,8 @@ bool DumpReader::for_each(const std::function<bool(const Step&)>& visit) {
 }
 
 void DumpReader::count_contexts(bool whole, ContextCounts& counts) {
-    const std::function<bool(const Step&)> nothing = [](const Step&) { return true; };
-    visit_ = &nothing;
+    static const std::function<bool(const Step&)> kNothing = [](const Step&) { return true; };
+    visit_ = &kNothing;
     int calls = 0, frames = 0;  // since the first that draws
     while ((whole || (calls < kMostCallsCounted && frames < kMostFramesCounted)) && next_call()) {
         const Function& function = functions_.find(function_name_);

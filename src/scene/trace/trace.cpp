@@ -110,7 +110,7 @@ class TraceRecording final : public Recording {
     std::optional<ApitraceDump> apitrace_;
     mutable std::optional<DumpText> text_;
     mutable std::string apitrace_error_;
-    std::optional<ContextName> context_;  // the only one that is visited; all if there is none
+    std::optional<ContextName> context_;  // only its calls are visited; nullopt: the calls of all contexts
     std::vector<std::string> notes_;
 };
 

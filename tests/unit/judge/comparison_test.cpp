@@ -395,7 +395,8 @@ TEST(Missing, LeavesOutTheCommandsThatTheNamesMean) {
     EXPECT_EQ(left("texture unit 1"), Lines{7});
     EXPECT_EQ(left("glEvalMesh2"), Lines{8});
     EXPECT_EQ(left("glEval"), Lines{});
-    for (const char* name : {"texture unit x", "glEnable(GL_NO_SUCH_NAME)", "glEnable(GL_FOG", "a border"}) {
+    for (const char* name : {"texture unit x", "glEnable(GL_NO_SUCH_NAME)", "glEnable(GL_FOG", "a border",
+                             "glCopyTexImage2D", "glTexEnv(GL_COMBINE)"}) {
         Unsupported item = fog(1);
         item.name = name;
         EXPECT_EQ(without_missing(empty_scene().recording, {item}), nullptr) << name;
