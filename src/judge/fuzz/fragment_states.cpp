@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "judge/fuzz/random_states.h"
 #include "scene/command/text.h"
@@ -18,6 +19,7 @@ class Builder {
           generated_(~seed.structure),
           random_(seed.values),
           levels_(seed.structure + 1),
+          fragments_(~seed.values),
           departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
@@ -194,11 +196,12 @@ class Builder {
 
     void fragment_operations() {
         if (structure_.chance(0.5)) blending();
-        if (departure_.empty() && structure_.chance(0.1)) logic_op();
-        if (departure_.empty() && structure_.chance(0.1)) polygon_stipple();
-        if (departure_.empty() && structure_.chance(0.1))
-            add("glEnable(GL_LINE_SMOOTH); glEnable(GL_POINT_SMOOTH); glLineWidth({:.1f}); glPointSize({:.1f});",
-                random_.uniform(1, 9), random_.uniform(1, 20));
+        if (departure_.empty()) {
+            if (fragments_.chance(0.05)) logic_op();
+            if (fragments_.chance(0.05)) polygon_stipple();
+            if (fragments_.chance(0.1)) add("glEnable(GL_LINE_SMOOTH);");
+            if (fragments_.chance(0.02)) add("glEnable(GL_POINT_SMOOTH);");
+        }
         if (structure_.chance(0.3))
             add("glEnable(GL_ALPHA_TEST); glAlphaFunc({}, {:.4f});",
                 one_of({"GL_LESS", "GL_LEQUAL", "GL_GREATER", "GL_GEQUAL", "GL_NOTEQUAL", "GL_EQUAL"}),
@@ -255,16 +258,18 @@ class Builder {
         add("glAccum(GL_ACCUM, {:.4f});", random_.uniform(0, 0.4));
     }
 
+    // With numbers of their own, so that the rest of the scene does not depend on them.
     void logic_op() {
-        add("glEnable(GL_COLOR_LOGIC_OP); glLogicOp({});",
-            one_of({"GL_CLEAR", "GL_AND", "GL_AND_REVERSE", "GL_COPY", "GL_AND_INVERTED", "GL_NOOP", "GL_XOR", "GL_OR",
-                    "GL_NOR", "GL_EQUIV", "GL_INVERT", "GL_OR_REVERSE", "GL_COPY_INVERTED", "GL_OR_INVERTED", "GL_NAND",
-                    "GL_SET"}));
+        constexpr const char* kOps[] = {"GL_CLEAR",         "GL_AND",         "GL_AND_REVERSE", "GL_COPY",
+                                        "GL_AND_INVERTED",  "GL_NOOP",        "GL_XOR",         "GL_OR",
+                                        "GL_NOR",           "GL_EQUIV",       "GL_INVERT",      "GL_OR_REVERSE",
+                                        "GL_COPY_INVERTED", "GL_OR_INVERTED", "GL_NAND",        "GL_SET"};
+        add("glEnable(GL_COLOR_LOGIC_OP); glLogicOp({});", kOps[fragments_.below(static_cast<int>(std::size(kOps)))]);
     }
 
     void polygon_stipple() {
         std::string bytes;
-        for (int i = 0; i < 128; ++i) bytes += fmt::format("{}{}", i == 0 ? "" : ", ", random_.below(256));
+        for (int i = 0; i < 128; ++i) bytes += fmt::format("{}{}", i == 0 ? "" : ", ", fragments_.below(256));
         add("glPolygonStipple((GLubyte[128]){{{}}}); glEnable(GL_POLYGON_STIPPLE);", bytes);
     }
 
@@ -523,7 +528,7 @@ class Builder {
 
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
-    Random structure_, generated_, random_, levels_;
+    Random structure_, generated_, random_, levels_, fragments_;
     std::string_view departure_;
     bool lit_ = false;
     std::string text_;

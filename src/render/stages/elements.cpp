@@ -56,6 +56,13 @@ std::vector<std::uint32_t> cut_indices(const Draw& draw, std::vector<ElementsPar
 
 }  // namespace
 
+std::vector<std::uint32_t> cut_indices(const Draw& draw) {
+    std::vector<std::uint32_t> indices;
+    cut(
+        draw.count(), [&](std::size_t i) { return draw.index(i); }, indices);
+    return indices;
+}
+
 bool needs_edge_flags(const Draw& draw) {
     const bool has_edges = draw.mode == kGL_TRIANGLES || draw.mode == kGL_QUADS || draw.mode == kGL_POLYGON;
     return has_edges && draw.draws_borders() && !std::ranges::all_of(draw.vertices, &Vertex::edge_flag);
@@ -63,9 +70,7 @@ bool needs_edge_flags(const Draw& draw) {
 
 Elements::Elements(const Draw& draw, bool patches) : mode_(draw.mode), count_(static_cast<int>(draw.count())) {
     if (cuts_quadrilaterals(draw)) {
-        std::vector<std::uint32_t> indices;
-        cut(
-            draw.count(), [&](std::size_t i) { return draw.index(i); }, indices);
+        const std::vector<std::uint32_t> indices = cut_indices(draw);
         mode_ = kGL_TRIANGLES;
         count_ = static_cast<int>(indices.size());
         indices_ = filled_buffer(GL_ELEMENT_ARRAY_BUFFER, indices);
@@ -94,6 +99,7 @@ Elements::Elements(const Draw& draw, const std::vector<ElementsPart>& given)
     const bool cuts = std::ranges::any_of(parts, &ElementsPart::cuts_quads);
     const std::vector<std::uint32_t> cut = cuts ? cut_indices(draw, parts) : std::vector<std::uint32_t>{};
     const std::vector<std::uint32_t>& indices = cuts ? cut : draw.indices;
+    const bool has_indices = cuts || !indices.empty();
     // The vertices of a primitive, in modes whose primitives do not share any; 0 in others.
     const auto vertices_of_primitive = [](Enum mode) -> std::size_t {
         switch (mode) {
@@ -107,7 +113,7 @@ Elements::Elements(const Draw& draw, const std::vector<ElementsPart>& given)
     std::size_t first = 0;
     bool may_continue = false;  // whether the next part's primitives may follow in the same array
     for (const ElementsPart& part : parts) {
-        const std::size_t count = indices.empty() ? part.vertices : part.indices;
+        const std::size_t count = has_indices ? part.indices : part.vertices;
         const bool is_new_run = runs_.empty() || runs_.back().mode != part.mode;
         if (is_new_run) runs_.push_back({part.mode, {}, {}, {}});
         Run& run = runs_.back();
@@ -116,13 +122,13 @@ Elements::Elements(const Draw& draw, const std::vector<ElementsPart>& given)
         } else {
             run.firsts.push_back(static_cast<int>(first));
             run.counts.push_back(static_cast<int>(count));
-            if (!indices.empty()) run.offsets.push_back(buffer_offset(first * sizeof(std::uint32_t)));
+            if (has_indices) run.offsets.push_back(buffer_offset(first * sizeof(std::uint32_t)));
         }
         const std::size_t size = vertices_of_primitive(part.mode);
         may_continue = size > 0 && count % size == 0;  // incomplete primitives are not drawn (2.6.1)
         first += count;
     }
-    if (indices.empty()) return;
+    if (!has_indices) return;
     indices_ = filled_buffer(GL_ELEMENT_ARRAY_BUFFER, indices);
     bytes_ = indices.size() * sizeof(indices[0]);
 }

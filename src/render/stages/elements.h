@@ -60,6 +60,7 @@ class Elements {
 // in display lists, but draws others from the first corner to the third; 2.6.1 allows both. With the same cut, fixed
 // function and shaders give the same colours.
 bool cuts_quadrilaterals(const Draw& draw);
+std::vector<std::uint32_t> cut_indices(const Draw& draw);  // the indices of those triangles
 
 // 2.6.2: edge flags matter only if polygons are drawn as edges or corners; strips and fans ignore them.
 bool needs_edge_flags(const Draw& draw);
