@@ -51,7 +51,7 @@ void State::draw_arrays(const Command& c) {
 
 void State::draw(const Command& c, const ArrayVertices& read) {
     if (!read.has_position || read.vertices.empty()) return;  // 2.8: no primitives are constructed
-    const std::size_t bytes = bytes_of_draw() + bytes_of_vertices(read.vertices.size(), read.indices.size());
+    const std::size_t bytes = bytes_of_draw() + bytes_of_vertices(a_.raster, read.vertices.size(), read.indices.size());
     if (!has_room(c, bytes)) return;
     Draw draw = new_draw(read.mode, c.place);
     draw.vertices.reserve(read.vertices.size());
@@ -73,7 +73,7 @@ void State::send_element(const Command& c, const ArrayVertices& element) {
     a_.current.edge_flag = values.edge_flag;
     a_.current.color = values.color;
     if (element.has_color) track_color();
-    if (!element.has_position || !open_ || !has_room(c, bytes_of_vertices(1))) return;
+    if (!element.has_position || !open_ || !has_room(c, bytes_of_vertices(a_.raster, 1))) return;
     a_.current.position_object = values.position_object;
     open_->vertices.push_back(a_.current);
 }

@@ -164,7 +164,7 @@ void State::end(const Command& c) {
 
 void State::vertex(const Command& c) {
     if (!open_) return;  // 2.7: undefined outside Begin and End; ignored here, as by the driver
-    if (!has_room(c, bytes_of_vertices(1))) return;
+    if (!has_room(c, bytes_of_vertices(a_.raster, 1))) return;
     a_.current.position_object = {0, 0, 0, 1};
     for (std::size_t i = 0; i < c.arguments.size(); ++i) a_.current.position_object[static_cast<int>(i)] = c.number(i);
     sanitize(a_.current);
@@ -272,7 +272,7 @@ void State::show(FrameItem item) {
 
 // 2.10: the same as a GL_POLYGON with four vertices.
 void State::rect(const Command& c) {
-    if (!has_room(c, bytes_of_draw() + bytes_of_vertices(4))) return;
+    if (!has_room(c, bytes_of_draw() + bytes_of_vertices(a_.raster, 4))) return;
     const double x1 = c.number(0), y1 = c.number(1), x2 = c.number(2), y2 = c.number(3);
     Draw draw = new_draw(kGL_POLYGON, c.place);
     for (const auto& [x, y] : {std::pair(x1, y1), {x2, y1}, {x2, y2}, {x1, y2}}) {
@@ -401,7 +401,8 @@ void State::drop_hidden() {
     item_bytes_ = 0;
     for (const FrameItem& item : items_)
         if (const Draw* draw = std::get_if<Draw>(&item))
-            item_bytes_ += bytes_of_draw() + bytes_of_vertices(draw->vertices.size(), draw->indices.size());
+            item_bytes_ +=
+                bytes_of_draw() + bytes_of_vertices(draw->raster, draw->vertices.size(), draw->indices.size());
     if (items_.size() == 1) unsupported_.clear();
 }
 
