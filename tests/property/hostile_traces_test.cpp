@@ -100,7 +100,7 @@ TEST_F(HostileTraces, MayHaveNumbersThatAreNotFinite) {
     const ProgramResult compared = run_program(
         "twinlight", {"compare", folder_ / "dump.txt", "--size", "16x16", "--json", "-o", folder_ / "report"});
     EXPECT_EQ(compared.status, 0) << compared.err;
-    const std::string note = "4 of the program&#39;s commands up to this frame have NaN or infinity";
+    const std::string note = "4 of the program's commands up to this frame have NaN or infinity";
     EXPECT_NE(read_file(folder_ / "report/index.html").find(note), std::string::npos);
     EXPECT_NE(compared.out.find(R"("notes": [)"), std::string::npos) << compared.out;
     EXPECT_NE(compared.out.find("have NaN or infinity"), std::string::npos) << compared.out;

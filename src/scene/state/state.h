@@ -45,7 +45,7 @@ inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; all
 
 // What `twinlight compare` needs at its peak for the vertices of a Draw, which are drawn in the order of the indices, if there are
 // any: their Vertex and StageVertex, the meshes of two renderers, and the reference's Pieces. A triangle that is drawn as lines or
-// points becomes three of these. Measured: up to 860 bytes for each vertex of a polygon, 1,700 of a strip that is drawn as lines, 570
+// points becomes three of these. Measured: up to 920 bytes for each vertex of a polygon, 1,630 of a strip that is drawn as lines, 570
 // of separate triangles.
 constexpr std::size_t bytes_of_vertices(const RasterState& raster, std::size_t vertices, std::size_t indices = 0) {
     const bool fills = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
