@@ -56,16 +56,25 @@ double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, cons
     return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
 }
 
-// The same for a matrix that changes w: the shader measures lengths after the division by w. Vertices much farther away than the
-// others, as those with w near 0, need no unit.
-double unit_after_division(const Draw& draw, const Plan& plan) {
-    double nearest = HUGE_VAL, size = 0;
+// The coordinates of the vertex nearest to the eye, after the division by w; infinite if there is none.
+double nearest_size(const Draw& draw) {
+    double nearest = HUGE_VAL;
     for (const Vertex& vertex : draw.vertices) {
         const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
         if (at.w != 0) nearest = std::min(nearest, largest_component(glm::dvec3(at) / at.w));
     }
-    if (std::isfinite(nearest)) size = nearest;
-    for (const glm::dvec3& place : places_eye(plan)) size = std::max(size, largest_component(place));
+    return nearest;
+}
+// The unit of length under a matrix that changes w. Vertices much farther away than the nearest, as those with w near 0, need
+// none, and more distant lights come nearer.
+constexpr double kMostDistantAfterDivision = 1e15;
+double unit_after_division(const Draw& draw, const Plan& plan) {
+    double size = nearest_size(draw);
+    if (!(size > 0) || !std::isfinite(size)) {
+        size = HUGE_VAL;
+        for (const glm::dvec3& place : places_eye(plan))
+            if (place != glm::dvec3(0)) size = std::min(size, largest_component(place));
+    }
     return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
 }
 // What to divide homogeneous eye coordinates by, so that their squares are floats.
@@ -177,6 +186,7 @@ class DrawUniforms {
 
     void eye_space() {
         const bool divides = effects_.vertex_w && effects_.needs_position_eye() && !keeps_w(eye_from_object_);
+        if (divides) most_distant_ = kMostDistantAfterDivision;
         if (divides)
             unit_ = unit_after_division(draw_, plan_);
         else
@@ -189,7 +199,19 @@ class DrawUniforms {
         if (scale != 1) eye_from_object /= scale;
         unit_of_directions_ = unit_ * scale;
         matrix("u_eye_from_object", eye_from_object);
-        if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix_of(draw_, plan_));
+        normals();
+    }
+
+    void normals() {
+        if (!effects_.needs_normal()) return;
+        glm::dmat3 normals = normal_matrix_of(draw_, plan_);
+        if (form_.sized_normals) {
+            const double unit = power_of_two(std::max(
+                {largest_component(normals[0]), largest_component(normals[1]), largest_component(normals[2])}));
+            normals /= unit;
+            number("u_normal_unit", unit);
+        }
+        matrix("u_eye_from_object_normal", normals);
     }
 
     // Brings the viewer and the lights to object coordinates.
@@ -198,20 +220,31 @@ class DrawUniforms {
         object_from_eye_ = glm::inverse(eye_from_object_);
         vector("u_viewer_object", point(glm::dvec3(0)));
         vector("u_viewer_dir_object", direction(glm::dvec3(0, 0, 1)));
+        if (form_.sized_normals) number("u_normal_unit", 1);
     }
 
     void wide_range() {
         const glm::dvec4 reach = reach_object();
-        const double largest = std::max({reach.x, reach.y, reach.z, reach.w});
-        // Neither it nor its inverse is a denormal, and products with it do not overflow.
-        const double object_unit = std::clamp(power_of_two(largest), 0x1p-100, 0x1p120);
-        unit_of_directions_ = object_unit * eye_from_object_[3][3];  // keeping_w()
-        number("u_object_scale", 1 / object_unit);
-        matrix("u_eye_from_object_turned", glm::dmat3(keeping_w(eye_from_object_)));
+        const double longest = largest_component(glm::dvec3(reach));
+        // Neither a unit nor its inverse is a denormal, and products with it do not overflow.
+        const auto unit_for = [](double size) { return std::clamp(power_of_two(size), 0x1p-100, 0x1p120); };
+        // x, y and z get a unit of their own beside a w that is much larger, so that their quotients need not be floats.
+        constexpr double kMuchLarger = 0x1p20;
+        const double unit_of_w = unit_for(std::max(longest, reach.w));
+        const double unit_of_xyz = longest > 0 && longest * kMuchLarger < reach.w ? unit_for(longest) : unit_of_w;
+        // In eye coordinates, only tiny lengths need a unit.
+        constexpr double kTiny = 1e-15;
+        double size = nearest_size(draw_);
+        for (const glm::dvec3& place : places_eye(plan_)) size = std::max(size, largest_component(place));
+        unit_ = size < kTiny ? power_of_two(size) : 1;
+        scale_of_xyz_ = unit_of_w / unit_of_xyz;
+        unit_of_directions_ = unit_of_w * unit_ * eye_from_object_[3][3];  // keeping_w()
+        vector("u_object_scale", glm::dvec4(glm::dvec3(1 / unit_of_xyz), 1 / unit_of_w));
+        matrix("u_eye_from_object_turned", glm::dmat3(keeping_w(eye_from_object_)) / scale_of_xyz_ / unit_);
         const NearestVertex viewer = nearest_vertex(draw_, glm::dvec3(0));
         near_vertex("u_viewer_near_object", viewer);
-        vector("u_viewer_way_eye", viewer.way_eye);
-        if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix_of(draw_, plan_));
+        vector("u_viewer_way_eye", viewer.way_eye / unit_);
+        normals();
     }
 
     // A vertex in the floats of the vertex array, so that nothing is left of its difference with itself. Its w is 1, or between 1
@@ -221,7 +254,8 @@ class DrawUniforms {
         const glm::dvec4 p = nearest.vertex_object;
         glm::dvec4 uploaded = without_denormals(p - glm::dvec4(origin * p.w, 0));
         for (int i = 0; i < 4; ++i) uploaded[i] = to_float(uploaded[i]);
-        return uploaded / power_of_two(std::abs(uploaded.w));
+        uploaded /= power_of_two(std::abs(uploaded.w));
+        return {scale_of_xyz_ * glm::dvec3(uploaded), uploaded.w};
     }
     // It is asked for more than once, and a mesh has many vertices.
     NearestVertex nearest_to(const LightSource& light, const glm::dvec3& place_eye) {
@@ -251,26 +285,30 @@ class DrawUniforms {
             if (plane_eye) vector("u_clip_plane" + std::to_string(count++) + "_object", *plane_eye * eye_from_object_);
     }
 
-    // Generated texture coordinates (2.11.4).
-    void generated() {
-        for (const GeneratedCoordinate& one : draw_.texture.generated) {
+    // Generated texture coordinates (2.11.4). `suffix`: of the unit's uniforms.
+    void generated_planes(const TextureUnit& unit, const std::string& suffix) {
+        for (const GeneratedCoordinate& one : unit.generated) {
             if (one.needs_normal()) continue;
             // (plane * matrix) . position_object = plane . position_eye.
             const glm::dvec4 plane = one.mode == kGL_EYE_LINEAR ? one.plane * draw_.eye_from_object : one.plane;
             const glm::dvec4 origin(origin_object_.value_or(glm::dvec3(0)), 1);
-            vector(fmt::format("u_plane_{}_object", "strq"[one.coordinate]),
+            vector(fmt::format("u_plane_{}_object{}", "strq"[one.coordinate], suffix),
                    glm::dvec4(glm::dvec3(plane), glm::dot(plane, origin)));
         }
-        const TextureEffects& texture = effects_.texture;
-        if (texture.generates_from_direction()) {
+    }
+
+    // For the coordinates of all units that are generated from the normal or the direction to the vertex.
+    void generated() {
+        const GeneratedNormal normal = effects_.generated_normal();
+        if (effects_.generates_from_direction()) {
             const double scale = power_of_two(reach_eye(eye_from_object_, reach_object()));
             matrix("u_generated_eye_from_object", eye_from_object_ / scale);
         }
-        if (!texture.generates_from_normal()) return;
+        if (normal == GeneratedNormal::kUnused) return;
         const glm::dmat3 normals = normal_matrix(glm::dmat3(draw_.eye_from_object));
         const double third = glm::length(normals[2]);  // of GL_RESCALE_NORMAL: see normal_matrix_of()
         double scale = 1;
-        if (texture.generated_normal == GeneratedNormal::kUnit)
+        if (normal == GeneratedNormal::kUnit)
             scale = power_of_two(std::max(
                 {largest_component(normals[0]), largest_component(normals[1]), largest_component(normals[2])}));
         else if (draw_.lighting.rescale_normal && third > 0)
@@ -280,8 +318,12 @@ class DrawUniforms {
 
     void fragments() {
         if (effects_.texture.matrix) matrix("u_texture_matrix", draw_.texture.texture_matrix);
-        if (effects_.texture.generates()) generated();
+        if (effects_.texture.generates()) {
+            generated_planes(draw_.texture, "");
+            generated();
+        }
         vector("u_texture_env_color", draw_.texture.env_color);
+        if (!effects_.units.empty()) texture_units();
         if (!effects_.has_fog()) return;
         const glm::dmat4 rows = glm::transpose(eye_from_object_);
         vector("u_eye_z_from_object", rows[2]);
@@ -293,6 +335,17 @@ class DrawUniforms {
         // RULING: linear fog with end = start is a step there.
         constexpr double kStep = 1e30;
         number("u_fog_scale", fog.end == fog.start ? kStep : 1 / (fog.end - fog.start));
+    }
+
+    // Draws that combine textures: each uniform has its unit's number.
+    void texture_units() {
+        draw_.for_each_unit([&](std::size_t number, const TextureUnit& unit) {
+            const std::string suffix = std::to_string(number);
+            matrix("u_texture_matrix" + suffix, unit.texture_matrix);
+            vector("u_texture_env_color" + suffix, unit.env_color);
+            generated_planes(unit, suffix);
+        });
+        generated();
     }
 
     // Three samples per group; the last group is filled with 0.
@@ -395,9 +448,12 @@ class DrawUniforms {
             Placed result{.place = point(eye), .nearest = {}, .length_unit = unit_};
             if (form_.wide_range) result.nearest = nearest_to(light, eye);
             glm::dvec3& far = form_.wide_range ? result.nearest.way_eye : result.place;
+            if (form_.wide_range) far /= unit_;
             const double largest = largest_component(far);
-            if (largest > kMostDistant) result.length_unit = largest / kMostDistant;
-            if (result.length_unit != unit_) far /= result.length_unit;
+            if (largest > most_distant_) {
+                result.length_unit *= largest / most_distant_;
+                far *= most_distant_ / largest;
+            }
             return result;
         };
         if (!form_.wide_range) {
@@ -450,10 +506,12 @@ class DrawUniforms {
     const Form& form_;
     const std::vector<std::vector<std::size_t>>& lights_;
     const std::optional<glm::dvec3> origin_object_;
-    glm::dmat4 eye_from_object_ = draw_.eye_from_object;   // from positions relative to origin_object_
-    double unit_of_directions_ = 1;                        // the shader's unit of vertices with w = 0
-    double unit_ = 1;                                      // the shader's unit of length, in eye coordinates
-    glm::dmat4 object_from_eye_{1};                        // used if form_.object_space
+    glm::dmat4 eye_from_object_ = draw_.eye_from_object;  // from positions relative to origin_object_
+    double unit_of_directions_ = 1;                       // the shader's unit of vertices with w = 0
+    double scale_of_xyz_ = 1;             // of form_.wide_range: what the shader multiplies object coordinates by
+    double most_distant_ = kMostDistant;  // lights beyond come nearer
+    double unit_ = 1;                     // the shader's unit of length, in eye coordinates
+    glm::dmat4 object_from_eye_{1};       // used if form_.object_space
     std::map<const LightSource*, NearestVertex> nearest_;  // used if form_.wide_range
     Uniforms uniforms_;
 };
@@ -506,6 +564,9 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, cons
         }
         if (effects.needs_color()) add(vertex.color, 4);
         if (effects.takes_tex_coord()) add(vertex.tex_coord, 4);
+        for (const UnitEffects& unit : effects.units)
+            if (!unit.texture.generates_all())
+                add(draw.tex_coord(unit.number, static_cast<std::size_t>(&vertex - draw.vertices.data())), 4);
         for (const VertexProperty& property : properties) {
             const Material& material = draw.materials.at(vertex.material).*property.face;
             if (property.color)

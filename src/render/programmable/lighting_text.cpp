@@ -19,7 +19,8 @@ class Writer : LightingWriter {
         text.vertex_position = form_.wide_range     ? "u_object_scale * position"
                                : form_.object_space ? "position"
                                                     : "u_eye_from_object * position";
-        text.vertex_normal = form_.object_space ? "a_normal" : "u_eye_from_object_normal * a_normal";
+        const std::string normal = form_.sized_normals ? "(a_normal / size_of(a_normal))" : "a_normal";
+        text.vertex_normal = form_.object_space ? normal : "u_eye_from_object_normal * " + normal;
         if (form_.rescale) text.vertex_normal = fmt::format("u_normal_scale * ({})", text.vertex_normal);
         if (effects_.normalize)
             text.vertex_normal =
@@ -57,7 +58,9 @@ class Writer : LightingWriter {
         }
         if (effects_.separate_specular) add("    lit.secondary = vec3(0.0);\n");
         if (effects_.needs_normal() && form_.sized_normals)
-            add("    float n_size = size_of({0});  // of n, which is very short or long\n    vec3 n = {0} / n_size;\n",
+            add("    vec3 n = {0} / size_of({0});\n"
+                "    // n is very short or long: its size comes later.\n"
+                "    float n_size = min(size_of({0}) * size_of(a_normal) * u_normal_unit, 1e37);\n",
                 names_.normal());
         else if (effects_.needs_normal())
             add("    vec3 n = {};\n", names_.normal());

@@ -166,6 +166,9 @@ bool floats_suffice(const Draw& draw, const Plan& plan) {
         if (has_wide_range(draw, *each) || has_sized_normals(draw, *each)) return false;
         if (each->effects.vertex_w && !keeps_w(draw.eye_from_object)) return false;
     }
+    // Where a matrix projects, the driver takes normals from the inverse of all of it, and not of its upper 3x3 (2.11.3).
+    const glm::dmat4& all_of_it = draw.eye_from_object;
+    if (all_of_it[0][3] != 0 || all_of_it[1][3] != 0 || all_of_it[2][3] != 0) return false;
     // The squares of vectors and the determinants of matrices must be floats, which go from 1e-45 to 3e38.
     const auto fits = [](const glm::dvec3& v, double most) {
         const double length = glm::length(v);
