@@ -136,9 +136,10 @@ class State {
     Effect client_arrays, array_element, draw_arrays;
     Effect draw_buffer, driver_only_state, driver_only_drawing, driver_only_attribute, driver_only_query,
         driver_only_secondary_color, driver_only_point_parameter, driver_only_pixel_transfer, driver_only_bitmap,
-        driver_only_stipple, driver_only_copy_image;
+        driver_only_copy_image;
     Effect stencil_func, stencil_op, stencil_mask, clear_stencil;
     Effect accumulate, clear_accumulation;
+    Effect polygon_stipple, logic_op;
     Effect clear_depth, clear_color, clear, scissor, alpha_func, blend_func, blend_color, color_mask, fog,
         blend_equation;
     Effect light, material, light_model, color_material, shade_model, get_light, get_material, specular_model,
