@@ -37,9 +37,10 @@ int differing_pixels(const FragmentCase& shown) {
         read_scene(std::string(kStart) + shown.scene, "case.gl", std::string(shown.name)));
     StateOptions options;
     options.width = options.height = kWindow;
-    const auto [recording, frame] = make_scene(scene, options);
+    const Scene made = make_scene(scene, options);
+    const Frame& frame = made.frame;
     EXPECT_TRUE(frame.unsupported.empty());
-    const Image driver = fixed::render({recording, frame}), reference = reference::render(frame, {});
+    const Image driver = fixed::render(made), reference = reference::render(frame, {});
     const AllowedDifference allowed = reference::allowed_difference(frame);
     int differing = 0;
     for (std::size_t i = 0; i < driver.pixels.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "base/math/as_float.h"
 #include "judge/compare/departures.h"
 #include "judge/fuzz/random_states.h"
 #include "scene/state/frame.h"
@@ -73,7 +74,7 @@ class LightingState {
         // Numbers are rounded to floats, as the driver gets them.
         const std::vector<Parameter>& parameters = signature(id).parameters;
         if (!parameters.empty() && parameters.back().kind == Kind::kFloat) {
-            for (double& value : arguments) value = static_cast<double>(static_cast<float>(value));
+            for (double& value : arguments) value = as_float(value);
         }
         list_.commands.push_back({id, std::move(arguments), {}});
     }

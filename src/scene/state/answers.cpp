@@ -6,6 +6,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
+#include "base/math/as_float.h"
 #include "scene/state/pixel_unpacking.h"
 
 namespace twinlight {
@@ -362,7 +363,7 @@ Answer answer(const State& state, const Command& query) {
     for (double& value : values) {
         if (kind == Kind::kBoolean) value = value != 0 ? 1 : 0;
         if (kind == Kind::kInt) value = std::nearbyint(fraction ? (4294967295.0 * value - 1) / 2 : value);
-        if (kind == Kind::kFloat) value = static_cast<double>(static_cast<float>(value));
+        if (kind == Kind::kFloat) value = as_float(value);
     }
     return values;
 }

@@ -117,7 +117,7 @@ std::size_t State::vertex_bytes(std::size_t vertices, std::size_t indices) const
     const std::size_t further =
         open_ ? open_->further_units.size()
               : static_cast<std::size_t>(std::count_if(a_.units.begin() + 1, a_.units.end(), is_in_use));
-    return bytes_of_vertices(vertices, indices) + further * bytes_of_tex_coords(vertices);
+    return bytes_of_vertices(a_.raster, vertices, indices) + further * bytes_of_tex_coords(vertices);
 }
 
 bool State::has_time(const Command& command, double work) {
@@ -435,7 +435,8 @@ void State::drop_hidden() {
     item_bytes_ = 0;
     for (const FrameItem& item : items_)
         if (const Draw* draw = std::get_if<Draw>(&item))
-            item_bytes_ += bytes_of_draw() + bytes_of_vertices(draw->vertices.size(), draw->indices.size()) +
+            item_bytes_ += bytes_of_draw() +
+                           bytes_of_vertices(draw->raster, draw->vertices.size(), draw->indices.size()) +
                            draw->further_units.size() * bytes_of_tex_coords(draw->vertices.size());
     if (items_.size() == 1) unsupported_.clear();
 }
