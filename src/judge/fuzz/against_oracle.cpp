@@ -77,6 +77,7 @@ constexpr const char* kBorder = "a border";
 constexpr const char* kIllConditioned = "ill-conditioned";
 constexpr const char* kDenormals = "denormals";
 constexpr const char* kBeyond = "coordinates beyond a float";
+constexpr const char* kInterpolated = "a light nearer to a fragment than interpolation is exact";
 constexpr const char* kOpposite = "opposite directions to light and viewer";
 // 2.1.1 asks for colours up to 1024; a double's largest may be infinite when a long double is not.
 constexpr const char* kBeyondColors = "a colour beyond the largest float";
@@ -166,13 +167,14 @@ class Judged {
             const oracle::Colors& moved = colors_of(other.at(vertex), back);
             if (error_of(shown, moved) <= limits.bar) return {kBorder, error};
             if (is_beyond_colors(moved)) return {kBeyondColors, error};
+            // A light on the horizon may have a half vector or none.
+            if (other.at(vertex).shortest_half_vector < shortest_exact_half_vector(limits)) return {kOpposite, error};
         }
-        if (evaluated({}).at(vertex).shortest_half_vector < 8 * limits.cosines) return {kOpposite, error};
         constexpr double kOperations = 2, kLost = 0.01;  // beyond kLost no digit of the colour is known
         const double enough = std::min(error / kOperations, kLost);
         const double moved = moved_by_rounding(vertex, back, limits, unit_normals, enough);
         if (moved >= enough) return {kIllConditioned, error, moved / (kRoundings * limits.value_rounding)};
-        const std::string why = reason(vertex, type);
+        const std::string why = reason(vertex, type, unit_normals);
         return {why.empty() ? kWrong : why, error};
     }
 
@@ -195,6 +197,13 @@ class Judged {
             if (known == options) return vertices;
         evaluations_.push_back({options, oracle::light(*commands_, options)});
         return evaluations_.back().second;
+    }
+
+    // The cosine with a half vector of this length is off by `cosines` over the length, and its power by the exponent times that.
+    double shortest_exact_half_vector(const Limits& limits) const {
+        const LightingState& lighting = draw().lighting;
+        const double exponent = std::max({lighting.front.shininess, lighting.back.shininess, 1.0});
+        return std::max(8 * limits.cosines, limits.value_rounding * exponent / limits.bar);
     }
 
     static constexpr double kRoundings = 4;  // each value passes through some operations before it is used
@@ -221,10 +230,11 @@ class Judged {
     }
 
     // Why floats or doubles cannot give the answer, seen from the state; empty if they can.
-    std::string reason(std::size_t vertex, NumberType type) {
+    // `per_pixel`: coordinates were interpolated, so that not even equal ones agree.
+    std::string reason(std::size_t vertex, NumberType type, bool per_pixel) {
         const Limits limits = limits_of(type, strictness_);
         const oracle::Vertex& exact = evaluated({}).at(vertex);
-        bool beyond = false, denormal = false, wide = false, cancels = false;
+        bool beyond = false, denormal = false, wide = false, cancels = false, interpolated = false;
         const auto look_at = [&](const auto& v, double w) {
             for (int i = 0; i < 3; ++i) {
                 const double x = v[static_cast<std::size_t>(i)];
@@ -233,10 +243,15 @@ class Judged {
             }
             denormal |= is_denormal(w);
         };
+        const auto look_at_normal = [&](const glm::dvec3& n) {
+            for (int i = 0; i < 3; ++i) denormal |= is_denormal(n[i]);
+        };
         look_at(exact.position_eye, exact.position_eye[3]);
         const glm::dvec4& object = draw().vertices.at(vertex).position_object;
         look_at(std::array{object.x, object.y, object.z}, 1);
         denormal |= is_denormal(object.w);
+        look_at_normal(draw().vertices.at(vertex).normal_object);
+        look_at_normal(normal_matrix(glm::dmat3(draw().eye_from_object)) * draw().vertices.at(vertex).normal_object);
         for (int column = 0; column < 4; ++column)
             for (int row = 0; row < 3; ++row) {
                 const double element = draw().eye_from_object[column][row];
@@ -261,6 +276,7 @@ class Judged {
             }
             // The reference in floats starts from eye coordinates; all others take the difference in doubles, or of object coordinates.
             cancels |= distance > 0 && distance < (type == NumberType::kFloat ? 0x1p-16 : 0x1p-45) * size;
+            interpolated |= per_pixel && distance < 0x1p-18 * size;
             wide |= !(distance > 0x1p-8 * size) || !(size < 1e9) || !(size > 1e-9);
         }
         const LightingState& lighting = draw().lighting;
@@ -270,6 +286,7 @@ class Judged {
         if (type == NumberType::kFloat && !lighting.normalize && std::pow(normal, shininess) > 1e30)
             return "a power beyond the largest float";
         if (type == NumberType::kFloat && exact.position_eye[3] == 0) return "a vertex in a direction";
+        if (interpolated) return kInterpolated;
         if (cancels) return "a light and a vertex that nearly agree";
         if (beyond) return kBeyond;
         if (limits.flushes && denormal) return kDenormals;
@@ -457,7 +474,7 @@ class OracleRun {
     bool is_worse_than_fixed(Judged& scene, std::size_t vertex, bool back, bool unit_normals,
                              const std::string& verdict) {
         for (const char* decided_by_rounding :
-             {kBorder, kOpposite, kIllConditioned, kBeyondColors, kDenormals, kBeyond})
+             {kBorder, kOpposite, kIllConditioned, kBeyondColors, kDenormals, kBeyond, kInterpolated})
             if (verdict == decided_by_rounding) return false;
         if (verdict == kRight || is_failure(verdict)) return false;
         if (unit_normals && !scene.draw().lighting.normalize) return false;  // another equation

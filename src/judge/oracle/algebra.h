@@ -191,8 +191,16 @@ Number determinant(const Mat3<Number>& m, const Mat3<Number>& adjoint) {
     return m[0][0] * adjoint[0][0] + m[0][1] * adjoint[1][0] + m[0][2] * adjoint[2][0];
 }
 
+// A power of two near x > 0.
+inline Rough power_of_two_near(Rough x) {
+    int exponent = 0;
+    std::frexp(x, &exponent);
+    return std::ldexp(Rough(1), exponent);
+}
+
 // RULING: a matrix is singular if its rank is less than 3 for numbers of 21 bits, after its rows and columns are scaled (which
-// glScale does, and which loses no digits). 64 bits decide that well.
+// glScale does, and which loses no digits) by powers of two, so that the renderers agree about matrices at the border. 64 bits decide
+// that well.
 template <class Number>
 bool is_singular(const Mat3<Number>& matrix) {
     constexpr Rough kSingular = 0x1p21L;
@@ -204,12 +212,12 @@ bool is_singular(const Mat3<Number>& matrix) {
         for (Vec3<Rough>& row : m) {
             const Rough largest = std::max({abs(row[0]), abs(row[1]), abs(row[2])});
             if (largest == 0) return true;
-            row = times(1 / largest, row);
+            row = times(1 / power_of_two_near(largest), row);
         }
         for (std::size_t j = 0; j < 3; ++j) {
             const Rough largest = std::max({abs(m[0][j]), abs(m[1][j]), abs(m[2][j])});
             if (largest == 0) return true;
-            for (Vec3<Rough>& row : m) row[j] /= largest;
+            for (Vec3<Rough>& row : m) row[j] /= power_of_two_near(largest);
         }
     }
     const Mat3<Rough> adjoint = adjugate(m);

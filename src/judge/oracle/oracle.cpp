@@ -137,10 +137,11 @@ class Machine {
 
     Number spot(const Light& light, const Towards& vp) {
         if (light.cutoff_deg == 180) return 1;
-        const Number cosine = -dot(vp.dir, value(unit(light.spot_direction_eye)));
+        const Number cosine =
+            std::max(Number(-dot(vp.dir, value(unit(light.spot_direction_eye)))), Number(0));  // the circled dot
         const Number cos_cutoff = cleaned(cosine_of(light.cutoff_deg));
-        if (!reaches(cosine, cos_cutoff, 1, vp.uncertainty))
-            return 0;  // RULING: a cone of 90 degrees is dark behind the light
+        // Behind a cone of 90 degrees both are 0, whatever is rounded.
+        if (cos_cutoff > 0 && !reaches(cosine, cos_cutoff, 1, vp.uncertainty)) return 0;
         return power(cosine, light.exponent);
     }
 

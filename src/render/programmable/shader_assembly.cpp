@@ -427,6 +427,7 @@ class Assembler {
                         {"within_clip_planes", within_clip_planes},
                         {"texture_environment", texture_environment()}},
             .words = {{"POSITION", form_.position_w ? "a_position" : "vec4(a_position.xyz, 1.0)"},
+                      {"NEAR_VERTEX", form_.position_w ? "vec4" : "vec3"},
                       {"FOG_FACTOR", fog_factor()},
                       {"SAMPLER", one ? "sampler1D" : "sampler2D"},
                       {"DIVIDED_TYPE", one ? "float" : "vec2"},

@@ -87,6 +87,8 @@ struct LightSource {  // 2.14.2, table 2.10; GL_LIGHT0 has white diffuse and spe
     Illuminant diffuse_illuminant, specular_illuminant;
 
     friend bool operator==(const LightSource&, const LightSource&) = default;
+    // Whether spot_i (2.14.1) is less than 1 anywhere. A cosine that is clamped to 0 is never less than cos 90, and 0^0 is 1.
+    bool has_cone() const { return spot_cutoff_deg != 180 && (spot_cutoff_deg != 90 || spot_exponent != 0); }
     bool has_initial_attenuation() const {
         return constant_attenuation == 1 && linear_attenuation == 0 && quadratic_attenuation == 0;
     }

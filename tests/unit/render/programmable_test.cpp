@@ -192,6 +192,25 @@ TEST(Programmable, LightsTheAxisOfAConeOfNoWidthAndTheBorderOfOneOf90Degrees) {
     }
 }
 
+// 2.14.1 compares max(PV . s, 0) with cos 90.
+TEST(Programmable, LightsWhatIsBehindAConeOf90DegreesIfTheExponentIs0) {
+    for (const double w : {1, 0}) {
+        for (const double exponent : {0.0, 1.0}) {
+            LightingState lighting = spotlight(w);
+            LightSource& light = lighting.lights[0];
+            light.position_eye = {0.3, 0.7, 2, w};
+            light.spot_direction_eye = glm::dvec3(light.position_eye);
+            light.spot_cutoff_deg = 90;
+            light.spot_exponent = exponent;
+            const double green = color(point({0, 0, 0}, lighting)).g;
+            if (exponent == 0)
+                EXPECT_GT(green, 0.5);
+            else
+                EXPECT_EQ(green, 0);
+        }
+    }
+}
+
 TEST(Programmable, SoftensTheConeWhereThePragmaSaysSo) {
     for (const double w : {1, 0}) {
         LightingState lighting = spotlight(w);
