@@ -74,7 +74,6 @@ constexpr const char* kWrong = "wrong";
 constexpr const char* kNotFinite = "not finite";
 constexpr const char* kWorseThanFixed = "wrong where the fixed function is right";
 constexpr const char* kBorder = "a border";
-constexpr const char* kIllConditioned = "ill-conditioned";
 constexpr const char* kDenormals = "denormals";
 constexpr const char* kBeyond = "coordinates beyond a float";
 constexpr const char* kInterpolated = "a light nearer to a fragment than interpolation is exact";
