@@ -46,12 +46,13 @@ Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter)
     if (random.chance(0.06)) {
         const auto& names = gl_names();
         const Enum any = names[static_cast<std::size_t>(random.below(static_cast<int>(names.size())))].value;
-        // Of GL 3.0 and 3.1, and the parameters of textures whose values State does not look at.
+        // Of GL 3.0 to 3.3 (GL_SRC1_ALPHA is a factor of blending there), and the parameters of textures whose values
+        // State does not look at.
         const std::set<Enum> not_followed = {
             kGL_TEXTURE_3D,           kGL_TEXTURE_CUBE_MAP,          kGL_TEXTURE_RECTANGLE,
             kGL_FRAMEBUFFER_SRGB,     kGL_TEXTURE_CUBE_MAP_SEAMLESS, kGL_TEXTURE_COMPARE_MODE,
             kGL_TEXTURE_COMPARE_FUNC, kGL_DEPTH_TEXTURE_MODE,        kGL_TEXTURE_MAX_ANISOTROPY_EXT,
-            kGL_PRIMITIVE_RESTART,    kGL_RASTERIZER_DISCARD};
+            kGL_PRIMITIVE_RESTART,    kGL_RASTERIZER_DISCARD,        kGL_SRC1_ALPHA};
         return not_followed.contains(any) ? kGL_NONE : any;
     }
     const std::vector<Enum> faces = {kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK};
@@ -141,7 +142,27 @@ Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter)
 double random_name(fuzz::Random& random, Enum pname) {
     switch (pname) {
         case kGL_FOG_MODE: return one_of(random, {kGL_LINEAR, kGL_EXP, kGL_EXP2});
-        case kGL_TEXTURE_ENV_MODE: return one_of(random, {kGL_MODULATE, kGL_DECAL, kGL_REPLACE, kGL_BLEND, kGL_ADD});
+        case kGL_TEXTURE_ENV_MODE:
+            return one_of(random, {kGL_MODULATE, kGL_DECAL, kGL_REPLACE, kGL_BLEND, kGL_ADD, kGL_COMBINE});
+        case kGL_COMBINE_RGB:
+        case kGL_COMBINE_ALPHA:
+            return one_of(random, {kGL_REPLACE, kGL_MODULATE, kGL_ADD, kGL_ADD_SIGNED, kGL_INTERPOLATE, kGL_SUBTRACT,
+                                   kGL_DOT3_RGB, kGL_DOT3_RGBA});
+        case kGL_SRC0_RGB:
+        case kGL_SRC1_RGB:
+        case kGL_SRC2_RGB:
+        case kGL_SRC0_ALPHA:
+        case kGL_SRC1_ALPHA:
+        case kGL_SRC2_ALPHA:
+            return one_of(random, {kGL_TEXTURE, kGL_TEXTURE0, kGL_TEXTURE7, kGL_CONSTANT, kGL_PRIMARY_COLOR,
+                                   kGL_PREVIOUS, kGL_REPEAT});
+        case kGL_OPERAND0_RGB:
+        case kGL_OPERAND1_RGB:
+        case kGL_OPERAND2_RGB:
+        case kGL_OPERAND0_ALPHA:
+        case kGL_OPERAND1_ALPHA:
+        case kGL_OPERAND2_ALPHA:
+            return one_of(random, {kGL_SRC_COLOR, kGL_ONE_MINUS_SRC_COLOR, kGL_SRC_ALPHA, kGL_ONE_MINUS_SRC_ALPHA});
         case kGL_TEXTURE_MIN_FILTER: return one_of(random, {kGL_NEAREST, kGL_LINEAR, kGL_LINEAR_MIPMAP_LINEAR});
         case kGL_TEXTURE_MAG_FILTER: return one_of(random, {kGL_NEAREST, kGL_LINEAR, kGL_NEAREST_MIPMAP_NEAREST});
         case kGL_LIGHT_MODEL_COLOR_CONTROL: return one_of(random, {kGL_SINGLE_COLOR, kGL_SEPARATE_SPECULAR_COLOR});
@@ -284,13 +305,20 @@ bool is_departure(const Command& command, const State& state) {
     if (changes_color && state.lighting().color_material.enabled) return true;
     // 2.7: glTexCoord1 to 3 set the others to 0, 0, 1, and glColor3 sets alpha to 1; the driver may keep what was
     // there.
-    const std::vector<double> coords = answer(state, kGL_CURRENT_TEXTURE_COORDS);
-    const bool plain = coords == std::vector<double>{coords.empty() ? 0 : coords[0], 0, 0, 1};
-    if (name.starts_with("glTexCoord") && name[10] != '4' && !plain) return true;
+    const auto is_plain = [&](std::size_t unit) {
+        const glm::dvec4& coords = state.attributes().tex_coord(unit);
+        return coords == glm::dvec4(coords.s, 0, 0, 1);
+    };
+    if (name.starts_with("glTexCoord") && name[10] != '4' && !is_plain(0)) return true;
     // 2.5: GL_INVALID_ENUM; the driver takes the lowest three bits of whatever it is given for the unit.
     const auto is_far_unit = [](Enum unit) { return unit < kGL_TEXTURE0 || unit >= kGL_TEXTURE0 + kMaxTextureUnits; };
     const bool is_multi = name.starts_with("glMultiTexCoord");
-    if (is_multi && (is_far_unit(command.enumerant(0)) || (name[15] != '4' && !plain))) return true;
+    if (is_multi &&
+        (is_far_unit(command.enumerant(0)) || (name[15] != '4' && !is_plain(command.enumerant(0) - kGL_TEXTURE0))))
+        return true;
+    // The driver has ATI_texture_env_combine3, where GL_ZERO and GL_ONE are sources of GL_COMBINE.
+    const bool is_environment = name.starts_with("glTexEnv") && command.arguments.size() > 2;
+    if (is_environment && enum_name(command.enumerant(1)).starts_with("GL_SRC") && command.number(2) < 2) return true;
     // 5.2: without a buffer the mode stays; the driver raises the error and changes it.
     if (command.id == CommandId::glRenderMode && command.enumerant(0) != kGL_RENDER) return true;
     // 6.2: glPopAttrib restores them, but not in the driver.

@@ -91,7 +91,7 @@ TEST(TexGenMatchesDriver, InFloatsOverRandomStates) {
         for (std::size_t n = 0; n < vertices.size(); ++n) {
             constexpr double kMatrix =
                 32 * 0x1p-24;  // the product with the texture matrix, and the commands that make it
-            const double error = reference::generated_error(draw, draw.vertices[n], vertices[n]);
+            const double error = reference::generated_error(draw, draw.texture, draw.vertices[n], vertices[n]);
             for (int i = 0; i < 4; ++i)
                 EXPECT_NEAR(driver[n].tex_coord[i], vertices[n].tex_coord[i], error + kMatrix * (1 + 20))
                     << n << "strq"[i];

@@ -7,6 +7,7 @@
 
 #include "app/session/argument_places.h"
 #include "scene/command/memory.h"
+#include "scene/state/answers.h"
 #include "scene/state/state.h"
 
 namespace twinlight::session {
@@ -91,7 +92,7 @@ std::vector<double> initial_parameter(const Command& command, Owner owner, Enum 
                 default: return one(0);
             }
         }
-        case Owner::kTexEnv: return pname == kGL_TEXTURE_ENV_COLOR ? std::vector<double>(4, 0.0) : one(kGL_MODULATE);
+        case Owner::kTexEnv: return tex_env_answer(fresh, kGL_TEXTURE_ENV, pname);
         case Owner::kTexGen: {
             const bool is_known = command.enumerant(0) >= kGL_S && command.enumerant(0) <= kGL_Q;
             const TexGen gen = TextureBindings{}.tex_gen[is_known ? command.enumerant(0) - kGL_S : 0];

@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "judge/compare/departure_rules.h"
+#include "render/reference/tex_gen.h"
 #include "render/reference/vertex_stage.h"
 
 namespace twinlight::compare {
@@ -85,10 +86,16 @@ bool has_faces_in_stencil_of_borders(const Draw& draw) {
 
 bool has_wide_lines(const Draw& draw) { return draw.draws_lines() && draw.raster.line_width > 1; }
 
+template <class Holds>
+bool any_unit(const Draw& draw, const Holds& holds) {
+    bool any = false;
+    draw.for_each_unit([&](std::size_t, const TextureUnit& unit) { any = any || holds(unit); });
+    return any;
+}
+
 // A texture that uses the level of detail: with mipmaps, or with two different filters.
 bool has_level_of_detail(const Draw& draw) {
-    const Texture* texture = draw.texture.texture.get();
-    return texture && texture->min_filter != texture->mag_filter;
+    return any_unit(draw, [](const TextureUnit& unit) { return unit.texture->min_filter != unit.texture->mag_filter; });
 }
 
 bool has_edge_flags_in_strip(const Draw& draw) {
@@ -134,15 +141,22 @@ bool offsets_borders_out_of_range(const Draw& draw) {
 }
 
 bool has_no_q(const Draw& draw, const Vertex& vertex) {
-    if (!draw.texture.texture) return false;
-    if (draw.texture.generated.empty()) return (draw.texture.texture_matrix * vertex.tex_coord).w <= 1e-6;
-    return reference::vertex_stage(draw, {&vertex, 1}).front().tex_coord.w <= 1e-6;
+    const reference::StageVertex staged = reference::vertex_stage(draw, {&vertex, 1}).front();
+    const std::size_t number = static_cast<std::size_t>(&vertex - draw.vertices.data());  // if it is one of the Draw's
+    bool any = draw.texture.texture && staged.tex_coord.w <= 1e-6;
+    for (const FurtherUnit& further : draw.further_units) {
+        const glm::dvec4 own = number < further.tex_coords.size() ? further.tex_coords[number] : vertex.tex_coord;
+        const glm::dvec4 generated =
+            reference::generated_tex_coord(further.unit, vertex, own, staged.position_eye, staged.normal_eye);
+        any = any || (further.unit.texture_matrix * generated).w <= 1e-6;
+    }
+    return any;
 }
 
 bool has_wide_points(const Draw& draw) { return draw.draws_points() && draw.raster.point_size > 1; }
 
 bool biases_level_of_points(const Draw& draw) {
-    return draw.draws_points() && draw.texture.texture && draw.texture.lod_bias > 0;
+    return draw.draws_points() && any_unit(draw, [](const TextureUnit& unit) { return unit.lod_bias > 0; });
 }
 
 bool adds_secondary_color_in_fog(const Draw& draw) {
@@ -164,11 +178,14 @@ bool has_exponential_fog_behind_the_eye(const Draw& draw) {
 }
 
 bool clamps_between_nearest_and_linear(const Draw& draw) {
-    const Texture* texture = draw.texture.texture.get();
-    if (!texture || (texture->wrap_s != kGL_CLAMP && texture->wrap_t != kGL_CLAMP)) return false;
-    const bool min_nearest = texture->min_filter == kGL_NEAREST || texture->min_filter == kGL_NEAREST_MIPMAP_NEAREST ||
-                             texture->min_filter == kGL_NEAREST_MIPMAP_LINEAR;
-    return min_nearest != (texture->mag_filter == kGL_NEAREST);
+    return any_unit(draw, [](const TextureUnit& unit) {
+        const Texture& texture = *unit.texture;
+        if (texture.wrap_s != kGL_CLAMP && texture.wrap_t != kGL_CLAMP) return false;
+        const bool min_nearest = texture.min_filter == kGL_NEAREST ||
+                                 texture.min_filter == kGL_NEAREST_MIPMAP_NEAREST ||
+                                 texture.min_filter == kGL_NEAREST_MIPMAP_LINEAR;
+        return min_nearest != (texture.mag_filter == kGL_NEAREST);
+    });
 }
 
 }  // namespace twinlight::compare

@@ -1,7 +1,6 @@
 #include "judge/compare/missing.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,15 +10,11 @@ namespace twinlight::compare {
 
 namespace {
 
-// Commands of one kind: "glEnable(GL_FOG)", "glTexParameter(GL_TEXTURE_LOD_BIAS)" with any type, "glEvalMesh2",
-// "texture unit 1".
+// Commands of one kind: "glEnable(GL_FOG)", "glTexParameter(GL_TEXTURE_LOD_BIAS)" with any type, "glEvalMesh2".
 struct NamedCommands {
-    std::string function;       // without its type
-    std::vector<Enum> values;   // each of them is an argument
-    std::optional<int> unit{};  // glEnable of a texture of this unit
+    std::string function;      // without its type
+    std::vector<Enum> values;  // each of them is an argument
 };
-
-constexpr std::string_view kUnit = "texture unit ";
 
 // The names in "(GL_FOG_COORD_SRC, GL_FOG_COORD)"; nullopt if one is unknown.
 std::optional<std::vector<Enum>> values_in(std::string_view list) {
@@ -36,16 +31,10 @@ std::optional<std::vector<Enum>> values_in(std::string_view list) {
 }
 
 std::optional<NamedCommands> kind_of(std::string_view name) {
-    if (name.starts_with(kUnit)) {
-        int unit = 0;
-        const char* const end = name.data() + name.size();
-        const auto [after, error] = std::from_chars(name.data() + kUnit.size(), end, unit);
-        if (error != std::errc() || after != end) return std::nullopt;
-        return NamedCommands{"glEnable", {}, unit};
-    }
     const std::size_t bracket = std::min(name.find('('), name.size());
     const std::string_view function = name.substr(0, bracket);
-    // The other renderers do not ignore these: a copied image is black there, and GL_COMBINE gives the colour.
+    // The other renderers do not ignore these: a copied image is black there, and so is a texel of GL_COMBINE that comes
+    // from a unit without a texture.
     if (function.starts_with("glCopyTexImage") || function.starts_with("glTexEnv")) return std::nullopt;
     const bool is_command = function.starts_with("gl") && function.find(' ') == std::string_view::npos;
     const bool is_closed = bracket == name.size() || name.ends_with(')');
@@ -67,26 +56,19 @@ class Without final : public Recording {
         : Recording(whole->name), whole_(std::move(whole)), kinds_(std::move(kinds)) {}
 
     void for_each(const std::function<bool(const Step&)>& visit) const override {
-        int unit = 0;
         whole_->for_each([&](const Step& step) {
             if (step.kind != Step::Kind::kCommand) return visit(step);
-            if (step.command.id == CommandId::glActiveTexture)
-                unit = static_cast<int>(step.command.number(0)) - static_cast<int>(kGL_TEXTURE0);
-            return is_left_out(step.command, unit) || visit(step);
+            return is_left_out(step.command) || visit(step);
         });
     }
 
   private:
-    bool is_left_out(const Command& command, int unit) const {
+    bool is_left_out(const Command& command) const {
         const auto has = [&](Enum value) {
             return std::ranges::find(command.arguments, static_cast<double>(value)) != command.arguments.end();
         };
-        const auto is_texture = [&] {
-            return has(kGL_TEXTURE_1D) || has(kGL_TEXTURE_2D) || has(kGL_TEXTURE_3D) || has(kGL_TEXTURE_CUBE_MAP);
-        };
         return std::ranges::any_of(kinds_, [&](const NamedCommands& kind) {
-            if (!is_named(command.name(), kind.function)) return false;
-            return kind.unit ? kind.unit == unit && is_texture() : std::ranges::all_of(kind.values, has);
+            return is_named(command.name(), kind.function) && std::ranges::all_of(kind.values, has);
         });
     }
 

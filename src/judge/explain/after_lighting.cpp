@@ -1,6 +1,8 @@
 // What happens to a lit colour before the per-fragment operations, with its numbers: texture, colour sum, fog.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "judge/explain/derivation_light.h"
@@ -59,11 +61,11 @@ Lines coordinates_lines(const TextureSteps& steps, const TextureUnit& unit, bool
     return lines;
 }
 
-Lines level_of_detail_lines(const TextureSteps& steps, const Draw& draw) {
-    const double bias = draw.texture.lod_bias;
+Lines level_of_detail_lines(const TextureSteps& steps, const TextureUnit& unit) {
+    const double bias = unit.lod_bias;
     std::string how = "log2(rho)";
     if (bias != 0) how += fmt::format(" + {:.5g}, GL_TEXTURE_LOD_BIAS", bias);
-    const Texture& texture = *draw.texture.texture;
+    const Texture& texture = *unit.texture;
     if (steps.lambda == texture.min_lod) how += fmt::format(", at least {:.5g}, GL_TEXTURE_MIN_LOD", texture.min_lod);
     if (steps.lambda == texture.max_lod) how += fmt::format(", at most {:.5g}, GL_TEXTURE_MAX_LOD", texture.max_lod);
     const double limit = reference::magnification_limit(texture);
@@ -90,18 +92,62 @@ Lines texels_lines(const TextureSteps& steps, const Texture& texture) {
     return lines;
 }
 
-Lines texture_lines(const ColorSteps& of, const TextureSteps& steps, const Draw& draw, bool is_exact) {
-    const TextureUnit& unit = draw.texture;
+const TextureUnit& unit_of(const TextureSteps& steps, const Draw& draw) {
+    const auto further = std::ranges::find(draw.further_units, steps.unit, &FurtherUnit::number);
+    return further == draw.further_units.end() ? draw.texture : further->unit;
+}
+
+// "A B" of GL_MODULATE; the arguments with their sources and operands.
+std::string combine_formula(Enum function, const std::array<Enum, 3>& sources, const std::array<Enum, 3>& operands) {
+    const auto argument = [&](std::size_t i) {
+        const bool is_rest = operands[i] == kGL_ONE_MINUS_SRC_COLOR || operands[i] == kGL_ONE_MINUS_SRC_ALPHA;
+        const bool is_alpha = operands[i] == kGL_SRC_ALPHA || operands[i] == kGL_ONE_MINUS_SRC_ALPHA;
+        std::string name = enum_name(sources[i]).substr(3);
+        if (is_alpha) name += ".a";
+        return is_rest ? fmt::format("(1 - {})", name) : name;
+    };
+    switch (function) {
+        case kGL_REPLACE: return argument(0);
+        case kGL_MODULATE: return fmt::format("{} x {}", argument(0), argument(1));
+        case kGL_ADD: return fmt::format("{} + {}", argument(0), argument(1));
+        case kGL_ADD_SIGNED: return fmt::format("{} + {} - 1/2", argument(0), argument(1));
+        case kGL_INTERPOLATE: return fmt::format("{0} x {2} + {1} x (1 - {2})", argument(0), argument(1), argument(2));
+        case kGL_SUBTRACT: return fmt::format("{} - {}", argument(0), argument(1));
+        default:
+            return fmt::format("4 ({} - 1/2) . ({} - 1/2)", argument(0), argument(1));  // GL_DOT3_RGB, GL_DOT3_RGBA
+    }
+}
+
+// GL_COMBINE (3.8.13, tables 3.24 and 3.25).
+Lines combine_lines(const TextureSteps& steps, const TextureUnit& unit) {
+    const Combine& combine = unit.combine;
+    const auto formula = [](int scale, const std::string& text) {
+        return fmt::format("GL_COMBINE: {}, clamped to [0, 1]",
+                           scale == 1 ? text : fmt::format("{} ({})", scale, text));
+    };
+    const std::string rgb = combine_formula(combine.rgb, combine.rgb_sources, combine.rgb_operands);
+    const std::string alpha =
+        combine.gives_alpha() ? rgb : combine_formula(combine.alpha, combine.alpha_sources, combine.alpha_operands);
+    return color_line("C_v", formula(combine.rgb_scale, rgb), rgb_of(steps.result)) +
+           line("A_v", fmt::format("{:.5g}", steps.result.a), formula(combine.alpha_scale, alpha));
+}
+
+Lines texture_lines(const TextureSteps& steps, const Draw& draw, bool is_exact) {
+    const TextureUnit& unit = unit_of(steps, draw);
     const Enum format = unit.texture->levels[0].base_format;
     const EnvironmentFormulas formulas = environment_formulas(unit.env_mode, format);
-    Lines lines = head("texture (3.8)") + coordinates_lines(steps, draw.texture, is_exact) +
-                  level_of_detail_lines(steps, draw) + texels_lines(steps, *unit.texture);
+    const std::string name =
+        draw.combines_textures() ? fmt::format("texture unit {} (3.8)", steps.unit) : "texture (3.8)";
+    Lines lines = head(name) + coordinates_lines(steps, unit, is_exact) + level_of_detail_lines(steps, unit) +
+                  texels_lines(steps, *unit.texture);
     lines += color_line("C_s", fmt::format("the sum of weight times texel; A_s is {:.5g}", steps.texel.a),
                         rgb_of(steps.texel));
-    lines += color_line("C_f", fmt::format("the colour so far; A_f is {:.5g}", of.primary.a), rgb_of(of.primary));
-    if (unit.env_mode == kGL_BLEND)
+    lines +=
+        color_line("C_f", fmt::format("the colour so far; A_f is {:.5g}", steps.fragment.a), rgb_of(steps.fragment));
+    if (unit.env_mode == kGL_BLEND || unit.env_mode == kGL_COMBINE)
         lines += color_line("C_c", fmt::format("GL_TEXTURE_ENV_COLOR; A_c is {:.5g}", clamped_rgba(unit.env_color).a),
                             rgb_of(clamped_rgba(unit.env_color)));
+    if (unit.env_mode == kGL_COMBINE) return lines + combine_lines(steps, unit);
     lines += color_line("C_v", fmt::format("{} of {}: {}", enum_name(unit.env_mode), enum_name(format), formulas.color),
                         rgb_of(steps.result));
     return lines + line("A_v", fmt::format("{:.5g}", steps.result.a), formulas.alpha);
@@ -139,10 +185,11 @@ Lines fog_lines(const ColorSteps& of, const FogSteps& steps, const Fog& fog) {
 
 Lines after_lighting_lines(const ColorSteps& steps, const Draw& draw, bool is_exact) {
     Lines lines;
-    if (steps.texture) lines += texture_lines(steps, *steps.texture, draw, is_exact);
+    for (const TextureSteps& texture : steps.textures) lines += texture_lines(texture, draw, is_exact);
     if (draw.lighting.enabled && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR) {
         lines += head("colour sum (3.9)") +
-                 color_line("", "the colour so far", rgb_of(steps.texture ? steps.texture->result : steps.primary)) +
+                 color_line("", "the colour so far",
+                            rgb_of(steps.textures.empty() ? steps.primary : steps.textures.back().result)) +
                  color_line("c_sec", "the mean of the secondary colours", rgb_of(steps.secondary)) +
                  color_line("sum", "clamped to [0, 1]", rgb_of(steps.sum));
     }
@@ -154,8 +201,24 @@ namespace {
 
 Json rgba_json(const glm::dvec4& c) { return {c.r, c.g, c.b, c.a}; }
 
-Json texture_json(const ColorSteps& of, const TextureSteps& steps, const Draw& draw) {
-    const TextureUnit& unit = draw.texture;
+Json combine_json(const Combine& combine) {
+    const auto names = [](const std::array<Enum, 3>& of) {
+        Json list = Json::array();
+        for (const Enum name : of) list.push_back(enum_name(name));
+        return list;
+    };
+    return {{"rgb", enum_name(combine.rgb)},
+            {"rgb_sources", names(combine.rgb_sources)},
+            {"rgb_operands", names(combine.rgb_operands)},
+            {"rgb_scale", combine.rgb_scale},
+            {"alpha", enum_name(combine.alpha)},
+            {"alpha_sources", names(combine.alpha_sources)},
+            {"alpha_operands", names(combine.alpha_operands)},
+            {"alpha_scale", combine.alpha_scale}};
+}
+
+Json texture_json(const TextureSteps& steps, const Draw& draw) {
+    const TextureUnit& unit = unit_of(steps, draw);
     Json json = {{"target", enum_name(unit.texture->target)},
                  {"coordinates", rgba_json(steps.coordinates)},
                  {"st", {steps.st.x, steps.st.y}},
@@ -184,7 +247,8 @@ Json texture_json(const ColorSteps& of, const TextureSteps& steps, const Draw& d
     json["format"] = enum_name(unit.texture->levels[0].base_format);
     json["environment"] = enum_name(unit.env_mode);
     json["environment_color"] = rgba_json(clamped_rgba(unit.env_color));
-    json["fragment"] = rgba_json(of.primary);
+    if (unit.env_mode == kGL_COMBINE) json["combine"] = combine_json(unit.combine);
+    json["fragment"] = rgba_json(steps.fragment);
     json["result"] = rgba_json(steps.result);
     return json;
 }
@@ -205,7 +269,14 @@ Json fog_json(const ColorSteps& of, const FogSteps& steps, const Fog& fog) {
 }  // namespace
 
 void add_after_lighting(const ColorSteps& steps, const Draw& draw, Json& json) {
-    if (steps.texture) json["texture"] = texture_json(steps, *steps.texture, draw);
+    if (!steps.textures.empty() && !draw.combines_textures())
+        json["texture"] = texture_json(steps.textures.front(), draw);
+    for (const TextureSteps& texture : steps.textures) {
+        if (!draw.combines_textures()) break;
+        Json unit = texture_json(texture, draw);
+        unit["unit"] = texture.unit;
+        json["texture_units"].push_back(unit);
+    }
     if (steps.fog) json["fog"] = fog_json(steps, *steps.fog, draw.fog);
 }
 

@@ -117,7 +117,10 @@ std::string pictures_text(const std::vector<Rendered>& pictures, bool variants) 
 
 std::string steps_after_lighting(const PixelFragment& fragment, const Draw& draw, bool lecture_variants) {
     std::vector<std::string> steps = {"clamping"};
-    if (draw.texture.texture) steps.emplace_back("texture (3.8)");
+    if (draw.combines_textures())
+        steps.emplace_back("textures (3.8)");
+    else if (draw.texture.texture)
+        steps.emplace_back("texture (3.8)");
     if (fragment.is_lit && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
         steps.emplace_back("colour sum (3.9)");
     if (draw.fog.enabled) steps.emplace_back("fog (3.10)");

@@ -76,6 +76,7 @@ constexpr const char* kWorseThanFixed = "wrong where the fixed function is right
 constexpr const char* kBorder = "a border";
 constexpr const char* kDenormals = "denormals";
 constexpr const char* kBeyond = "coordinates beyond a float";
+constexpr const char* kNearlyAgree = "a light and a vertex that nearly agree";
 constexpr const char* kInterpolated = "a light nearer to a fragment than interpolation is exact";
 constexpr const char* kOpposite = "opposite directions to light and viewer";
 // 2.1.1 asks for colours up to 1024; a double's largest may be infinite when a long double is not.
@@ -288,7 +289,7 @@ class Judged {
             return "a power beyond the largest float";
         if (type == NumberType::kFloat && exact.position_eye[3] == 0) return "a vertex in a direction";
         if (interpolated) return kInterpolated;
-        if (cancels) return "a light and a vertex that nearly agree";
+        if (cancels) return kNearlyAgree;
         if (beyond) return kBeyond;
         if (limits.flushes && denormal) return kDenormals;
         if (type == NumberType::kShaderFloat && !keeps_w(programmable::keeping_w(draw().eye_from_object)) &&
@@ -475,7 +476,7 @@ class OracleRun {
     bool is_worse_than_fixed(Judged& scene, std::size_t vertex, bool back, bool unit_normals,
                              const std::string& verdict) {
         for (const char* decided_by_rounding :
-             {kBorder, kOpposite, kIllConditioned, kBeyondColors, kDenormals, kBeyond, kInterpolated})
+             {kBorder, kOpposite, kIllConditioned, kBeyondColors, kDenormals, kBeyond, kInterpolated, kNearlyAgree})
             if (verdict == decided_by_rounding) return false;
         if (verdict == kRight || is_failure(verdict)) return false;
         if (unit_normals && !scene.draw().lighting.normalize) return false;  // another equation

@@ -18,6 +18,8 @@ class Builder {
           generated_(~seed.structure),
           random_(seed.values),
           levels_(seed.structure + 1),
+          units_(seed.structure + 2),
+          unit_values_(~seed.values),
           departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
@@ -33,6 +35,7 @@ class Builder {
                                  shows("glTexCoord1 to 3 after glTexCoord4") || shows("level of detail of points") ||
                                  shows("GL_GENERATE_MIPMAP after glPopAttrib");
         if (of_textures || (structure_.chance(0.7) && !shows("the colour sum in fog"))) texture();
+        if (departure_.empty() && units_.chance(0.25)) further_units();
         add("glMatrixMode(GL_MODELVIEW);");
         if (shows("the colour sum in fog") || shows("fog of a vertex whose w is not 1") || reaches_behind() ||
             structure_.chance(0.4))
@@ -155,6 +158,72 @@ class Builder {
                 random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(0, 360));
         add("glEnable({});", target);
         if (departure_.empty() && generated_.chance(0.2)) generated();
+    }
+
+    // One to three texture units above unit 0, which may have no texture.
+    void further_units() {
+        const int count = 1 + units_.below(3);
+        for (int unit = 1; unit <= count; ++unit) further_units_.push_back(unit + units_.below(2) * (unit == count));
+        if (units_.chance(0.3)) combine(0);
+        for (const int unit : further_units_) {
+            add("glActiveTexture(GL_TEXTURE{0}); glBindTexture(GL_TEXTURE_2D, {1});", unit, 10 + unit);
+            const int width = 1 << units_.below(4), height = 1 << units_.below(4);
+            std::string texels;
+            for (int i = 0; i < width * height * 4; ++i)
+                texels += fmt::format("{}{}", i ? "," : "", unit_values_.below(256));
+            add("GLubyte image{}[] = {{{}}};", unit, texels);
+            const char* const formats[] = {"GL_ALPHA", "GL_LUMINANCE", "GL_LUMINANCE_ALPHA", "GL_INTENSITY", "GL_RGB",
+                                           "GL_RGBA",  "GL_RGBA"};
+            add("glTexImage2D(GL_TEXTURE_2D, 0, {}, {}, {}, 0, GL_RGBA, GL_UNSIGNED_BYTE, image{});",
+                formats[units_.below(7)], width, height, unit);
+            const char* filter = units_.chance(0.4) ? "GL_NEAREST" : "GL_LINEAR";
+            add("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, {0}); "
+                "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, {0});",
+                filter);
+            const char* const wraps[] = {"GL_REPEAT", "GL_CLAMP", "GL_CLAMP_TO_EDGE", "GL_CLAMP_TO_BORDER"};
+            add("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, {});", wraps[units_.below(4)]);
+            if (units_.chance(0.5)) {
+                combine(unit);
+            } else {
+                const char* const modes[] = {"GL_MODULATE", "GL_REPLACE", "GL_DECAL", "GL_BLEND", "GL_ADD"};
+                add("glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, {});", modes[units_.below(5)]);
+            }
+            add("glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, (GLfloat[]){{{:.4f}, {:.4f}, {:.4f}, {:.4f}}});",
+                unit_values_.uniform(0, 1), unit_values_.uniform(0, 1), unit_values_.uniform(0, 1),
+                unit_values_.uniform(0, 1));
+            if (units_.chance(0.2))
+                add("glMatrixMode(GL_TEXTURE); glRotatef({:.1f}, 0, 0, 1); glScalef({:.3f}, 1, 1);",
+                    unit_values_.uniform(0, 360), unit_values_.uniform(0.5, 2));
+            if (units_.chance(0.2))
+                add("glTexGeni(GL_S, GL_TEXTURE_GEN_MODE, {}); glEnable(GL_TEXTURE_GEN_S);",
+                    units_.chance(0.5) ? "GL_OBJECT_LINEAR" : "GL_EYE_LINEAR");
+            add("glEnable(GL_TEXTURE_2D);");
+        }
+        add("glActiveTexture(GL_TEXTURE0);");
+    }
+
+    // GL_COMBINE of the active unit. It reads no unit that may lack a texture.
+    void combine(int unit) {
+        add("glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);");
+        const char* const functions[] = {"GL_REPLACE",     "GL_MODULATE", "GL_ADD",      "GL_ADD_SIGNED",
+                                         "GL_INTERPOLATE", "GL_SUBTRACT", "GL_DOT3_RGB", "GL_DOT3_RGBA"};
+        add("glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, {});", functions[units_.below(8)]);
+        add("glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, {});", functions[units_.below(6)]);
+        for (const std::string channel : {"RGB", "ALPHA"}) {
+            for (int i = 0; i < 3; ++i) {
+                const char* const sources[] = {"GL_TEXTURE", "GL_PREVIOUS", "GL_CONSTANT", "GL_PRIMARY_COLOR"};
+                std::string source = sources[units_.below(4)];
+                if (unit > 0 && units_.chance(0.25))
+                    source = fmt::format("GL_TEXTURE{}", further_units_[static_cast<std::size_t>(
+                                                             units_.below(static_cast<int>(further_units_.size())))]);
+                add("glTexEnvi(GL_TEXTURE_ENV, GL_SRC{}_{}, {});", i, channel, source);
+                const char* const operands[] = {"GL_SRC_ALPHA", "GL_ONE_MINUS_SRC_ALPHA", "GL_SRC_COLOR",
+                                                "GL_ONE_MINUS_SRC_COLOR"};
+                add("glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND{}_{}, {});", i, channel,
+                    operands[units_.below(channel == "RGB" ? 4 : 2)]);
+            }
+            if (units_.chance(0.3)) add("glTexEnvi(GL_TEXTURE_ENV, GL_{}_SCALE, {});", channel, 1 << units_.below(3));
+        }
     }
 
     // Texture coordinates that GL generates. The eye planes depend on the modelview matrix.
@@ -418,6 +487,10 @@ class Builder {
     // attributes".
     std::string attributes(bool first, bool flags) {
         std::string text;
+        for (const int unit : further_units_)
+            text += fmt::format("glMultiTexCoord4f(GL_TEXTURE{}, {:.4f}, {:.4f}, 0, {:.4f});\n", unit,
+                                unit_values_.uniform(-1.5, 1.5), unit_values_.uniform(-1.5, 1.5),
+                                projective_ ? unit_values_.uniform(0.5, 2) : 1);
         if (materials_ && (first || random_.chance(0.5)))
             text += fmt::format("glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, {});\n", vector());
         if (first || (flags && random_.chance(shows("edge flags of strips and fans") ? 0.5 : 0.1)))
@@ -501,7 +574,8 @@ class Builder {
 
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
-    Random structure_, generated_, random_, levels_;
+    Random structure_, generated_, random_, levels_, units_, unit_values_;
+    std::vector<int> further_units_;  // the numbers of those with a texture
     std::string_view departure_;
     bool lit_ = false;
     std::string text_;

@@ -283,7 +283,7 @@ class TextureReplacesLight : public Watch {
     void drawn(const Draw& draw, const State&) override {
         if (enabled_lights(draw).empty() || !draw.texture.texture || draw.texture.texture->levels.empty()) return;
         const Enum format = draw.texture.texture->levels[0].base_format;
-        if (draw.texture.env_mode != kGL_REPLACE || format == kGL_ALPHA) return;
+        if (draw.texture.env_mode != kGL_REPLACE || format == kGL_ALPHA || draw.combines_textures()) return;
         warn(
             {.place = draw.place,
              .message = "lighting has no effect on this object: its texture replaces the lit colour (GL_REPLACE)",

@@ -57,6 +57,7 @@ const char* name_of(TextureEnvironment environment) {
         case TextureEnvironment::kReplace: return "replace";
         case TextureEnvironment::kBlend: return "blend";
         case TextureEnvironment::kAdd: return "add";
+        case TextureEnvironment::kCombine: return "combine";
     }
     return "";
 }
@@ -129,6 +130,8 @@ std::string describe(const EffectSet& effects) {
     for (std::size_t i = 0; i < effects.lights.size(); ++i)
         add(true, fmt::format("light {}: {}", i, describe(effects.lights[i])));
     add(effects.has_texture(), describe(effects.texture));
+    for (const UnitEffects& unit : effects.units)
+        add(true, fmt::format("texture unit {}: {}", unit.number, describe(unit.texture)));
     add(effects.fog == FogEffect::kLinear, "linear fog");
     add(effects.fog == FogEffect::kExp, "exponential fog");
     add(effects.fog == FogEffect::kExp2, "squared exponential fog");

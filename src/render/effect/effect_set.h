@@ -32,6 +32,11 @@
 //   texture.generated_normal                 a coordinate is generated from the normal
 //   texture.generated_w                      a coordinate is generated from the direction to the vertex
 //   texture.environment kDecal               the texels are kColorAndAlpha; with kColor it becomes kReplace
+//   texture.environment kCombine             only in `units`
+//   texture                                  no units: the Draw has one texture and no GL_COMBINE
+//   units[i]                                 the unit changes the colour, or GL_COMBINE of another unit reads its texture
+//   units[i].texture                         as texture; the environment may be kNone
+//   units[i].combine                         the environment is kCombine; what its functions do not read is initial
 //
 // NOLINT below: clang-tidy takes a defaulted <=> for a null pointer.
 #pragma once
@@ -97,7 +102,7 @@ struct FaceEffects {
 };
 
 // How the fragment's colour and the texel are combined (3.8.13).
-enum class TextureEnvironment : std::uint8_t { kNone, kModulate, kDecal, kReplace, kBlend, kAdd };
+enum class TextureEnvironment : std::uint8_t { kNone, kModulate, kDecal, kReplace, kBlend, kAdd, kCombine };
 
 // What a texel contains, by its base internal format (table 3.22): RGB and LUMINANCE a colour, ALPHA an alpha, RGBA and
 // LUMINANCE_ALPHA both. INTENSITY is both, with the same value.
@@ -144,6 +149,15 @@ struct TextureEffects {
     friend auto operator<=>(const TextureEffects&, const TextureEffects&) = default;  // NOLINT
 };
 
+// One texture unit of a Draw that combines textures (Draw::combines_textures()).
+struct UnitEffects {
+    std::size_t number = 0;
+    TextureEffects texture;
+    Combine combine;
+
+    friend auto operator<=>(const UnitEffects&, const UnitEffects&) = default;  // NOLINT
+};
+
 enum class FogEffect : std::uint8_t { kNone, kLinear, kExp, kExp2 };
 
 struct EffectSet {
@@ -160,6 +174,7 @@ struct EffectSet {
     FaceEffects front, back;
     std::vector<LightEffects> lights;  // in GL's order
     TextureEffects texture;
+    std::vector<UnitEffects> units;  // in the order of their numbers
     FogEffect fog = FogEffect::kNone;
     int clip_plane_count = 0;  // of GL_CLIP_PLANEi (2.12)
     // Vertex colours are multiplied with lights in more than three samples: one matrix per product.
@@ -180,9 +195,20 @@ struct EffectSet {
     }
     bool needs_normal() const { return any_light(&LightEffects::diffuse) || any_light(&LightEffects::specular); }
     // Whether vertices bring normals and texture coordinates.
-    bool takes_normal() const { return needs_normal() || texture.generated_normal != GeneratedNormal::kUnused; }
+    bool takes_normal() const { return needs_normal() || generated_normal() != GeneratedNormal::kUnused; }
     bool takes_tex_coord() const { return has_texture() && !texture.generates_all(); }
-    // Whether the primary colour is visible after the texture.
+    // Of all texture units; those that need normals take the same.
+    GeneratedNormal generated_normal() const {
+        GeneratedNormal normal = texture.generated_normal;
+        for (const UnitEffects& unit : units) normal = std::max(normal, unit.texture.generated_normal);
+        return normal;
+    }
+    bool generates_from_direction() const {
+        return texture.generates_from_direction() || std::ranges::any_of(units, [](const UnitEffects& unit) {
+                   return unit.texture.generates_from_direction();
+               });
+    }
+    // Whether the primary colour is visible after the texture. With several units, it counts as visible.
     bool needs_primary_rgb() const { return !replaces() || !texture.has_color(); }
     bool needs_primary_alpha() const { return !replaces() || !texture.has_alpha(); }
     bool needs_primary() const { return needs_primary_rgb() || needs_primary_alpha(); }

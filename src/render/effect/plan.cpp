@@ -93,7 +93,9 @@ class Planner {
     }
 
     Plan plan() {
-        const bool has_budget = !options_.for_any_pose && keeps_errors_from_adding(draw_.fragment);
+        // GL_COMBINE may make an error four times as large, or more by GL_DOT3_RGB.
+        const bool has_budget =
+            !options_.for_any_pose && keeps_errors_from_adding(draw_.fragment) && !draw_.combines_textures();
         plan_.budget = has_budget ? std::max(options_.budget, 0.0) : 0;
         facts().srgb_coded = options_.lecture_variants && draw_.fragment.srgb_coded;
         // sRGB's curve is steepest at black, so an error in linear light grows most there.

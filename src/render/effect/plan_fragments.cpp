@@ -37,21 +37,21 @@ TextureEffects environment_of(Enum mode, Enum base_format) {
         case kGL_ADD:
             if (texels == Texels::kAlpha) return {.environment = Environment::kModulate, .texels = texels};
             return {.environment = mode == kGL_BLEND ? Environment::kBlend : Environment::kAdd, .texels = texels};
-        default: return {};  // GL_COMBINE: among Frame::unsupported
+        default: return {};
     }
 }
 
-bool q_is_1(const Draw& draw, const VertexFacts& vertices) {
+// is_1_at_vertices: before the texture matrix.
+bool q_is_1(const TextureUnit& unit, bool is_1_at_vertices) {
     constexpr int kQ = 3;
-    return keeps_w(draw.texture.texture_matrix) && vertices.q_is_1 &&
-           std::ranges::find(draw.texture.generated, kQ, &GeneratedCoordinate::coordinate) ==
-               draw.texture.generated.end();
+    return keeps_w(unit.texture_matrix) && is_1_at_vertices &&
+           std::ranges::find(unit.generated, kQ, &GeneratedCoordinate::coordinate) == unit.generated.end();
 }
 
 // 2.11.4.
-void plan_generated(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
-    TextureEffects& facts = plan.effects.texture;
-    for (const GeneratedCoordinate& one : draw.texture.generated) {
+void plan_generated(const Draw& draw, const TextureUnit& unit, const VertexFacts& vertices, TextureEffects& facts,
+                    Plan& plan) {
+    for (const GeneratedCoordinate& one : unit.generated) {
         const auto i = static_cast<std::size_t>(one.coordinate);
         if (!facts.uses(i)) {
             plan.leave_out(fmt::format("the generated texture coordinate {}", "strq"[i]),
@@ -71,28 +71,89 @@ void plan_generated(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     facts.generated_normal = draw.lighting.normalize ? GeneratedNormal::kUnit : GeneratedNormal::kUnchanged;
 }
 
+// What a texture's lookup needs: all of `facts` but the environment and the texels.
+void plan_lookup(const Draw& draw, std::size_t number, const TextureUnit& unit, bool has_q_1,
+                 const VertexFacts& vertices, TextureEffects& facts, Plan& plan) {
+    const auto leave_out = [&](const char* what, const char* why, bool is_off = false) {
+        if (!plan.has_reasons) return;
+        plan.leave_out(draw.combines_textures() ? fmt::format("{} of texture unit {}", what, number) : what, why,
+                       is_off);
+    };
+    const Texture& texture = *unit.texture;
+    facts.one_dimensional = texture.target == kGL_TEXTURE_1D;
+    facts.matrix = unit.texture_matrix != glm::dmat4(1);
+    facts.q = !q_is_1(unit, has_q_1);
+    if (!facts.matrix) leave_out("texture matrix", "it is the identity", true);
+    if (!facts.q) leave_out("division by q", "q is 1 at every vertex");
+    if (!unit.generated.empty()) plan_generated(draw, unit, vertices, facts, plan);
+
+    const bool clamp_t = !facts.one_dimensional && texture.wrap_t == kGL_CLAMP;
+    const bool clamps = clamp_t || texture.wrap_s == kGL_CLAMP;
+    if (clamps && !texture.filters_linearly())
+        return leave_out("GL_CLAMP", "without a linear filter it equals GL_CLAMP_TO_EDGE");
+    facts.clamp_s = texture.wrap_s == kGL_CLAMP;
+    facts.clamp_t = clamp_t;
+    facts.gradients = clamps && texture.min_filter != texture.mag_filter;
+}
+
+// Without what its functions do not read.
+Combine canonical(const Combine& combine) {
+    Combine result;
+    const auto keep = [](Enum function, auto& sources, auto& operands, const auto& from_sources,
+                         const auto& from_operands) {
+        for (std::size_t i = 0; i < Combine::arguments_of(function); ++i) {
+            sources[i] = from_sources[i];
+            operands[i] = from_operands[i];
+        }
+    };
+    result.rgb = combine.rgb;
+    result.rgb_scale = combine.rgb_scale;
+    result.alpha_scale = combine.alpha_scale;
+    keep(combine.rgb, result.rgb_sources, result.rgb_operands, combine.rgb_sources, combine.rgb_operands);
+    if (combine.gives_alpha()) return result;
+    result.alpha = combine.alpha;
+    keep(combine.alpha, result.alpha_sources, result.alpha_operands, combine.alpha_sources, combine.alpha_operands);
+    return result;
+}
+
+// The units of a Draw that combines textures.
+void plan_units(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
+    const auto is_read = [&](std::size_t number) {
+        bool reads = false;
+        draw.for_each_unit([&](std::size_t, const TextureUnit& unit) {
+            reads = reads || (unit.env_mode == kGL_COMBINE && unit.combine.reads_unit(number));
+        });
+        return reads;
+    };
+    draw.for_each_unit([&](std::size_t number, const TextureUnit& unit) {
+        UnitEffects effects{.number = number, .texture = {}, .combine = {}};
+        if (unit.env_mode == kGL_COMBINE) {
+            effects.texture = {.environment = TextureEnvironment::kCombine, .texels = Texels::kColorAndAlpha};
+            effects.combine = canonical(unit.combine);
+        } else {
+            effects.texture = environment_of(unit.env_mode, unit.texture->levels.front().base_format);
+        }
+        if (effects.texture.environment == TextureEnvironment::kNone && !is_read(number))
+            return plan.leave_out(fmt::format("texture unit {}", number),
+                                  "with this texture format its environment mode changes nothing");
+        bool has_q_1 = vertices.q_is_1;
+        if (number > 0)
+            for (std::size_t i = 0; i < draw.vertices.size(); ++i)
+                has_q_1 = (i == 0 || has_q_1) && draw.tex_coord(number, i).q == 1;
+        plan_lookup(draw, number, unit, has_q_1, vertices, effects.texture, plan);
+        plan.effects.units.push_back(effects);
+    });
+}
+
 void plan_texture(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
+    if (draw.combines_textures()) return plan_units(draw, vertices, plan);
     const Texture* texture = draw.texture.texture.get();
     if (!texture) return plan.leave_out("texture", "none is enabled, or the enabled one is incomplete", true);
     TextureEffects& facts = plan.effects.texture;
     facts = environment_of(draw.texture.env_mode, texture->levels.front().base_format);
     if (!plan.effects.has_texture())
         return plan.leave_out("texture", "with this texture format its environment mode changes nothing");
-
-    facts.one_dimensional = texture->target == kGL_TEXTURE_1D;
-    facts.matrix = draw.texture.texture_matrix != glm::dmat4(1);
-    facts.q = !q_is_1(draw, vertices);
-    if (!facts.matrix) plan.leave_out("texture matrix", "it is the identity", true);
-    if (!facts.q) plan.leave_out("division by q", "q is 1 at every vertex");
-    if (!draw.texture.generated.empty()) plan_generated(draw, vertices, plan);
-
-    const bool clamp_t = !facts.one_dimensional && texture->wrap_t == kGL_CLAMP;
-    const bool clamps = clamp_t || texture->wrap_s == kGL_CLAMP;
-    if (clamps && !texture->filters_linearly())
-        return plan.leave_out("GL_CLAMP", "without a linear filter it equals GL_CLAMP_TO_EDGE");
-    facts.clamp_s = texture->wrap_s == kGL_CLAMP;
-    facts.clamp_t = clamp_t;
-    facts.gradients = clamps && texture->min_filter != texture->mag_filter;
+    plan_lookup(draw, 0, draw.texture, vertices.q_is_1, vertices, facts, plan);
 }
 
 // ---- The rest ----

@@ -74,4 +74,18 @@ void set_fog(const Fog& fog) {
     glFogfv(GL_FOG_COLOR, &glm::vec4(fog.color)[0]);
 }
 
+void set_combine(const Combine& combine) {
+    const auto set = [](GLenum name, Enum value) { glTexEnvi(GL_TEXTURE_ENV, name, static_cast<GLint>(value)); };
+    set(GL_COMBINE_RGB, combine.rgb);
+    set(GL_COMBINE_ALPHA, combine.alpha);
+    for (GLenum i = 0; i < combine.rgb_sources.size(); ++i) {
+        set(GL_SRC0_RGB + i, combine.rgb_sources[i]);
+        set(GL_SRC0_ALPHA + i, combine.alpha_sources[i]);
+        set(GL_OPERAND0_RGB + i, combine.rgb_operands[i]);
+        set(GL_OPERAND0_ALPHA + i, combine.alpha_operands[i]);
+    }
+    set(GL_RGB_SCALE, static_cast<Enum>(combine.rgb_scale));
+    set(GL_ALPHA_SCALE, static_cast<Enum>(combine.alpha_scale));
+}
+
 }  // namespace twinlight::fixed

@@ -13,4 +13,6 @@ void load_matrix(Enum mode, const glm::dmat4& matrix);
 void set_lighting(const LightingState& lighting, bool also_off);
 void set_fog(const Fog& fog);  // the parameters, not GL_FOG itself
 
+void set_combine(const Combine& combine);  // of the active texture unit
+
 }  // namespace twinlight::fixed

@@ -139,6 +139,7 @@ void reset_texture_units(const Vertex& current) {
         reset_texture(GL_TEXTURE_2D);
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, static_cast<GLint>(start.env_mode));
         glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, &glm::vec4(start.env_color)[0]);
+        set_combine(start.combine);
         glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, static_cast<float>(start.lod_bias));
         for (GLenum n = 0; n < start.tex_gen.size(); ++n) {
             const TexGen& gen = start.tex_gen[n];

@@ -33,11 +33,13 @@ struct PreparedDraw {
         if (options.scrub == Scrub::kNothing) {
             lighting = from.lighting;
             lighting.lights.resize(kMaxLights);
-            textured = from.texture.texture != nullptr;
+            textured = from.texture.texture && !from.combines_textures();
+            if (from.combines_textures()) units = combined_units(from);
             fogged = from.fog.enabled;
             contents = {.normal = lighting.enabled,
                         .color = !lighting.enabled || lighting.color_material.enabled,
-                        .tex_coord = textured};
+                        .tex_coord = from.texture.texture != nullptr,
+                        .further_tex_coords = !units.empty()};
             front = back = {.varies_emission = true,
                             .varies_ambient = true,
                             .varies_diffuse = true,
@@ -49,13 +51,19 @@ struct PreparedDraw {
             const EffectSet& effects = plan.effects;
             lighting = scrubbed_state(plan, kMaxLights).lighting;
             textured = effects.has_texture();
+            if (!effects.units.empty()) units = combined_units(from);
             fogged = effects.has_fog();
-            contents = {.normal = effects.needs_normal(), .color = effects.needs_color(), .tex_coord = textured};
+            contents = {.normal = effects.needs_normal(),
+                        .color = effects.needs_color(),
+                        .tex_coord = textured || !units.empty(),
+                        .further_tex_coords = !units.empty()};
             front = effects.front;
             back = effects.back;
         }
         if (textured)
             contents.normal |= std::ranges::any_of(from.texture.generated, &GeneratedCoordinate::needs_normal);
+        for (const auto& [number, unit] : units)
+            contents.normal |= std::ranges::any_of(unit.generated, &GeneratedCoordinate::needs_normal);
         by_vertex = !from.materials.empty() && (front.varies() || back.varies());
         if (!by_vertex) mesh.emplace(from, contents, options);
     }
@@ -75,17 +83,31 @@ struct PreparedDraw {
             draw_with_materials(*draw, front, back);
         else
             mesh->draw();
+        if (!units.empty()) disable_units();
     }
 
     void set_texture(Textures& textures) const {
         glDisable(GL_TEXTURE_1D);
         glDisable(GL_TEXTURE_2D);
-        if (!textured) return;
-        const TextureUnit& unit = draw->texture;
+        if (textured) {
+            textures.bind(draw->texture);
+            set_unit(draw->texture);
+        }
+        if (units.empty()) return;
+        textures.bind_units(units);
+        for (const auto& [number, unit] : units) {
+            glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(number));
+            set_unit(unit);
+        }
+        glActiveTexture(GL_TEXTURE0);
+    }
+
+    // The active unit's.
+    static void set_unit(const TextureUnit& unit) {
         glEnable(unit.texture->target);
-        textures.bind(unit);
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, static_cast<GLint>(unit.env_mode));
         glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, &glm::vec4(unit.env_color)[0]);
+        if (unit.env_mode == kGL_COMBINE) set_combine(unit.combine);
         load_matrix(GL_TEXTURE, unit.texture_matrix);
         for (const GLenum capability : {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q}) {
             glDisable(capability);
@@ -99,12 +121,20 @@ struct PreparedDraw {
                 glTexGendv(GL_S + number, one.mode == GL_EYE_LINEAR ? GL_EYE_PLANE : GL_OBJECT_PLANE, &one.plane[0]);
         }
     }
+    void disable_units() const {
+        for (const auto& [number, unit] : units) {
+            glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(number));
+            glDisable(unit.texture->target);
+        }
+        Textures::release_units(units);
+    }
 
     const Draw* draw;
     LightingState lighting;
     Enum shade_model;
-    bool textured = false, fogged = false;
-    bool by_vertex = false;  // glMaterial between glBegin and glEnd
+    bool textured = false, fogged = false;  // textured: with one texture and without GL_COMBINE
+    TextureUnits units;                     // if the Draw combines textures
+    bool by_vertex = false;                 // glMaterial between glBegin and glEnd
     FaceEffects front, back;
     std::optional<SentMesh> mesh;
 };

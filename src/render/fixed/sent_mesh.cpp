@@ -32,6 +32,10 @@ SentMesh::SentMesh(const Draw& draw, const MeshContents& contents, const ReplayO
     if (contents.normal) add(normal_, 3);
     if (contents.color && !all_share(draw, &Vertex::color)) add(color_, 4);
     if (contents.tex_coord && !all_share(draw, &Vertex::tex_coord)) add(tex_coord_, 4);
+    for (const FurtherUnit& further : draw.further_units)
+        if (contents.further_tex_coords)
+            add(further_tex_coords_.emplace_back(GL_TEXTURE0 + static_cast<GLenum>(further.number), Attribute{}).second,
+                4);
 
     const bool in_buffers = sending_ == Sending::kBuffers;
     if (in_buffers) elements_.emplace(draw, options.patches);
@@ -45,6 +49,9 @@ SentMesh::SentMesh(const Draw& draw, const MeshContents& contents, const ReplayO
         put(vertex.normal_object, normal_);
         put(vertex.color, color_);
         put(vertex.tex_coord, tex_coord_);
+        for (const auto& [unit, attribute] : further_tex_coords_)
+            put(draw.tex_coord(unit - GL_TEXTURE0, static_cast<std::size_t>(&vertex - draw.vertices.data())),
+                attribute);
         if (has_flags) flags_.push_back(vertex.edge_flag ? 1 : 0);
     });
     if (in_buffers) {
@@ -107,6 +114,11 @@ void SentMesh::draw_arrays() const {
         glEnableClientState(GL_TEXTURE_COORD_ARRAY);
         glTexCoordPointer(tex_coord_.size, GL_FLOAT, stride, at(tex_coord_));
     }
+    for (const auto& [unit, attribute] : further_tex_coords_) {
+        glClientActiveTexture(unit);
+        glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+        glTexCoordPointer(attribute.size, GL_FLOAT, stride, at(attribute));
+    }
     if (edge_flags_ != 0 || !flags_.empty()) {
         glBindBuffer(GL_ARRAY_BUFFER, edge_flags_);
         glEnableClientState(GL_EDGE_FLAG_ARRAY);
@@ -118,6 +130,11 @@ void SentMesh::draw_arrays() const {
         glDrawArrays(mode_, 0, count_);
     else
         glDrawElements(mode_, count_, GL_UNSIGNED_INT, indices_.data());
+    for (const auto& [unit, attribute] : further_tex_coords_) {
+        glClientActiveTexture(unit);
+        glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+    }
+    if (!further_tex_coords_.empty()) glClientActiveTexture(GL_TEXTURE0);
     for (const GLenum array :
          {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_EDGE_FLAG_ARRAY})
         glDisableClientState(array);
@@ -136,6 +153,7 @@ void SentMesh::draw_immediately() const {
         if (normal_.size != 0) glNormal3fv(at(normal_));
         if (color_.size != 0) glColor4fv(at(color_));
         if (tex_coord_.size != 0) glTexCoord4fv(at(tex_coord_));
+        for (const auto& [unit, attribute] : further_tex_coords_) glMultiTexCoord4fv(unit, at(attribute));
         if (position_.size == 3)
             glVertex3fv(at(position_));
         else
@@ -165,7 +183,8 @@ void draw_with_materials(const Draw& draw, const FaceEffects& front, const FaceE
     std::uint32_t current = std::numeric_limits<std::uint32_t>::max();
     glBegin(draw.mode);
     for (std::size_t i = 0; i < draw.count(); ++i) {
-        const Vertex& vertex = draw.vertices[draw.index(i)];
+        const std::uint32_t index = draw.index(i);
+        const Vertex& vertex = draw.vertices[index];
         if (vertex.material != current) {
             current = vertex.material;
             const Materials& materials = draw.materials.at(current);
@@ -176,6 +195,9 @@ void draw_with_materials(const Draw& draw, const FaceEffects& front, const FaceE
         glNormal3fv(&glm::vec3(vertex.normal_object)[0]);
         glColor4fv(&glm::vec4(vertex.color)[0]);
         glTexCoord4fv(&glm::vec4(vertex.tex_coord)[0]);
+        for (const FurtherUnit& further : draw.further_units)
+            glMultiTexCoord4fv(GL_TEXTURE0 + static_cast<GLenum>(further.number),
+                               &glm::vec4(further.tex_coords[index])[0]);
         glVertex4fv(&glm::vec4(vertex.position_object)[0]);
     }
     glEnd();

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "render/effect/effect_set.h"
@@ -15,6 +16,7 @@ namespace twinlight::fixed {
 // Which properties of vertices are sent; nothing reads the others.
 struct MeshContents {
     bool normal = false, color = false, tex_coord = false;
+    bool further_tex_coords = false;  // of texture units above 0
 };
 
 class SentMesh {
@@ -38,6 +40,7 @@ class SentMesh {
 
     Sending sending_;
     Attribute position_, normal_, color_, tex_coord_;
+    std::vector<std::pair<unsigned, Attribute>> further_tex_coords_;  // by GL_TEXTUREn
     std::size_t stride_ = 0;
     Vertex shared_;  // has the properties that all vertices share
 

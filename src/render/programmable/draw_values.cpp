@@ -285,26 +285,30 @@ class DrawUniforms {
             if (plane_eye) vector("u_clip_plane" + std::to_string(count++) + "_object", *plane_eye * eye_from_object_);
     }
 
-    // Generated texture coordinates (2.11.4).
-    void generated() {
-        for (const GeneratedCoordinate& one : draw_.texture.generated) {
+    // Generated texture coordinates (2.11.4). `suffix`: of the unit's uniforms.
+    void generated_planes(const TextureUnit& unit, const std::string& suffix) {
+        for (const GeneratedCoordinate& one : unit.generated) {
             if (one.needs_normal()) continue;
             // (plane * matrix) . position_object = plane . position_eye.
             const glm::dvec4 plane = one.mode == kGL_EYE_LINEAR ? one.plane * draw_.eye_from_object : one.plane;
             const glm::dvec4 origin(origin_object_.value_or(glm::dvec3(0)), 1);
-            vector(fmt::format("u_plane_{}_object", "strq"[one.coordinate]),
+            vector(fmt::format("u_plane_{}_object{}", "strq"[one.coordinate], suffix),
                    glm::dvec4(glm::dvec3(plane), glm::dot(plane, origin)));
         }
-        const TextureEffects& texture = effects_.texture;
-        if (texture.generates_from_direction()) {
+    }
+
+    // For the coordinates of all units that are generated from the normal or the direction to the vertex.
+    void generated() {
+        const GeneratedNormal normal = effects_.generated_normal();
+        if (effects_.generates_from_direction()) {
             const double scale = power_of_two(reach_eye(eye_from_object_, reach_object()));
             matrix("u_generated_eye_from_object", eye_from_object_ / scale);
         }
-        if (!texture.generates_from_normal()) return;
+        if (normal == GeneratedNormal::kUnused) return;
         const glm::dmat3 normals = normal_matrix(glm::dmat3(draw_.eye_from_object));
         const double third = glm::length(normals[2]);  // of GL_RESCALE_NORMAL: see normal_matrix_of()
         double scale = 1;
-        if (texture.generated_normal == GeneratedNormal::kUnit)
+        if (normal == GeneratedNormal::kUnit)
             scale = power_of_two(std::max(
                 {largest_component(normals[0]), largest_component(normals[1]), largest_component(normals[2])}));
         else if (draw_.lighting.rescale_normal && third > 0)
@@ -314,8 +318,12 @@ class DrawUniforms {
 
     void fragments() {
         if (effects_.texture.matrix) matrix("u_texture_matrix", draw_.texture.texture_matrix);
-        if (effects_.texture.generates()) generated();
+        if (effects_.texture.generates()) {
+            generated_planes(draw_.texture, "");
+            generated();
+        }
         vector("u_texture_env_color", draw_.texture.env_color);
+        if (!effects_.units.empty()) texture_units();
         if (!effects_.has_fog()) return;
         const glm::dmat4 rows = glm::transpose(eye_from_object_);
         vector("u_eye_z_from_object", rows[2]);
@@ -327,6 +335,17 @@ class DrawUniforms {
         // RULING: linear fog with end = start is a step there.
         constexpr double kStep = 1e30;
         number("u_fog_scale", fog.end == fog.start ? kStep : 1 / (fog.end - fog.start));
+    }
+
+    // Draws that combine textures: each uniform has its unit's number.
+    void texture_units() {
+        draw_.for_each_unit([&](std::size_t number, const TextureUnit& unit) {
+            const std::string suffix = std::to_string(number);
+            matrix("u_texture_matrix" + suffix, unit.texture_matrix);
+            vector("u_texture_env_color" + suffix, unit.env_color);
+            generated_planes(unit, suffix);
+        });
+        generated();
     }
 
     // Three samples per group; the last group is filled with 0.
@@ -545,6 +564,9 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, cons
         }
         if (effects.needs_color()) add(vertex.color, 4);
         if (effects.takes_tex_coord()) add(vertex.tex_coord, 4);
+        for (const UnitEffects& unit : effects.units)
+            if (!unit.texture.generates_all())
+                add(draw.tex_coord(unit.number, static_cast<std::size_t>(&vertex - draw.vertices.data())), 4);
         for (const VertexProperty& property : properties) {
             const Material& material = draw.materials.at(vertex.material).*property.face;
             if (property.color)

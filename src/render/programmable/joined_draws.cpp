@@ -37,17 +37,20 @@ bool have_one_state(const Draw& a, const Draw& b) {
     return a.eye_from_object == b.eye_from_object && kind_of(a.mode) == kind_of(b.mode) &&
            a.indices.empty() == b.indices.empty() && !a.draws_borders() && a.raster == b.raster &&
            have_one_lighting(a.lighting, b.lighting) && a.clip_from_eye == b.clip_from_eye && a.texture == b.texture &&
-           a.fog == b.fog && a.fragment == b.fragment && a.materials == b.materials;
+           a.further_units.empty() && b.further_units.empty() && a.fog == b.fog && a.fragment == b.fragment &&
+           a.materials == b.materials;
 }
 
 JoinedDraws joined(DrawRun run) {
     JoinedDraws all{.draw = *run.front(), .parts = {}};
     all.parts.push_back(part_of(*run.front()));
+    std::vector<Vertex>& vertices = all.draw.vertices.edit();
+    std::vector<std::uint32_t>& indices = all.draw.indices.edit();
     for (const Draw* draw : run.subspan(1)) {
         all.parts.push_back(part_of(*draw));
-        const auto first = static_cast<std::uint32_t>(all.draw.vertices.size());
-        all.draw.vertices.insert(all.draw.vertices.end(), draw->vertices.begin(), draw->vertices.end());
-        for (const std::uint32_t index : draw->indices) all.draw.indices.push_back(first + index);
+        const auto first = static_cast<std::uint32_t>(vertices.size());
+        vertices.insert(vertices.end(), draw->vertices.begin(), draw->vertices.end());
+        for (const std::uint32_t index : draw->indices) indices.push_back(first + index);
     }
     return all;
 }

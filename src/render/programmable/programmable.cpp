@@ -31,7 +31,8 @@ struct PreparedDraw {
           mesh(mesh_of(program.code.effects, program.code.origin_object.value_or(glm::dvec3(0)))),
           raster(draw.raster),
           fragment(draw.fragment),
-          texture(draw.texture) {}
+          texture(draw.texture),
+          units(combined_units(draw)) {}
     // One pass of an exact surface.
     PreparedDraw(const SurfaceProgram& surface, const Uniforms& pass, std::shared_ptr<const UploadedMesh> rectangle)
         : program{surface.code, pass},
@@ -46,6 +47,7 @@ struct PreparedDraw {
     RasterState raster;
     FragmentState fragment;
     TextureUnit texture;
+    TextureUnits units;  // if the Draw combines textures
 };
 
 }  // namespace
@@ -235,8 +237,10 @@ struct Renderer::Impl {
             FixedStages::set(prepared.raster, prepared.fragment);
         const Code& code = prepared.program.code;
         if (code.effects.has_texture()) textures.bind(prepared.texture);
+        if (!prepared.units.empty()) textures.bind_units(prepared.units);
         programs.use(code.effects, code.form, prepared.program.numbers, tier);
         prepared.mesh->draw();
+        if (!prepared.units.empty()) Textures::release_units(prepared.units);
     }
 
     KeptPrograms programs;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -141,12 +143,9 @@ class Assembler {
                 add("vec3", "secondary", effects_.separate_specular);
             }
         }
-        const TextureEffects& texture = effects_.texture;
-        if (effects_.has_texture() && !form_.surface.tex_coord)
-            list.push_back({tex_coord_type(), "v_tex_coord",
-                            fmt::format(fmt::runtime(texture.matrix ? "(u_texture_matrix * {}).{}" : "{}.{}"),
-                                        texture.generates() ? "tex_coord" : "a_tex_coord",
-                                        std::string(texture.one_dimensional ? "s" : "st") + (texture.q ? "q" : ""))});
+        if (effects_.has_texture() && !form_.surface.tex_coord) list.push_back(tex_coord_varying(effects_.texture, ""));
+        for (const UnitEffects& unit : effects_.units)
+            list.push_back(tex_coord_varying(unit.texture, std::to_string(unit.number)));
         if (effects_.has_fog() && !has_ray())
             list.push_back({effects_.vertex_w ? "vec2" : "float", "v_eye_z", eye_z("position"),
                             effects_.vertex_w ? "  // z and w" : ""});
@@ -269,20 +268,54 @@ class Assembler {
 
     // ---- Textures and fog ----
 
-    std::string tex_coord_type() const {
-        const int parts = (effects_.texture.one_dimensional ? 1 : 2) + (effects_.texture.q ? 1 : 0);
+    // `suffix`: "" for the only texture; for a Draw that combines textures, the unit's number.
+    static std::string tex_coord_type(const TextureEffects& texture) {
+        const int parts = (texture.one_dimensional ? 1 : 2) + (texture.q ? 1 : 0);
         return parts == 1 ? "float" : fmt::format("vec{}", parts);
     }
+    static Varying tex_coord_varying(const TextureEffects& texture, const std::string& suffix) {
+        const std::string tex_coord = (texture.generates() ? "tex_coord" : "a_tex_coord") + suffix;
+        return {tex_coord_type(texture), "v_tex_coord" + suffix,
+                fmt::format("{}.{}",
+                            texture.matrix ? fmt::format("(u_texture_matrix{} * {})", suffix, tex_coord) : tex_coord,
+                            std::string(texture.one_dimensional ? "s" : "st") + (texture.q ? "q" : ""))};
+    }
 
-    // In the vertex shader's main(): the vec4 tex_coord (section 2.11.4).
+    // In the vertex shader's main(): the vec4 tex_coord (section 2.11.4), or tex_coord0, tex_coord1, ...
     std::string generated() const {
-        const TextureEffects& texture = effects_.texture;
+        if (effects_.units.empty()) return generated(effects_.texture);
+        std::string text;
+        for (const UnitEffects& unit : effects_.units) {
+            const std::string name = fmt::format("tex_coord{}", unit.number);
+            std::string block = generated(unit.texture);
+            if (block.empty()) continue;
+            // The names besides that of the coordinates are the same for each unit.
+            block = with_words(block, {{"tex_coord", name},
+                                       {"a_tex_coord", "a_" + name},
+                                       {"u_plane_s_object", fmt::format("u_plane_s_object{}", unit.number)},
+                                       {"u_plane_t_object", fmt::format("u_plane_t_object{}", unit.number)},
+                                       {"u_plane_r_object", fmt::format("u_plane_r_object{}", unit.number)},
+                                       {"u_plane_q_object", fmt::format("u_plane_q_object{}", unit.number)}});
+            const std::size_t declared = block.find("    vec4 " + name), end = block.find('\n', declared) + 1;
+            text += block.substr(0, end) + "    {\n" + indented(block.substr(end)) + "    }\n";
+        }
+        return text;
+    }
+    static std::string indented(std::string_view lines) {
+        std::string text;
+        for (const char c : lines) {
+            if (text.empty() || text.back() == '\n') text += "    ";
+            text += c;
+        }
+        return text;
+    }
+    std::string generated(const TextureEffects& texture) const {
         if (!texture.generates()) return "";
         const auto is_eye_plane = [&](std::size_t i) {  // otherwise planes are in object coordinates
             return form_.kept && form_.kept->eye_planes[i] && texture.generated[i] == Generated::kLinear;
         };
         std::string text = fmt::format("    // glTexGen (section 2.11.4)\n    vec4 tex_coord = {};\n",
-                                       effects_.takes_tex_coord() ? "a_tex_coord" : "vec4(0.0, 0.0, 0.0, 1.0)");
+                                       !texture.generates_all() ? "a_tex_coord" : "vec4(0.0, 0.0, 0.0, 1.0)");
         if (texture.generates_from_direction() || is_eye_plane(0) || is_eye_plane(1) || is_eye_plane(2) ||
             is_eye_plane(3))
             text += "    vec4 position_eye = u_generated_eye_from_object * position;\n";
@@ -318,41 +351,126 @@ class Assembler {
         return text;
     }
 
-    // Section 3.8.13, tables 3.22 and 3.23.
-    std::string texture_environment() const {
-        const TextureEffects& texture = effects_.texture;
+    // Section 3.8.13, tables 3.22 and 3.23. `texel` and `constant` (GL_TEXTURE_ENV_COLOR): their names.
+    static std::string environment_statements(const TextureEffects& texture, const std::string& texel,
+                                              const std::string& constant) {
         const bool rgb = texture.has_color(), alpha = texture.has_alpha();
-        if (!effects_.needs_primary()) return "    vec4 color = texel;\n";
-        std::string text =
-            "    vec4 color = primary;  // the texture environment follows (section 3.8.13, tables 3.22 and 3.23)\n";
-        const auto add = [&](bool has, const char* statement) {
-            if (has) text += fmt::format("    {}\n", statement);
+        std::string text;
+        const auto add = [&](bool has, fmt::format_string<const std::string&, const std::string&> statement) {
+            if (has) text += fmt::format("    {}\n", fmt::format(statement, texel, constant));
         };
         // GL_BLEND and GL_ADD treat the alpha of GL_INTENSITY like a colour, and multiply by any other alpha.
         const bool intensity = texture.texels == Texels::kIntensity;
         switch (texture.environment) {
-            case TextureEnvironment::kNone: break;
+            case TextureEnvironment::kNone:
+            case TextureEnvironment::kCombine: break;
             case TextureEnvironment::kReplace:
-                add(rgb, "color.rgb = texel.rgb;");
-                add(alpha, "color.a = texel.a;");
+                add(rgb, "color.rgb = {0}.rgb;");
+                add(alpha, "color.a = {0}.a;");
                 break;
             case TextureEnvironment::kModulate:
-                add(rgb, "color.rgb *= texel.rgb;");
-                add(alpha, "color.a *= texel.a;");
+                add(rgb, "color.rgb *= {0}.rgb;");
+                add(alpha, "color.a *= {0}.a;");
                 break;
-            case TextureEnvironment::kDecal: add(true, "color.rgb = mix(color.rgb, texel.rgb, texel.a);"); break;
+            case TextureEnvironment::kDecal: add(true, "color.rgb = mix(color.rgb, {0}.rgb, {0}.a);"); break;
             case TextureEnvironment::kBlend:
-                add(rgb, "color.rgb = mix(color.rgb, u_texture_env_color.rgb, texel.rgb);");
-                add(intensity, "color.a = mix(color.a, u_texture_env_color.a, texel.a);");
-                add(alpha && !intensity, "color.a *= texel.a;");
+                add(rgb, "color.rgb = mix(color.rgb, {1}.rgb, {0}.rgb);");
+                add(intensity, "color.a = mix(color.a, {1}.a, {0}.a);");
+                add(alpha && !intensity, "color.a *= {0}.a;");
                 break;
             case TextureEnvironment::kAdd:
-                add(rgb, "color.rgb = min(color.rgb + texel.rgb, 1.0);");
-                add(intensity, "color.a = min(color.a + texel.a, 1.0);");
-                add(alpha && !intensity, "color.a *= texel.a;");
+                add(rgb, "color.rgb = min(color.rgb + {0}.rgb, 1.0);");
+                add(intensity, "color.a = min(color.a + {0}.a, 1.0);");
+                add(alpha && !intensity, "color.a *= {0}.a;");
                 break;
         }
         return text;
+    }
+    std::string texture_environment() const {
+        if (!effects_.needs_primary()) return "    vec4 color = texel;\n";
+        return "    vec4 color = primary;  // the texture environment follows (section 3.8.13, tables 3.22 and "
+               "3.23)\n" +
+               environment_statements(effects_.texture, "texel", "u_texture_env_color");
+    }
+
+    // The texels of a Draw that combines textures. GL_COMBINE of one unit may read the texel of another, so all lookups
+    // come first.
+    std::string texture_lookups() const {
+        std::string text;
+        for (const UnitEffects& unit : effects_.units) {
+            const TextureEffects& texture = unit.texture;
+            Scope scope;
+            scope.switches = texture_switches(texture);
+            scope.switches.insert({{"EFFECT_RAY_TEX_COORD", false}});
+            scope.inserts = {{"texture_environment", ""}};
+            scope.words = texture_words(texture, false);
+            Words names;
+            for (const char* name : {"texel", "tex_coord", "v_tex_coord", "per_x", "per_y", "texture_end", "u_texture"})
+                names[name] = fmt::format("{}{}", name, unit.number);
+            text += with_words(preprocessed("texture.glsl", scope), names);
+        }
+        return text;
+    }
+    std::string texture_environments() const {
+        std::string text;
+        for (const UnitEffects& unit : effects_.units) {
+            const std::string texel = fmt::format("texel{}", unit.number),
+                              constant = fmt::format("u_texture_env_color{}", unit.number);
+            const std::string statements = unit.texture.environment == TextureEnvironment::kCombine
+                                               ? combine_statement(unit, constant)
+                                               : environment_statements(unit.texture, texel, constant);
+            if (!statements.empty())
+                text += fmt::format("    // Texture unit {} (section 3.8.13)\n{}", unit.number, statements);
+        }
+        return text;
+    }
+
+    // Section 3.8.13, tables 3.24 and 3.25.
+    std::string combine_statement(const UnitEffects& unit, const std::string& constant) const {
+        const Combine& combine = unit.combine;
+        const auto source = [&](Enum name) -> std::string {
+            switch (name) {
+                case kGL_CONSTANT: return constant;
+                case kGL_PRIMARY_COLOR: return "primary";
+                case kGL_PREVIOUS: return "color";
+                default: break;
+            }
+            const std::size_t number = name == kGL_TEXTURE ? unit.number : name - kGL_TEXTURE0;
+            const bool has_texel =
+                std::ranges::find(effects_.units, number, &UnitEffects::number) != effects_.units.end();
+            return has_texel ? fmt::format("texel{}", number) : "vec4(0.0)";
+        };
+        const auto argument = [&](Enum name, Enum operand, bool is_rgb) {
+            const bool of_alpha = operand == kGL_SRC_ALPHA || operand == kGL_ONE_MINUS_SRC_ALPHA;
+            std::string text = source(name) + (of_alpha ? ".a" : ".rgb");
+            if (of_alpha && is_rgb) text = fmt::format("vec3({})", text);
+            const bool is_rest = operand == kGL_ONE_MINUS_SRC_COLOR || operand == kGL_ONE_MINUS_SRC_ALPHA;
+            return is_rest ? fmt::format("(1.0 - {})", text) : text;
+        };
+        const auto value = [&](Enum function, const auto& sources, const auto& operands, bool is_rgb) -> std::string {
+            const auto arg = [&](std::size_t i) { return argument(sources[i], operands[i], is_rgb); };
+            switch (function) {
+                case kGL_REPLACE: return arg(0);
+                case kGL_ADD: return fmt::format("{} + {}", arg(0), arg(1));
+                case kGL_ADD_SIGNED: return fmt::format("{} + {} - 0.5", arg(0), arg(1));
+                case kGL_INTERPOLATE: return fmt::format("mix({1}, {0}, {2})", arg(0), arg(1), arg(2));
+                case kGL_SUBTRACT: return fmt::format("{} - {}", arg(0), arg(1));
+                case kGL_DOT3_RGB:
+                case kGL_DOT3_RGBA: return fmt::format("4.0 * dot({} - 0.5, {} - 0.5)", arg(0), arg(1));
+                default: return fmt::format("{} * {}", arg(0), arg(1));  // GL_MODULATE
+            }
+        };
+        const auto scaled = [](int scale, const std::string& text) {
+            return scale == 1 ? text : fmt::format("{}.0 * ({})", scale, text);
+        };
+        const bool is_dot = combine.rgb == kGL_DOT3_RGB || combine.rgb == kGL_DOT3_RGBA;
+        const std::string rgb = value(combine.rgb, combine.rgb_sources, combine.rgb_operands, true);
+        const std::string alpha =
+            combine.gives_alpha() ? rgb : value(combine.alpha, combine.alpha_sources, combine.alpha_operands, false);
+        const std::string scaled_rgb = scaled(combine.rgb_scale, rgb);
+        return fmt::format("    color = clamp(vec4({}, {}), 0.0, 1.0);\n",
+                           is_dot ? fmt::format("vec3({})", scaled_rgb) : scaled_rgb,
+                           scaled(combine.alpha_scale, alpha));
     }
 
     std::string fog_factor() const {
@@ -373,6 +491,27 @@ class Assembler {
 
     // ---- The files' switches and words ----
 
+    static std::map<std::string, bool, std::less<>> texture_switches(const TextureEffects& texture) {
+        return {{"EFFECT_TEXTURE_MATRIX", texture.matrix},
+                {"EFFECT_TEXTURE_Q", texture.q},
+                {"EFFECT_TEXTURE_CLAMP_S", texture.clamp_s},
+                {"EFFECT_TEXTURE_CLAMP_T", texture.clamp_t},
+                {"EFFECT_TEXTURE_CLAMP", texture.clamp_s || texture.clamp_t},
+                {"EFFECT_TEXTURE_GRADIENTS", texture.gradients}};
+    }
+    // of_ray: the coordinates are those of an exact surface's point.
+    static Words texture_words(const TextureEffects& texture, bool of_ray) {
+        const bool one = texture.one_dimensional, q = texture.q;
+        return {{"SAMPLER", one ? "sampler1D" : "sampler2D"},
+                {"DIVIDED_TYPE", one ? "float" : "vec2"},
+                {"DIVIDED_PARTS", one ? "s" : "st"},
+                {"DIVIDED_TEX_COORD", of_ray ? (one ? "tex_place.s" : "tex_place.st")
+                                      : one  ? (q ? "v_tex_coord.s / v_tex_coord.t" : "v_tex_coord")
+                                             : (q ? "v_tex_coord.st / v_tex_coord.p" : "v_tex_coord")},
+                {"TEX_COORD_S", one ? "tex_coord" : "tex_coord.s"},
+                {"TEXTURE_LOOKUP", q ? "textureProj" : "texture"}};
+    }
+
     Scope scope_of(Stage stage) const {
         const SurfaceForm& surface = form_.surface;
         const TextureEffects& texture = effects_.texture;
@@ -387,15 +526,8 @@ class Assembler {
             within_clip_planes +=
                 fmt::format("    is_seen = is_seen && dot(u_clip_plane{}_object, place) >= 0.0;\n", i);
         }
-        const bool one = texture.one_dimensional, q = texture.q;
-        return {
+        Scope scope{
             .switches = {{"EFFECT_TEXTURE", effects_.has_texture()},
-                         {"EFFECT_TEXTURE_MATRIX", texture.matrix},
-                         {"EFFECT_TEXTURE_Q", texture.q},
-                         {"EFFECT_TEXTURE_CLAMP_S", texture.clamp_s},
-                         {"EFFECT_TEXTURE_CLAMP_T", texture.clamp_t},
-                         {"EFFECT_TEXTURE_CLAMP", texture.clamp_s || texture.clamp_t},
-                         {"EFFECT_TEXTURE_GRADIENTS", texture.gradients},
                          {"EFFECT_SEPARATE_SPECULAR", effects_.separate_specular},
                          {"EFFECT_FOG", effects_.has_fog()},
                          {"EFFECT_SRGB_CODED", effects_.srgb_coded},
@@ -425,19 +557,16 @@ class Assembler {
                         {"clip_discards", discards_clipped() ? clip_discards : ""},
                         {"alpha_test", form_.kept ? kept_alpha_test(form_.kept->alpha_func) : ""},
                         {"within_clip_planes", within_clip_planes},
-                        {"texture_environment", texture_environment()}},
+                        {"texture_environment", texture_environment()},
+                        {"texture_lookups", texture_lookups()},
+                        {"texture_environments", texture_environments()}},
             .words = {{"POSITION", form_.position_w ? "a_position" : "vec4(a_position.xyz, 1.0)"},
                       {"NEAR_VERTEX", form_.position_w ? "vec4" : "vec3"},
                       {"FOG_FACTOR", fog_factor()},
-                      {"SAMPLER", one ? "sampler1D" : "sampler2D"},
-                      {"DIVIDED_TYPE", one ? "float" : "vec2"},
-                      {"DIVIDED_PARTS", one ? "s" : "st"},
-                      {"DIVIDED_TEX_COORD", surface.tex_coord ? (one ? "tex_place.s" : "tex_place.st")
-                                            : one             ? (q ? "v_tex_coord.s / v_tex_coord.t" : "v_tex_coord")
-                                                              : (q ? "v_tex_coord.st / v_tex_coord.p" : "v_tex_coord")},
-                      {"TEX_COORD_S", one ? "tex_coord" : "tex_coord.s"},
-                      {"LIGHT_COUNT", form_.kept ? fmt::format("{}", form_.kept->light_count) : ""},
-                      {"TEXTURE_LOOKUP", q ? "textureProj" : "texture"}}};
+                      {"LIGHT_COUNT", form_.kept ? fmt::format("{}", form_.kept->light_count) : ""}}};
+        scope.switches.merge(texture_switches(texture));
+        scope.words.merge(texture_words(texture, surface.tex_coord));
+        return scope;
     }
 
     // All uniforms, and the functions for each kind of exponent in the effects.
@@ -446,6 +575,16 @@ class Assembler {
         for (const LightEffects& light : effects_.lights)
             if (light.spot) (light.spot_exponent == Power::kReal ? has_real : has_whole) = true;
         std::vector<Definition> library = definitions(form_.kept ? "kept_uniforms.glsl" : "uniforms.glsl", words);
+        for (const UnitEffects& unit : effects_.units) {
+            // As the uniforms of one texture, with the unit's number.
+            for (Definition definition : definitions("uniforms.glsl", texture_words(unit.texture, false))) {
+                if (!definition.name.starts_with("u_texture") && !definition.name.starts_with("u_plane")) continue;
+                const std::string name = fmt::format("{}{}", definition.name, unit.number);
+                definition.text = with_words(definition.text, {{definition.name, name}});
+                definition.name = name;
+                library.push_back(std::move(definition));
+            }
+        }
         std::set<std::string> names;
         for (const char* file : lighting_.libraries) {
             const std::vector<Definition> whole = definitions(file, {{"EXPONENT", "int"}, {"POWER", "whole_power"}});

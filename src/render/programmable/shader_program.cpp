@@ -111,8 +111,15 @@ void ShaderProgram::link() {
         GLint size = 0;
         GLenum type = 0;
         glGetActiveUniform(program_, static_cast<GLuint>(i), name.size(), nullptr, &size, &type, name.data());
-        if (type == GL_SAMPLER_1D || type == GL_SAMPLER_2D) continue;  // keeps its initial value, texture unit 0
         std::string text = name.data();
+        if (type == GL_SAMPLER_1D || type == GL_SAMPLER_2D) {
+            // "u_texture3" reads texture unit 3; u_texture keeps its initial value, unit 0.
+            const char number = text.back();
+            if (number < '1' || number > '9') continue;
+            glUseProgram(program_);
+            glUniform1i(glGetUniformLocation(program_, name.data()), number - '0');
+            continue;
+        }
         text.resize(std::min(text.find('['), text.size()));  // "u_light3_position_eye[0]"
         slots_.push_back({.name = std::move(text),
                           .location = glGetUniformLocation(program_, name.data()),

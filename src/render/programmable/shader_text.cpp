@@ -39,7 +39,8 @@ std::string fixed_stages_text(const Draw& draw, const Plan& plan) {
         {raster.depth_test, "the depth test (glDepthFunc)"},
         {fragment.blend, "blending (glBlendFunc, glBlendEquation)"},
         {fragment.color_mask != FragmentState{}.color_mask, "the colour mask (glColorMask)"},
-        {plan.effects.has_texture(), "the texture's images, filters and wrapping (glTexParameter)"},
+        {plan.effects.has_texture() || !plan.effects.units.empty(),
+         "the texture's images, filters and wrapping (glTexParameter)"},
     };
     std::string text;
     for (const auto& [is_set, what] : rows)

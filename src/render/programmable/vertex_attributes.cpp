@@ -28,6 +28,8 @@ std::vector<Attribute> attributes(const EffectSet& effects) {
     if (effects.takes_normal()) list.push_back({"a_normal", 4, "vec3"});
     if (effects.needs_color()) list.push_back({"a_color", 4});
     if (effects.takes_tex_coord()) list.push_back({"a_tex_coord", 4});
+    for (const UnitEffects& unit : effects.units)
+        if (!unit.texture.generates_all()) list.push_back({fmt::format("a_tex_coord{}", unit.number), 4});
     for (const VertexProperty& property : vertex_properties(effects))
         list.push_back({"a_" + property.name, property.size, property.type()});
     return list;
@@ -35,7 +37,7 @@ std::vector<Attribute> attributes(const EffectSet& effects) {
 
 bool makes_normals_unit(const EffectSet& effects) {
     using enum GeneratedNormal;
-    const GeneratedNormal generated = effects.texture.generated_normal;
+    const GeneratedNormal generated = effects.generated_normal();
     const bool lighting_does = effects.normalize || effects.shading == Shading::kPhong || !effects.needs_normal();
     return effects.takes_normal() && lighting_does && (generated == kUnused || generated == kUnit);
 }

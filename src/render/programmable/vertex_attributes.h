@@ -29,7 +29,7 @@ struct Attribute {
 };
 
 // Attribute numbers are positions in this list. A vertex's floats have the same order: the position, then as needed the
-// normal, colour, texture coordinate and material properties.
+// normal, colour, texture coordinates and material properties.
 std::vector<Attribute> attributes(const EffectSet& effects);
 
 // Whether the program scales normals to length 1; then the array may have them in any length.

@@ -8,6 +8,7 @@
 
 namespace twinlight::reference {
 
+// A texture unit's part of a fragment's colour.
 struct TextureSteps {
     struct Texel {
         int i = 0, j = 0;
@@ -21,6 +22,7 @@ struct TextureSteps {
         std::vector<Texel> texels{};  // the sum of the weights is 1
     };
 
+    std::size_t unit = 0;
     glm::dvec4 coordinates{0, 0, 0, 1};  // s, t, r, q after the texture matrix; interpolated
     glm::dvec2 st{0};                    // s/q and t/q
     bool of_point = false;               // rho is 1 by definition (3.8.8)
@@ -28,8 +30,9 @@ struct TextureSteps {
     bool is_magnified = false;
     Enum filter = kGL_NEAREST;  // the magnification or the minification filter, whichever is used
     std::vector<Image> images{};
-    glm::dvec4 texel{0};   // C_s and A_s: the sum of the weights times the texels
-    glm::dvec4 result{0};  // C_v and A_v, of the texture environment
+    glm::dvec4 texel{0};     // C_s and A_s: the sum of the weights times the texels
+    glm::dvec4 fragment{0};  // C_f and A_f: after the unit before it
+    glm::dvec4 result{0};    // C_v and A_v, of the texture environment
 };
 
 struct FogSteps {
@@ -39,13 +42,13 @@ struct FogSteps {
 };
 
 struct ColorSteps {
-    glm::dvec4 primary{0}, secondary{0};  // clamped
-    std::optional<TextureSteps> texture{};
-    glm::dvec4 sum{0};  // with the secondary colour, clamped
+    glm::dvec4 primary{0}, secondary{0};   // clamped
+    std::vector<TextureSteps> textures{};  // one for each unit that has a texture, in their order
+    glm::dvec4 sum{0};                     // with the secondary colour, clamped
     std::optional<FogSteps> fog{};
 };
 
-// All but the result. `coordinates` and `place` are the fragment's.
+// All but the unit's number, the fragment and the result. `coordinates` and `place` are the fragment's.
 TextureSteps texture_steps(const TextureUnit& unit, const glm::dvec4& coordinates, const TexturePlace& place);
 
 }  // namespace twinlight::reference

@@ -44,11 +44,22 @@ Shader::LitColors Shader::clamped_colors(const Colors& colors) {
 Shader::Shader(const StagedDraw& staged, const Options& options)
     : draw_(*staged.draw),
       vertices_(staged.vertices),
+      units_(units(staged)),
+      combines_textures_(staged.draw->combines_textures()),
       shading_(shading_of(*staged.draw, options)),
       lighting_(*staged.draw, options.lecture_variants),
       srgb_coded_(options.lecture_variants && staged.draw->fragment.srgb_coded),
       arithmetic_(options.arithmetic) {
     if (!lights_pixels()) light_vertices();
+}
+
+std::vector<Shader::Unit> Shader::units(const StagedDraw& staged) const {
+    std::vector<Unit> units;
+    if (draw_.texture.texture) units.push_back({0, &draw_.texture, TexCoords(vertices_)});
+    for (std::size_t i = 0; i < draw_.further_units.size(); ++i)
+        units.push_back(
+            {draw_.further_units[i].number, &draw_.further_units[i].unit, TexCoords(staged.further_tex_coords[i])});
+    return units;
 }
 
 // 2.14.6: colours are clamped before they are interpolated.
@@ -138,7 +149,7 @@ template <class Real>
 Shader::Finish<Real> Shader::finish(const Fragment& fragment) const {
     Finish<Real> finish;
     if (draw_.fog.enabled) add_fog(fragment, finish);
-    if (draw_.texture.texture) add_texel(fragment, finish);
+    add_texels(fragment, finish);
     return finish;
 }
 
@@ -166,7 +177,7 @@ bool Shader::has_linear_fog_behind_eye(const Piece& piece) const {
 }
 
 bool Shader::has_several_colors(const Piece& piece) const {
-    return draw_.texture.texture || has_linear_fog_behind_eye(piece);
+    return !units_.empty() || has_linear_fog_behind_eye(piece);
 }
 
 void Shader::add_fog(const Fragment& fragment, Finish<double>& finish) const { finish.fog = fog(fragment); }
@@ -176,28 +187,38 @@ void Shader::add_fog(const Fragment& fragment, Finish<Interval>& finish) const {
     if (has_linear_fog_behind_eye(*fragment.piece)) finish.fog = hull(finish.fog, fog_of_vertices(fragment));
 }
 
-TexturePlace Shader::texture_place_of(const Fragment& fragment) const {
-    return fragment.point ? fragment.point->place : texture_place(vertices_, *fragment.piece, fragment.position_window);
+TexturePlace Shader::texture_place_of(const Fragment& fragment, const Unit& unit) const {
+    return fragment.point ? fragment.point->place
+                          : texture_place(unit.tex_coords, *fragment.piece, fragment.position_window);
 }
 
-void Shader::add_texel(const Fragment& fragment, Finish<double>& finish) const {
-    const TextureUnit& unit = draw_.texture;
-    const TexturePlace place = texture_place_of(fragment);
-    const double lambda = level_of_detail(scale_factor(*unit.texture, place), unit);
-    finish.texel = channels<double>(sample(*unit.texture, place.st, lambda));
+template <class Real>
+void Shader::add_texels(const Fragment& fragment, Finish<Real>& finish) const {
+    if (units_.empty()) return;
+    if (!combines_textures_) return find_texel(fragment, units_.front(), finish.texel.emplace(), finish.has_choice);
+    finish.texels.resize(units_.size());
+    for (std::size_t i = 0; i < units_.size(); ++i)
+        find_texel(fragment, units_[i], finish.texels[i], finish.has_choice);
 }
 
-void Shader::add_texel(const Fragment& fragment, Finish<Interval>& finish) const {
-    const TextureUnit& unit = draw_.texture;
+void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<double>& texel, bool&) const {
+    const Texture& texture = *unit.state->texture;
+    const TexturePlace place = texture_place_of(fragment, unit);
+    const double lambda = level_of_detail(scale_factor(texture, place), *unit.state);
+    texel = channels<double>(sample(texture, place.st, lambda));
+}
+
+// `has_choice` stays true if it is.
+void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<Interval>& texel, bool& has_choice) const {
     double error = 0;
-    if (!unit.generated.empty())
+    if (!unit.state->generated.empty())
         for (const std::uint32_t i : fragment.piece->primitive.vertices)
-            error = std::max(error, generated_error(draw_, draw_.vertices[i], vertices_[i]));
+            error = std::max(error, generated_error(draw_, *unit.state, draw_.vertices[i], vertices_[i]));
     const TexturePlaceBounds place =
-        texture_place_bounds(vertices_, *fragment.piece, fragment.position_window, *unit.texture, error);
-    const TexelBounds bounds = sample_bounds(unit, place.st, place.st_error, place.rho);
-    finish.texel = bounds.texel;
-    finish.has_choice = bounds.has_choice;
+        texture_place_bounds(unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, error);
+    const TexelBounds bounds = sample_bounds(*unit.state, place.st, place.st_error, place.rho);
+    texel = bounds.texel;
+    has_choice |= bounds.has_choice;
 }
 
 Channels<Marked> Shader::marked_color(const Fragment& fragment, const MarkedColors& lit,
@@ -207,14 +228,20 @@ Channels<Marked> Shader::marked_color(const Fragment& fragment, const MarkedColo
         const glm::dvec2 zw = eye_zw(fragment);
         finish.fog = fog_factor(draw_.fog, reference::fog_distance(Marked(zw.x, position), Marked(zw.y)));
     }
-    if (draw_.texture.texture) {
+    if (!units_.empty()) {
         Finish<double> unmarked;
-        add_texel(fragment, unmarked);
-        const lighting::RulingSet rulings = fragment.point
-                                                ? lighting::RulingSet{}
-                                                : texture_rulings(vertices_, *fragment.piece, fragment.position_window);
-        finish.texel.emplace();
-        for (std::size_t i = 0; i < finish.texel->size(); ++i) (*finish.texel)[i] = {(*unmarked.texel)[i], rulings};
+        add_texels(fragment, unmarked);
+        const auto marked = [&](const Channels<double>& texel, const Unit& unit) {
+            const lighting::RulingSet rulings =
+                fragment.point ? lighting::RulingSet{}
+                               : texture_rulings(unit.tex_coords, *fragment.piece, fragment.position_window);
+            Channels<Marked> result;
+            for (std::size_t i = 0; i < result.size(); ++i) result[i] = {texel[i], rulings};
+            return result;
+        };
+        if (unmarked.texel) finish.texel = marked(*unmarked.texel, units_.front());
+        for (std::size_t i = 0; i < unmarked.texels.size(); ++i)
+            finish.texels.push_back(marked(unmarked.texels[i], units_[i]));
     }
     return finished(lit, finish);
 }
@@ -230,9 +257,27 @@ template <class Real, class Colors, class See>
 Channels<Real> Shader::finished(const Colors& colors, const Finish<Real>& finish, const See& see) const {
     Channels<Real> result;
     for (int i = 0; i < 4; ++i) result[i] = Real(colors.primary[i]);
-    if (finish.texel)
-        result = textured(draw_.texture, draw_.texture.texture->levels[0].base_format, result, *finish.texel);
-    see(Step::kTextured, result);
+    if (combines_textures_) {
+        const Channels<Real> primary = result;
+        const auto texel_of = [&](std::size_t number) {
+            const auto unit = std::ranges::find(units_, number, &Unit::number);
+            return unit == units_.end() ? Channels<Real>{}
+                                        : finish.texels[static_cast<std::size_t>(unit - units_.begin())];
+        };
+        for (std::size_t i = 0; i < units_.size(); ++i) {
+            const TextureUnit& unit = *units_[i].state;
+            result = unit.env_mode == kGL_COMBINE
+                         ? combined(unit, units_[i].number, primary, result, texel_of)
+                         : textured(unit, unit.texture->levels[0].base_format, result, finish.texels[i]);
+            see(Step::kTextured, result);
+        }
+    } else {
+        if (finish.texel) {
+            const TextureUnit& unit = *units_.front().state;
+            result = textured(unit, unit.texture->levels[0].base_format, result, *finish.texel);
+        }
+        see(Step::kTextured, result);
+    }
     for (int i = 0; i < 3; ++i) result[i] = result[i] + Real(colors.secondary[i]);
     for (Real& channel : result) channel = clamp01(channel);
     see(Step::kSummed, result);
@@ -247,20 +292,25 @@ ColorSteps Shader::steps(const Fragment& fragment) const {
     return with_point(fragment, [&](const Fragment& whole) {
         const LitColors colors = lights_pixels(*whole.piece) ? lit(whole) : vertex_colors(whole);
         ColorSteps steps{.primary = colors.primary, .secondary = colors.secondary};
-        if (draw_.texture.texture) {
-            const TexturePlace place = texture_place_of(whole);
+        for (const Unit& unit : units_) {
+            const TexturePlace place = texture_place_of(whole, unit);
             glm::dvec4 coordinates(place.st, 0, 1);  // of a surface
             if (!whole.point) {
                 coordinates = glm::dvec4(0);
                 const glm::dvec3 weights = weights_at(*whole.piece, whole.position_window);
                 for (int i = 0; i < 3; ++i)
-                    coordinates += weights[i] * vertices_[whole.piece->primitive.vertices[i]].tex_coord;
+                    coordinates += weights[i] * unit.tex_coords[whole.piece->primitive.vertices[i]];
             }
-            steps.texture = texture_steps(draw_.texture, coordinates, place);
+            steps.textures.push_back(texture_steps(*unit.state, coordinates, place));
+            steps.textures.back().unit = unit.number;
         }
         if (draw_.fog.enabled) steps.fog = {.distance = fog_distance(whole), .factor = fog(whole)};
+        std::size_t next = 0;  // of steps.textures
         finished(colors, finish<double>(whole), [&](Step step, const Channels<double>& color) {
-            if (step == Step::kTextured && steps.texture) steps.texture->result = color_of(color);
+            if (step == Step::kTextured && next < steps.textures.size()) {
+                steps.textures[next].fragment = next == 0 ? steps.primary : steps.textures[next - 1].result;
+                steps.textures[next++].result = color_of(color);
+            }
             if (step == Step::kSummed) steps.sum = color_of(color);
             if (step == Step::kFogged && steps.fog) steps.fog->result = color_of(color);
         });

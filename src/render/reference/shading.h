@@ -13,6 +13,7 @@
 #include "render/reference/piece.h"
 #include "render/reference/reference.h"
 #include "render/reference/surface_rays.h"
+#include "render/reference/texture_place.h"
 
 namespace twinlight::reference {
 
@@ -20,6 +21,7 @@ namespace twinlight::reference {
 struct StagedDraw {
     const Draw* draw = nullptr;
     std::vector<StageVertex> vertices;
+    std::vector<std::vector<glm::dvec4>> further_tex_coords{};  // of each of Draw::further_units, at the vertices
 };
 
 struct Fragment {
@@ -67,7 +69,7 @@ class Shader {
     const DrawLighting& lighting() const { return lighting_; }
     Shading shading() const { return shading_; }
     // Whether colours need more of a Draw's vertices than what is lit when the Shader is made. points() always does.
-    bool needs_vertices() const { return lights_pixels() || draw_.texture.texture || draw_.fog.enabled; }
+    bool needs_vertices() const { return lights_pixels() || !units_.empty() || draw_.fog.enabled; }
 
     // The fragment's colour from lit colours, in [0,1], with the rulings that it depends on; `position`: the rulings of
     // the position.
@@ -85,8 +87,15 @@ class Shader {
     template <class Real>
     struct Finish {
         Real fog = 1;
-        std::optional<Channels<Real>> texel{};
+        std::optional<Channels<Real>> texel{};  // of the only unit
+        std::vector<Channels<Real>> texels{};   // of each unit, if the Draw combines textures
         bool has_choice = false;
+    };
+    // A texture unit that has a texture.
+    struct Unit {
+        std::size_t number = 0;
+        const TextureUnit* state = nullptr;
+        TexCoords tex_coords;
     };
     // The point that phong and exact shading light at a pixel.
     struct LitPlace {
@@ -115,18 +124,23 @@ class Shader {
     void add_fog(const Fragment& fragment, Finish<Interval>& finish) const;
     template <class Real>
     Finish<Real> finish(const Fragment& fragment) const;
-    void add_texel(const Fragment& fragment, Finish<double>& finish) const;
-    void add_texel(const Fragment& fragment, Finish<Interval>& finish) const;
-    TexturePlace texture_place_of(const Fragment& fragment) const;
+    template <class Real>
+    void add_texels(const Fragment& fragment, Finish<Real>& finish) const;
+    void find_texel(const Fragment& fragment, const Unit& unit, Channels<double>& texel, bool& has_choice) const;
+    void find_texel(const Fragment& fragment, const Unit& unit, Channels<Interval>& texel, bool& has_choice) const;
+    TexturePlace texture_place_of(const Fragment& fragment, const Unit& unit) const;
+    std::vector<Unit> units(const StagedDraw& staged) const;
     template <class Real, class Colors>
     Channels<Real> finished(const Colors& colors, const Finish<Real>& finish) const;
-    // Calls see(Step, colour) after each step.
+    // Calls see(Step, colour) after each step; kTextured after each unit, or once without any.
     enum class Step : std::uint8_t { kTextured, kSummed, kFogged };
     template <class Real, class Colors, class See>
     Channels<Real> finished(const Colors& colors, const Finish<Real>& finish, const See& see) const;
 
     const Draw& draw_;
     const std::vector<StageVertex>& vertices_;
+    const std::vector<Unit> units_;
+    const bool combines_textures_;
     const Shading shading_;
     const DrawLighting lighting_;
     const bool srgb_coded_;

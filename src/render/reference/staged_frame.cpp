@@ -42,7 +42,9 @@ StagedFrame run_stages(const Frame& frame, const Options& options) {
             continue;
         }
         const Draw& draw = std::get<Draw>(item);
-        stages.draws.push_back({&draw, vertex_stage(draw)});
+        StagedDraw& staged = stages.draws.emplace_back(StagedDraw{&draw, vertex_stage(draw)});
+        for (const FurtherUnit& further : draw.further_units)
+            staged.further_tex_coords.push_back(staged_tex_coords(draw, further, staged.vertices));
         const std::size_t first = stages.pieces.size();
         const auto index = static_cast<std::uint32_t>(stages.draws.size() - 1);
         if (options.shading != Shading::kExact || !draw.has_exact_surfaces())

@@ -40,9 +40,9 @@ Vector magnitudes(const Matrix& m, const Vector& v) {
 
 }  // namespace
 
-glm::dvec4 generated_tex_coord(const TextureUnit& unit, const Vertex& vertex, const glm::dvec4& position_eye,
-                               const glm::dvec3& normal_eye) {
-    glm::dvec4 result = vertex.tex_coord;
+glm::dvec4 generated_tex_coord(const TextureUnit& unit, const Vertex& vertex, const glm::dvec4& tex_coord,
+                               const glm::dvec4& position_eye, const glm::dvec3& normal_eye) {
+    glm::dvec4 result = tex_coord;
     for (const GeneratedCoordinate& one : unit.generated) {
         const int i = one.coordinate;
         switch (one.mode) {
@@ -62,8 +62,8 @@ glm::dvec4 generated_tex_coord(const TextureUnit& unit, const Vertex& vertex, co
     return result;
 }
 
-double generated_error(const Draw& draw, const Vertex& vertex, const StageVertex& staged) {
-    if (draw.texture.generated.empty()) return 0;
+double generated_error(const Draw& draw, const TextureUnit& unit, const Vertex& vertex, const StageVertex& staged) {
+    if (unit.generated.empty()) return 0;
     // Float arithmetic: a product with a matrix, and the driver's inverse of the modelview matrix, each in a few dozen
     // roundings of half a unit in the last place.
     constexpr double kRoundings = 64 * 0x1p-24;
@@ -77,7 +77,7 @@ double generated_error(const Draw& draw, const Vertex& vertex, const StageVertex
         kRoundings * (n + n * quotient(glm::length(magnitudes(to_eye, vertex.normal_object)), before));
     const double r_error = (1 + 2 * n * n) * u_error + 4 * n * n_error;
     glm::dvec4 errors(0);
-    for (const GeneratedCoordinate& one : draw.texture.generated) {
+    for (const GeneratedCoordinate& one : unit.generated) {
         double& error = errors[one.coordinate];
         switch (one.mode) {
             case kGL_OBJECT_LINEAR: error = glm::dot(glm::abs(one.plane), glm::abs(vertex.position_object)); break;
@@ -93,7 +93,7 @@ double generated_error(const Draw& draw, const Vertex& vertex, const StageVertex
         }
         if (!one.needs_normal()) error *= kRoundings;
     }
-    const glm::dvec4 after = magnitudes(draw.texture.texture_matrix, errors);
+    const glm::dvec4 after = magnitudes(unit.texture_matrix, errors);
     return std::max({after.x, after.y, after.w});
 }
 

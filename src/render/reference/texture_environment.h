@@ -1,9 +1,11 @@
-// Combines a texel and a fragment's colour: the texture functions (3.8.13, tables 3.21 to 3.23).
+// Combines a texel and a fragment's colour: the texture functions (3.8.13, tables 3.21 to 3.25).
 //
 // In: the fragment's colour (C_f, A_f), the filtered texel (C_s, A_s), the unit's environment. Out: (C_v, A_v) in
 // [0,1]. A base internal format has a colour, an alpha or both (table 3.21); the fragment keeps what the format lacks.
 // With this rule, five formulas give the tables.
 #pragma once
+
+#include <glm/common.hpp>
 
 #include "render/reference/interval.h"
 #include "scene/state/frame.h"
@@ -53,6 +55,63 @@ Channels<Real> textured(const TextureUnit& unit, Enum base_format, const Channel
                 textured_color(unit.env_mode, base_format, fragment[i], texel[i], texel[3], clamp01(unit.env_color[i]));
     if (has_alpha(base_format))
         result[3] = textured_alpha(unit.env_mode, base_format, fragment[3], texel[3], clamp01(unit.env_color.a));
+    return result;
+}
+
+// GL_COMBINE (tables 3.24 and 3.25). `primary`: the fragment's colour before all units; `previous`: after the unit before
+// this one. texel_of(n): the texel of unit n, with 0 for what its format lacks, alpha 1.
+template <class Real, class TexelOf>
+Channels<Real> combined(const TextureUnit& unit, std::size_t number, const Channels<Real>& primary,
+                        const Channels<Real>& previous, const TexelOf& texel_of) {
+    const Combine& combine = unit.combine;
+    const auto source = [&](Enum name) -> Channels<Real> {
+        switch (name) {
+            case kGL_TEXTURE: return texel_of(number);
+            case kGL_CONSTANT: return channels<Real>(glm::clamp(unit.env_color, 0.0, 1.0));
+            case kGL_PRIMARY_COLOR: return primary;
+            case kGL_PREVIOUS: return previous;
+            default: return texel_of(name - kGL_TEXTURE0);
+        }
+    };
+    const auto argument = [&](Enum name, Enum operand) {
+        Channels<Real> result = source(name);
+        if (operand == kGL_SRC_ALPHA || operand == kGL_ONE_MINUS_SRC_ALPHA) result.fill(Real(result[3]));
+        if (operand == kGL_ONE_MINUS_SRC_COLOR || operand == kGL_ONE_MINUS_SRC_ALPHA)
+            for (Real& channel : result) channel = Real(1) - channel;
+        return result;
+    };
+    using Arguments = std::array<Channels<Real>, 3>;
+    const auto arguments = [&](Enum function, const std::array<Enum, 3>& sources, const std::array<Enum, 3>& operands) {
+        Arguments result{};
+        for (std::size_t i = 0; i < Combine::arguments_of(function); ++i) result[i] = argument(sources[i], operands[i]);
+        return result;
+    };
+    const auto value = [](Enum function, const Arguments& arg, std::size_t i) -> Real {
+        switch (function) {
+            case kGL_REPLACE: return arg[0][i];
+            case kGL_ADD: return arg[0][i] + arg[1][i];
+            case kGL_ADD_SIGNED: return arg[0][i] + arg[1][i] - Real(0.5);
+            case kGL_INTERPOLATE: return arg[0][i] * arg[2][i] + arg[1][i] * (Real(1) - arg[2][i]);
+            case kGL_SUBTRACT: return arg[0][i] - arg[1][i];
+            default: return arg[0][i] * arg[1][i];  // GL_MODULATE
+        }
+    };
+    const auto scaled = [](int scale, Real v) { return clamp01(Real(scale) * v); };
+
+    const Arguments of_rgb = arguments(combine.rgb, combine.rgb_sources, combine.rgb_operands);
+    Channels<Real> result{};
+    if (combine.rgb == kGL_DOT3_RGB || combine.rgb == kGL_DOT3_RGBA) {
+        Real dot(0);
+        for (std::size_t i = 0; i < 3; ++i) dot = dot + (of_rgb[0][i] - Real(0.5)) * (of_rgb[1][i] - Real(0.5));
+        for (std::size_t i = 0; i < 3; ++i) result[i] = scaled(4 * combine.rgb_scale, dot);
+        result[3] = scaled(4 * combine.alpha_scale, dot);
+        if (combine.gives_alpha()) return result;
+    } else {
+        for (std::size_t i = 0; i < 3; ++i) result[i] = scaled(combine.rgb_scale, value(combine.rgb, of_rgb, i));
+    }
+    result[3] =
+        scaled(combine.alpha_scale,
+               value(combine.alpha, arguments(combine.alpha, combine.alpha_sources, combine.alpha_operands), 3));
     return result;
 }
 

@@ -10,11 +10,11 @@ namespace twinlight::reference {
 namespace {
 
 // s, t and q divided by w; they are linear in the window.
-Linear3 stq_over_w(const std::vector<StageVertex>& vertices, const Piece& piece, const glm::dvec2& position_window) {
+Linear3 stq_over_w(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window) {
     const Linear3 weights = weights_over_w_at(piece, position_window);
     Linear3 result;
     for (int i = 0; i < 3; ++i) {
-        const glm::dvec4& t = vertices[piece.primitive.vertices[i]].tex_coord;
+        const glm::dvec4& t = tex_coords[piece.primitive.vertices[i]];
         const glm::dvec3 stq(t.x, t.y, t.w);
         result.value += weights.value[i] * stq;
         result.per_x += weights.per_x[i] * stq;
@@ -44,9 +44,8 @@ Interval rho_of_differences(const Texture& texture, const Linear3& stq, const Te
 
 }  // namespace
 
-TexturePlace texture_place(const std::vector<StageVertex>& vertices, const Piece& piece,
-                           const glm::dvec2& position_window) {
-    const Linear3 stq = stq_over_w(vertices, piece, position_window);
+TexturePlace texture_place(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window) {
+    const Linear3 stq = stq_over_w(tex_coords, piece, position_window);
     TexturePlace place{.st = divided(stq.value), .of_point = piece.shape == Shape::kPoint};
     const auto change = [&](const glm::dvec3& d) {  // the quotient rule
         return glm::dvec2(quotient(d.x - place.st.x * d.z, stq.value.z), quotient(d.y - place.st.y * d.z, stq.value.z));
@@ -56,22 +55,22 @@ TexturePlace texture_place(const std::vector<StageVertex>& vertices, const Piece
     return place;
 }
 
-lighting::RulingSet texture_rulings(const std::vector<StageVertex>& vertices, const Piece& piece,
+lighting::RulingSet texture_rulings(const TexCoords& tex_coords, const Piece& piece,
                                     const glm::dvec2& position_window) {
     using lighting::Marked;
-    const glm::dvec3 stq = stq_over_w(vertices, piece, position_window).value;
+    const glm::dvec3 stq = stq_over_w(tex_coords, piece, position_window).value;
     const Marked s = quotient(Marked(stq.x), Marked(stq.z)), t = quotient(Marked(stq.y), Marked(stq.z));
     return countable(s).rulings | countable(t).rulings;
 }
 
-TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices, const Piece& piece,
+TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece& piece,
                                         const glm::dvec2& position_window, const Texture& texture,
                                         double vertex_error) {
     // Float arithmetic: the rounding of the texture matrix, of the plane (a constant plus slope times pixel number) and
     // of the division, each at most half a unit in the last place of the magnitudes added.
     constexpr double kRoundings = 8 * 0x1p-24;
-    const TexturePlace place = texture_place(vertices, piece, position_window);
-    Linear3 stq = stq_over_w(vertices, piece, position_window);
+    const TexturePlace place = texture_place(tex_coords, piece, position_window);
+    Linear3 stq = stq_over_w(tex_coords, piece, position_window);
     const glm::dvec3 added_up = glm::abs(stq.value) + glm::abs(stq.per_x) * std::abs(position_window.x) +
                                 glm::abs(stq.per_y) * std::abs(position_window.y);
     const double q = std::abs(stq.value.z);

@@ -12,8 +12,22 @@
 
 namespace twinlight::reference {
 
-TexturePlace texture_place(const std::vector<StageVertex>& vertices, const Piece& piece,
-                           const glm::dvec2& position_window);
+// The texture coordinates of a texture unit at a Draw's stage vertices, which must outlive it.
+class TexCoords {
+  public:
+    TexCoords(const std::vector<StageVertex>& vertices) : vertices_(&vertices) {}  // NOLINT: those of unit 0
+    explicit TexCoords(const std::vector<glm::dvec4>& further) : further_(&further) {}
+
+    const glm::dvec4& operator[](std::size_t vertex) const {
+        return further_ ? (*further_)[vertex] : (*vertices_)[vertex].tex_coord;
+    }
+
+  private:
+    const std::vector<StageVertex>* vertices_ = nullptr;
+    const std::vector<glm::dvec4>* further_ = nullptr;
+};
+
+TexturePlace texture_place(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window);
 
 // The input of texture_bounds.h.
 struct TexturePlaceBounds {
@@ -21,7 +35,7 @@ struct TexturePlaceBounds {
     Interval rho;
 };
 // `vertex_error`: the largest error of a vertex's s, t and q.
-TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices, const Piece& piece,
+TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece& piece,
                                         const glm::dvec2& position_window, const Texture& texture,
                                         double vertex_error = 0);
 
@@ -29,8 +43,7 @@ TexturePlaceBounds texture_place_bounds(const std::vector<StageVertex>& vertices
 inline constexpr double kSnap = 1.0 / 256;
 
 // The rulings that the place depends on, for a mesh.
-lighting::RulingSet texture_rulings(const std::vector<StageVertex>& vertices, const Piece& piece,
-                                    const glm::dvec2& position_window);
+lighting::RulingSet texture_rulings(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window);
 
 // RULING: a quotient with a q of 0 is 0.
 template <class Real>

@@ -40,13 +40,22 @@ std::vector<StageVertex> vertex_stage(const Draw& draw, std::span<const Vertex> 
         v.normal_eye = normal_eye_from_object * vertex.normal_object;
         v.normal_eye = draw.lighting.normalize ? unit(v.normal_eye) : v.normal_eye * rescale;
         v.color = vertex.color;
-        v.tex_coord =
-            draw.texture.texture_matrix *
-            (draw.texture.generated.empty() ? vertex.tex_coord
-                                            : generated_tex_coord(draw.texture, vertex, v.position_eye, v.normal_eye));
+        v.tex_coord = draw.texture.texture_matrix *
+                      generated_tex_coord(draw.texture, vertex, vertex.tex_coord, v.position_eye, v.normal_eye);
         v.material = vertex.material;
         result.push_back(v);
     }
+    return result;
+}
+
+std::vector<glm::dvec4> staged_tex_coords(const Draw& draw, const FurtherUnit& further,
+                                          std::span<const StageVertex> staged) {
+    std::vector<glm::dvec4> result;
+    result.reserve(staged.size());
+    for (std::size_t i = 0; i < staged.size(); ++i)
+        result.push_back(further.unit.texture_matrix *
+                         generated_tex_coord(further.unit, draw.vertices[i], further.tex_coords[i],
+                                             staged[i].position_eye, staged[i].normal_eye));
     return result;
 }
 

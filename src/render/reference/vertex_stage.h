@@ -24,6 +24,11 @@ std::vector<StageVertex> vertex_stage(const Draw& draw);
 // The same for vertices that the Draw need not have.
 std::vector<StageVertex> vertex_stage(const Draw& draw, std::span<const Vertex> vertices);
 
+// The texture coordinates of a further unit at the Draw's vertices, as StageVertex has them for unit 0. `staged`: the
+// Draw's vertex_stage().
+std::vector<glm::dvec4> staged_tex_coords(const Draw& draw, const FurtherUnit& further,
+                                          std::span<const StageVertex> staged);
+
 // The rulings that a vertex or a surface's point depends on. `normalize`: whether its normal is scaled to length 1.
 struct VertexRulings {
     lighting::RulingSet position, normal;

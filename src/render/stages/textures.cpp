@@ -115,6 +115,31 @@ void Textures::bind(const TextureUnit& unit) {
     glTexParameterf(texture.target, GL_TEXTURE_LOD_BIAS, static_cast<float>(unit.lod_bias));
 }
 
+TextureUnits combined_units(const Draw& draw) {
+    TextureUnits units;
+    if (!draw.combines_textures()) return units;
+    draw.for_each_unit([&](std::size_t number, const TextureUnit& unit) { units.emplace_back(number, unit); });
+    return units;
+}
+
+// Two units may have one texture with different biases, so here the bias belongs to the unit.
+void Textures::bind_units(const TextureUnits& units) {
+    for (const auto& [number, unit] : units) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(number));
+        bind(unit);
+        glTexParameterf(unit.texture->target, GL_TEXTURE_LOD_BIAS, 0);
+        glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, static_cast<float>(unit.lod_bias));
+    }
+}
+
+void Textures::release_units(const TextureUnits& units) {
+    for (const auto& [number, unit] : units) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(number));
+        glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 0);
+    }
+    glActiveTexture(GL_TEXTURE0);
+}
+
 Textures::Map::iterator Textures::find_equal(const std::shared_ptr<const Texture>& texture) {
     const auto same = std::ranges::find_if(
         uploaded_, [&](const auto& entry) { return !entry.second.used && are_same(*entry.second.texture, *texture); });

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "scene/state/frame.h"
 
@@ -12,6 +14,11 @@ namespace twinlight {
 // How GL_CLAMP is done, which core GL and shaders lack: by the driver's sampler, or by a shader that clamps coordinates
 // to the start of the border.
 enum class Clamping : std::uint8_t { kDriver, kShader };
+
+// Texture units with their numbers.
+using TextureUnits = std::vector<std::pair<std::size_t, TextureUnit>>;
+// Those of a Draw that combines textures; empty for another Draw.
+TextureUnits combined_units(const Draw& draw);
 
 // Owns its texture objects, so it must be destroyed before the context.
 class Textures {
@@ -24,6 +31,10 @@ class Textures {
     // Binds the unit's texture to the active unit and sets its sampling parameters; uploads it at its first use. Throws
     // std::runtime_error if the driver refuses an image.
     void bind(const TextureUnit& unit);
+    // Binds the textures of several units. release_units() makes unit 0 active again and resets what bind() does not
+    // set; it must come before the next bind().
+    void bind_units(const TextureUnits& units);
+    static void release_units(const TextureUnits& units);
     // Ends a frame: deletes textures that were not bound since the last call. State creates textures again for each
     // frame; those that are the same texel by texel are not uploaded again.
     void drop_unused();

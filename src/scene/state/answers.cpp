@@ -172,8 +172,7 @@ Answer answer(const State& state, Enum pname) {
             const glm::dvec3& n = a.current.normal_object;
             return {n.x, n.y, n.z};
         }
-        case kGL_CURRENT_TEXTURE_COORDS:  // the active unit's; those of unit 0 are followed
-            return a.active_unit == 0 ? list(a.current.tex_coord) : Answer{};
+        case kGL_CURRENT_TEXTURE_COORDS: return list(a.tex_coord(a.active_unit));
         case kGL_EDGE_FLAG: return one(a.current.edge_flag);
         case kGL_MATRIX_MODE: return one(a.matrix_mode);
         case kGL_MODELVIEW_MATRIX: return list(m);
@@ -203,6 +202,7 @@ Answer answer(const State& state, Enum pname) {
         case kGL_MAX_LIGHTS: return one(kMaxLights);
         case kGL_MAX_CLIP_PLANES: return one(kMaxClipPlanes);
         case kGL_MAX_TEXTURE_SIZE: return one(kMaxTextureSize);
+        case kGL_MAX_TEXTURE_UNITS: return one(kMaxTextureUnits);
         case kGL_MAX_TEXTURE_LOD_BIAS: return one(kMaxLodBias);
         default: return {};
     }
@@ -217,8 +217,28 @@ Answer tex_env_answer(const State& state, Enum target, Enum pname) {
     const TextureBindings& unit = state.attributes().units[state.attributes().active_unit];
     if (target == kGL_TEXTURE_FILTER_CONTROL && pname == kGL_TEXTURE_LOD_BIAS) return one(unit.lod_bias);
     if (target != kGL_TEXTURE_ENV) return {};
-    if (pname == kGL_TEXTURE_ENV_MODE) return one(unit.env_mode);
-    return pname == kGL_TEXTURE_ENV_COLOR ? list(unit.env_color) : Answer{};
+    const Combine& combine = unit.combine;
+    switch (pname) {
+        case kGL_TEXTURE_ENV_MODE: return one(unit.env_mode);
+        case kGL_TEXTURE_ENV_COLOR: return list(unit.env_color);
+        case kGL_COMBINE_RGB: return one(combine.rgb);
+        case kGL_COMBINE_ALPHA: return one(combine.alpha);
+        case kGL_RGB_SCALE: return one(combine.rgb_scale);
+        case kGL_ALPHA_SCALE: return one(combine.alpha_scale);
+        case kGL_SRC0_RGB:
+        case kGL_SRC1_RGB:
+        case kGL_SRC2_RGB: return one(combine.rgb_sources[pname - kGL_SRC0_RGB]);
+        case kGL_SRC0_ALPHA:
+        case kGL_SRC1_ALPHA:
+        case kGL_SRC2_ALPHA: return one(combine.alpha_sources[pname - kGL_SRC0_ALPHA]);
+        case kGL_OPERAND0_RGB:
+        case kGL_OPERAND1_RGB:
+        case kGL_OPERAND2_RGB: return one(combine.rgb_operands[pname - kGL_OPERAND0_RGB]);
+        case kGL_OPERAND0_ALPHA:
+        case kGL_OPERAND1_ALPHA:
+        case kGL_OPERAND2_ALPHA: return one(combine.alpha_operands[pname - kGL_OPERAND0_ALPHA]);
+        default: return {};
+    }
 }
 
 Answer tex_gen_answer(const State& state, Enum coord, Enum pname) {

@@ -54,6 +54,8 @@ struct ArrayVertices {
     Enum mode = kGL_POINTS;
     std::vector<Vertex> vertices{};
     std::vector<std::uint32_t> indices{};  // empty: 0, 1, 2, ...
+    // Of the units above 0 that have an array, by their number: one for each of `vertices`.
+    std::map<std::size_t, std::vector<glm::dvec4>> further_tex_coords{};
     bool has_position = false, has_normal = false, has_color = false, has_tex_coord = false, has_edge_flag = false;
 };
 
@@ -98,7 +100,7 @@ class VertexArrays {
     Result check_elements(const Command& draw) const;
     // The error if an enabled array does not contain all elements from `smallest` to `largest`.
     Result check_memory(const Command& draw, std::uint64_t smallest, std::uint64_t largest) const;
-    void read_element(std::uint64_t index, SignedRule rule, Vertex& vertex) const;
+    void read_element(std::uint64_t index, SignedRule rule, ArrayVertices& read) const;  // appends it
 
     struct Saved {
         ClientArrays client;

@@ -79,6 +79,7 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
     const auto bit = [mask](Enum one) { return (mask & one) != 0; };
     if (bit(kGL_CURRENT_BIT)) {
         now.current = saved.current;
+        now.further_tex_coords = saved.further_tex_coords;
         now.secondary_color = saved.secondary_color;
     }
     if (bit(kGL_POINT_BIT)) {

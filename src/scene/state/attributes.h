@@ -36,13 +36,13 @@ struct TexGen {
     glm::dvec4 plane_eye{0};  // times the inverse of the modelview matrix at the call
 };
 
-// The bindings, capabilities and environment of a texture unit (3.8.13, 3.8.16). Draws use only unit 0; another enabled
-// unit is reported as unsupported.
+// The bindings, capabilities and environment of a texture unit (3.8.13, 3.8.16).
 struct TextureBindings {
     std::uint32_t bound_1d = 0, bound_2d = 0;
     bool enabled_1d = false, enabled_2d = false;
     Enum env_mode = kGL_MODULATE;
     glm::dvec4 env_color{0, 0, 0, 0};
+    Combine combine;
     double lod_bias = 0;
     // Of s, t, r and q.
     std::array<TexGen, 4> tex_gen{TexGen{.object_plane = {1, 0, 0, 0}, .plane_eye = {1, 0, 0, 0}},
@@ -120,8 +120,9 @@ struct Attributes {
     std::array<TextureBindings, kMaxTextureUnits> units;
     std::size_t active_unit = 0;  // glActiveTexture's
     std::array<ClipPlane, kMaxClipPlanes> clip_planes;
-    Vertex current;           // colour, normal, texture coordinates, edge flag
-    Clear clear;              // the values to clear with
+    Vertex current;  // colour, normal, texture coordinates of unit 0, edge flag
+    std::array<glm::dvec4, kMaxTextureUnits - 1> further_tex_coords = initial_tex_coords();  // of units 1, 2, ...
+    Clear clear;                                                                             // the values to clear with
     bool draws_color = true;  // false: glDrawBuffer(GL_NONE)
     // Places where values were set that only the driver supports; a picture that is drawn with them is partial.
     std::optional<Place> secondary_color;    // not black
@@ -140,6 +141,19 @@ struct Attributes {
     // The enabled capabilities that only the driver supports, with the place of glEnable. The key is the capability and
     // its texture unit (0 for capabilities without units).
     std::map<std::pair<Enum, std::size_t>, Place> driver_only{{{kGL_DITHER, 0}, {}}, {{kGL_MULTISAMPLE, 0}, {}}};
+
+    // The current texture coordinates of a unit.
+    glm::dvec4& tex_coord(std::size_t unit) { return unit == 0 ? current.tex_coord : further_tex_coords.at(unit - 1); }
+    const glm::dvec4& tex_coord(std::size_t unit) const {
+        return unit == 0 ? current.tex_coord : further_tex_coords.at(unit - 1);
+    }
+
+  private:
+    static std::array<glm::dvec4, kMaxTextureUnits - 1> initial_tex_coords() {
+        std::array<glm::dvec4, kMaxTextureUnits - 1> all;
+        all.fill({0, 0, 0, 1});
+        return all;
+    }
 };
 
 }  // namespace twinlight

@@ -28,6 +28,8 @@ std::optional<ArrayVertices> State::array_vertices(const Command& c) {
     }
     ArrayVertices read = arrays_.read(c, options_.signed_rule);
     for (Vertex& v : read.vertices) sanitize(v);
+    for (auto& [unit, tex_coords] : read.further_tex_coords)
+        for (glm::dvec4& tex_coord : tex_coords) sanitize(tex_coord);
     return read;
 }
 
@@ -51,13 +53,19 @@ void State::draw_arrays(const Command& c) {
 
 void State::draw(const Command& c, const ArrayVertices& read) {
     if (!read.has_position || read.vertices.empty()) return;  // 2.8: no primitives are constructed
-    const std::size_t bytes = bytes_of_draw() + bytes_of_vertices(read.vertices.size(), read.indices.size());
+    const std::size_t bytes = bytes_of_draw() + vertex_bytes(read.vertices.size(), read.indices.size());
     if (!has_room(c, bytes)) return;
     Draw draw = new_draw(read.mode, c.place);
-    draw.vertices.reserve(read.vertices.size());
-    for (const Vertex& v : read.vertices) draw.vertices.push_back(complete(v, read, a_.current));
-    for (Vertex& v : draw.vertices) v.material = 0;
+    std::vector<Vertex> vertices;
+    vertices.reserve(read.vertices.size());
+    for (const Vertex& v : read.vertices) vertices.push_back(complete(v, read, a_.current));
+    for (Vertex& v : vertices) v.material = 0;
+    draw.vertices = std::move(vertices);
     draw.indices = read.indices;
+    for (FurtherUnit& further : draw.further_units)
+        if (const auto found = read.further_tex_coords.find(further.number); found != read.further_tex_coords.end())
+            further.tex_coords = found->second;
+    add_tex_coords(draw);
     show(std::move(draw));
 }
 
@@ -70,12 +78,14 @@ void State::send_element(const Command& c, const ArrayVertices& element) {
     const Vertex values = complete(element.vertices.front(), element, a_.current);
     a_.current.normal_object = values.normal_object;
     a_.current.tex_coord = values.tex_coord;
+    for (const auto& [unit, tex_coords] : element.further_tex_coords) a_.tex_coord(unit) = tex_coords.front();
     a_.current.edge_flag = values.edge_flag;
     a_.current.color = values.color;
     if (element.has_color) track_color();
-    if (!element.has_position || !open_ || !has_room(c, bytes_of_vertices(1))) return;
+    if (!element.has_position || !open_ || !has_room(c, vertex_bytes(1))) return;
     a_.current.position_object = values.position_object;
-    open_->vertices.push_back(a_.current);
+    open_->vertices.edit().push_back(a_.current);
+    add_tex_coords(*open_);
 }
 
 }  // namespace twinlight

@@ -22,6 +22,7 @@
 #include "scene/command/command.h"
 #include "scene/shape/surface.h"
 #include "scene/spectrum/samples.h"
+#include "scene/state/shared_vector.h"
 
 namespace twinlight {
 
@@ -312,10 +313,43 @@ struct GeneratedCoordinate {
     bool needs_normal() const { return mode != kGL_OBJECT_LINEAR && mode != kGL_EYE_LINEAR; }
 };
 
+// GL_COMBINE (3.8.13, tables 3.24 and 3.25): a function of up to three arguments for the colour, another for alpha. An
+// argument is a source seen through an operand.
+struct Combine {
+    // GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE or GL_SUBTRACT; `rgb` also GL_DOT3_RGB or
+    // GL_DOT3_RGBA, which gives alpha too.
+    Enum rgb = kGL_MODULATE, alpha = kGL_MODULATE;
+    // GL_TEXTURE, GL_TEXTUREn, GL_CONSTANT, GL_PRIMARY_COLOR or GL_PREVIOUS.
+    std::array<Enum, 3> rgb_sources{kGL_TEXTURE, kGL_PREVIOUS, kGL_CONSTANT};
+    std::array<Enum, 3> alpha_sources{kGL_TEXTURE, kGL_PREVIOUS, kGL_CONSTANT};
+    std::array<Enum, 3> rgb_operands{kGL_SRC_COLOR, kGL_SRC_COLOR, kGL_SRC_ALPHA};
+    std::array<Enum, 3> alpha_operands{kGL_SRC_ALPHA, kGL_SRC_ALPHA, kGL_SRC_ALPHA};
+    int rgb_scale = 1, alpha_scale = 1;  // 1, 2 or 4
+
+    // The number of arguments of a function.
+    static std::size_t arguments_of(Enum function) {
+        return function == kGL_REPLACE ? 1 : function == kGL_INTERPOLATE ? 3 : 2;
+    }
+    // Whether `rgb` gives alpha too.
+    bool gives_alpha() const { return rgb == kGL_DOT3_RGBA; }
+    // Whether an argument that counts comes from texture unit `number`, named GL_TEXTUREn.
+    bool reads_unit(std::size_t number) const {
+        const auto reads = [&](Enum function, const std::array<Enum, 3>& sources) {
+            return std::find(sources.begin(), sources.begin() + static_cast<std::ptrdiff_t>(arguments_of(function)),
+                             kGL_TEXTURE0 + static_cast<Enum>(number)) !=
+                   sources.begin() + static_cast<std::ptrdiff_t>(arguments_of(function));
+        };
+        return reads(rgb, rgb_sources) || (!gives_alpha() && reads(alpha, alpha_sources));
+    }
+
+    friend auto operator<=>(const Combine&, const Combine&) = default;  // NOLINT: not a null pointer
+};
+
 struct TextureUnit {
     std::shared_ptr<const Texture> texture;  // null if texturing is disabled or the texture incomplete (3.8.10)
-    Enum env_mode = kGL_MODULATE;            // 3.8.13: or GL_DECAL, GL_REPLACE, GL_BLEND, GL_ADD
+    Enum env_mode = kGL_MODULATE;            // 3.8.13: or GL_DECAL, GL_REPLACE, GL_BLEND, GL_ADD, GL_COMBINE
     glm::dvec4 env_color{0, 0, 0, 0};
+    Combine combine{};             // of GL_COMBINE; the initial one for other modes
     double lod_bias = 0;           // GL_TEXTURE_LOD_BIAS of the unit and of the texture: their sum, limited (3.8.8)
     glm::dmat4 texture_matrix{1};  // multiplies every texture coordinate (2.11.2)
     // They replace the vertices' own coordinates; in the order s, t, r, q.
@@ -404,15 +438,23 @@ struct Materials {
 // Whether a mode of glBegin draws polygons (2.6.1), which have two faces, rather than points or lines.
 inline bool draws_polygons(Enum mode) { return mode >= kGL_TRIANGLES; }
 
+// A texture unit above unit 0 that has a texture, and the texture coordinates that the Draw's vertices have for it.
+struct FurtherUnit {
+    std::size_t number = 1;
+    TextureUnit unit{};
+    std::vector<glm::dvec4> tex_coords{};  // one for each of Draw::vertices
+};
+
 // One batch of primitives with all state that affects it.
 struct Draw {
     Enum mode = kGL_TRIANGLES;  // glBegin's primitive type
-    std::vector<Vertex> vertices;
-    std::vector<std::uint32_t> indices;  // into vertices, in drawing order; empty: 0, 1, 2, ...
+    SharedVector<Vertex> vertices;
+    SharedVector<std::uint32_t> indices;  // into vertices, in drawing order; empty: 0, 1, 2, ...
 
     LightingState lighting;
     RasterState raster;
-    TextureUnit texture;
+    TextureUnit texture;                     // unit 0
+    std::vector<FurtherUnit> further_units;  // those with a texture, in ascending order
     Fog fog;
     FragmentState fragment;
     // The materials of the vertices, if glMaterial is called between glBegin and glEnd. Then materials[0] equals
@@ -435,12 +477,30 @@ struct Draw {
     bool draws_points() const { return mode == kGL_POINTS || draws_polygons_as(kGL_POINT); }
     bool draws_lines() const { return (mode != kGL_POINTS && !draws_polygons(mode)) || draws_polygons_as(kGL_LINE); }
 
+    // Whether textures are combined by more than one texture unit or by GL_COMBINE.
+    bool combines_textures() const {
+        return !further_units.empty() || (texture.texture && texture.env_mode == kGL_COMBINE);
+    }
+    // Visits the texture units that have a texture: visit(number, unit), in ascending order.
+    template <class Visit>
+    void for_each_unit(const Visit& visit) const {
+        if (texture.texture) visit(std::size_t{0}, texture);
+        for (const FurtherUnit& further : further_units) visit(further.number, further.unit);
+    }
+    // A texture coordinate of a vertex, of a unit that has a texture.
+    const glm::dvec4& tex_coord(std::size_t unit, std::size_t vertex) const {
+        const auto further = std::ranges::find(further_units, unit, &FurtherUnit::number);
+        return further == further_units.end() ? vertices[vertex].tex_coord : further->tex_coords[vertex];
+    }
+
     // Whether Shading::kExact draws surfaces instead of the mesh. It does so only for filled polygons whose texture
-    // coordinates are not generated (GL generates them for vertices), and only if both faces have the same stencil
-    // test: shaders draw a surface as a rectangle, whose face is not the surface's.
+    // coordinates are not generated (GL generates them for vertices), that have at most one texture and no GL_COMBINE,
+    // and only if both faces have the same stencil test: shaders draw a surface as a rectangle, whose face is not the
+    // surface's.
     bool has_exact_surfaces() const {
-        return surfaces && !draws_borders() && texture.generated.empty() && raster.viewport.width > 0 &&
-               raster.viewport.height > 0 && (!fragment.stencil || fragment.stencil->front == fragment.stencil->back);
+        return surfaces && !draws_borders() && !combines_textures() && texture.generated.empty() &&
+               raster.viewport.width > 0 && raster.viewport.height > 0 &&
+               (!fragment.stencil || fragment.stencil->front == fragment.stencil->back);
     }
 
     std::size_t count() const { return indices.empty() ? vertices.size() : indices.size(); }

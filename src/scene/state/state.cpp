@@ -112,6 +112,14 @@ bool State::has_room(const Command& command, std::size_t bytes) {
     return false;
 }
 
+std::size_t State::vertex_bytes(std::size_t vertices, std::size_t indices) const {
+    const auto is_in_use = [](const TextureBindings& unit) { return unit.enabled_1d || unit.enabled_2d; };
+    const std::size_t further =
+        open_ ? open_->further_units.size()
+              : static_cast<std::size_t>(std::count_if(a_.units.begin() + 1, a_.units.end(), is_in_use));
+    return bytes_of_vertices(vertices, indices) + further * bytes_of_tex_coords(vertices);
+}
+
 bool State::has_time(const Command& command, double work) {
     work_ += work;
     if (work_ <= static_cast<double>(kMaxFrameWork)) return true;
@@ -155,7 +163,8 @@ void State::end(const Command& c) {
         item_bytes_ -= std::min(item_bytes_, open_bytes_);
     } else {
         // What the vector has grown by in vain stays as long as the frame.
-        if (open_->vertices.capacity() - open_->vertices.size() > kMuchRoom) open_->vertices.shrink_to_fit();
+        std::vector<Vertex>& vertices = open_->vertices.edit();
+        if (vertices.capacity() - vertices.size() > kMuchRoom) vertices.shrink_to_fit();
         show(std::move(*open_));
     }
     open_.reset();
@@ -164,11 +173,12 @@ void State::end(const Command& c) {
 
 void State::vertex(const Command& c) {
     if (!open_) return;  // 2.7: undefined outside Begin and End; ignored here, as by the driver
-    if (!has_room(c, bytes_of_vertices(1))) return;
+    if (!has_room(c, vertex_bytes(1))) return;
     a_.current.position_object = {0, 0, 0, 1};
     for (std::size_t i = 0; i < c.arguments.size(); ++i) a_.current.position_object[static_cast<int>(i)] = c.number(i);
     sanitize(a_.current);
-    open_->vertices.push_back(a_.current);
+    open_->vertices.edit().push_back(a_.current);
+    add_tex_coords(*open_);
 }
 
 void State::normal(const Command& c) {
@@ -200,25 +210,47 @@ void sanitize(Vertex& vertex) {
     };
     if (!all_in_range(vertex.position_object)) vertex.position_object = glm::dvec4(0);
     if (!all_in_range(vertex.normal_object)) vertex.normal_object = glm::dvec3(0);
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 4; ++i)
         if (!is_in_float_range(vertex.color[i])) vertex.color[i] = 0;
-        if (!is_in_float_range(vertex.tex_coord[i])) vertex.tex_coord[i] = 0;
-    }
+    sanitize(vertex.tex_coord);
 }
 
-// 2.7. RULING: the coordinates of units above 0 are ignored. If such a unit has a texture, it is reported as
-// unsupported.
+void sanitize(glm::dvec4& tex_coord) {
+    for (int i = 0; i < 4; ++i)
+        if (!is_in_float_range(tex_coord[i])) tex_coord[i] = 0;
+}
+
 void State::multi_tex_coord(const Command& c) {
     if (auto error = wrong_texture_unit(c)) return raise(std::move(*error));
-    if (c.enumerant(0) != kGL_TEXTURE0) return;
-    a_.current.tex_coord = {0, 0, 0, 1};
-    for (std::size_t i = 1; i < c.arguments.size(); ++i) a_.current.tex_coord[static_cast<int>(i) - 1] = c.number(i);
-    sanitize(a_.current);
+    glm::dvec4& tex_coord = a_.tex_coord(c.enumerant(0) - kGL_TEXTURE0);
+    tex_coord = {0, 0, 0, 1};
+    for (std::size_t i = 1; i < c.arguments.size(); ++i) tex_coord[static_cast<int>(i) - 1] = c.number(i);
+    sanitize(tex_coord);
 }
 
 double State::to_real(double c, Kind kind) const { return real_from(c, kind, options_.signed_rule); }
 
 // ---- Draws ----
+
+TextureUnit State::texture_unit(std::size_t number) const {
+    const TextureBindings& bindings = a_.units[number];
+    TextureUnit unit{.texture = complete_texture(bindings),
+                     .env_mode = bindings.env_mode,
+                     .env_color = bindings.env_color,
+                     .lod_bias = bindings.lod_bias,
+                     .texture_matrix = texture_[number].back().matrix};
+    if (!unit.texture) return unit;
+    unit.lod_bias =
+        std::clamp(unit.lod_bias + unit.texture->lod_bias, -kMaxLodBias, kMaxLodBias);  // 3.8.8, equation 3.19
+    unit.generated = generated_coordinates(bindings);
+    if (unit.env_mode == kGL_COMBINE) unit.combine = bindings.combine;
+    return unit;
+}
+
+void State::add_tex_coords(Draw& draw) const {
+    for (FurtherUnit& further : draw.further_units)
+        further.tex_coords.resize(draw.vertices.size(), a_.tex_coord(further.number));
+}
 
 Draw State::new_draw(Enum mode, const Place& place) {
     Draw draw;
@@ -228,21 +260,17 @@ Draw State::new_draw(Enum mode, const Place& place) {
     draw.eye_from_object = modelview();
     draw.clip_from_eye = projection();
     draw.place = place;
-    draw.texture = {.texture = complete_texture(a_.units[0]),
-                    .env_mode = a_.units[0].env_mode,
-                    .env_color = a_.units[0].env_color,
-                    .lod_bias = a_.units[0].lod_bias,
-                    .texture_matrix = texture_[0].back().matrix};
-    if (draw.texture.texture) {
-        draw.texture.lod_bias =  // 3.8.8, equation 3.19
-            std::clamp(draw.texture.lod_bias + draw.texture.texture->lod_bias, -kMaxLodBias, kMaxLodBias);
-        draw.texture.generated = generated_coordinates(a_.units[0]);
-    }
-    if (draw.texture.texture && draw.texture.env_mode == kGL_COMBINE) note_unsupported("glTexEnv(GL_COMBINE)", place);
-    for (std::size_t i = 1; i < a_.units.size(); ++i) {
-        if (!complete_texture(a_.units[i])) continue;
-        note_unsupported(fmt::format("texture unit {}", i), place);
-    }
+    draw.texture = texture_unit(0);
+    for (std::size_t i = 1; i < a_.units.size(); ++i)
+        if (a_.units[i].enabled_1d || a_.units[i].enabled_2d)
+            if (TextureUnit unit = texture_unit(i); unit.texture)
+                draw.further_units.push_back({.number = i, .unit = std::move(unit)});
+    // 3.8.13: then the result is undefined.
+    draw.for_each_unit([&](std::size_t, const TextureUnit& unit) {
+        for (std::size_t i = 0; i < a_.units.size() && unit.env_mode == kGL_COMBINE; ++i)
+            if (unit.combine.reads_unit(i) && !complete_texture(a_.units[i]))
+                note_unsupported("glTexEnv(GL_COMBINE) that reads a unit without a texture", place);
+    });
     draw.fog = a_.fog;
     draw.fragment = a_.fragment;
     if (!a_.draws_color) draw.fragment.color_mask.fill(false);
@@ -272,13 +300,14 @@ void State::show(FrameItem item) {
 
 // 2.10: the same as a GL_POLYGON with four vertices.
 void State::rect(const Command& c) {
-    if (!has_room(c, bytes_of_draw() + bytes_of_vertices(4))) return;
+    if (!has_room(c, bytes_of_draw() + vertex_bytes(4))) return;
     const double x1 = c.number(0), y1 = c.number(1), x2 = c.number(2), y2 = c.number(3);
     Draw draw = new_draw(kGL_POLYGON, c.place);
     for (const auto& [x, y] : {std::pair(x1, y1), {x2, y1}, {x2, y2}, {x1, y2}}) {
         a_.current.position_object = {x, y, 0, 1};
-        draw.vertices.push_back(a_.current);
+        draw.vertices.edit().push_back(a_.current);
     }
+    add_tex_coords(draw);
     show(std::move(draw));
 }
 
@@ -401,7 +430,8 @@ void State::drop_hidden() {
     item_bytes_ = 0;
     for (const FrameItem& item : items_)
         if (const Draw* draw = std::get_if<Draw>(&item))
-            item_bytes_ += bytes_of_draw() + bytes_of_vertices(draw->vertices.size(), draw->indices.size());
+            item_bytes_ += bytes_of_draw() + bytes_of_vertices(draw->vertices.size(), draw->indices.size()) +
+                           draw->further_units.size() * bytes_of_tex_coords(draw->vertices.size());
     if (items_.size() == 1) unsupported_.clear();
 }
 

@@ -50,10 +50,13 @@ constexpr std::size_t bytes_of_vertices(std::size_t vertices, std::size_t indice
     constexpr std::size_t kVertex = 450, kDrawn = 400;
     return vertices * kVertex + (indices > 0 ? indices : vertices) * kDrawn;
 }
+// The same for the texture coordinates of a texture unit above 0.
+constexpr std::size_t bytes_of_tex_coords(std::size_t vertices) { return 100 * vertices; }
 
 // RULING for a vertex with NaN, infinity or a number beyond the largest float: a position with such a component becomes
 // (0, 0, 0, 0), which is clipped away (2.12); a normal becomes (0, 0, 0); in colours and texture coordinates only the component becomes 0.
 void sanitize(Vertex& vertex);
+void sanitize(glm::dvec4& tex_coord);
 
 class State {
   public:
@@ -165,6 +168,10 @@ class State {
     std::optional<ArrayVertices> array_vertices(
         const Command& draw);  // raises the error and returns nullopt if it is wrong
     void draw(const Command& command, const ArrayVertices& read);
+    // Gives the Draw's newest vertices the current texture coordinates of its further units.
+    void add_tex_coords(Draw& draw) const;
+    TextureUnit texture_unit(std::size_t number) const;  // of a Draw made now
+    void set_combine(const Command& command, Enum pname, double value);
     void send_element(const Command& command, const ArrayVertices& element);  // glArrayElement
     // Whether this many more bytes, or this much more work, stay within the picture's limits; if not, raises
     // GL_OUT_OF_MEMORY.
@@ -174,6 +181,8 @@ class State {
         const LightSources& lights = a_.lighting.lights;
         return sizeof(Draw) + (lights.is_shared() ? 0 : lights.size() * sizeof(LightSource));
     }
+    // bytes_of_vertices(), with the texture coordinates of the units that are in use now.
+    std::size_t vertex_bytes(std::size_t vertices, std::size_t indices = 0) const;
     bool has_time(const Command& command, double work);
     // The faces that a command of the stencil sets. Raises GL_INVALID_ENUM and returns nullopt for another name.
     std::optional<std::vector<StencilFace*>> stencil_faces(const Command& command, bool names_face);

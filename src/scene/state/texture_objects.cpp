@@ -100,10 +100,11 @@ void State::query_tex_parameter(const Command& c) {
 void State::query_tex_env(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
     if (!known(c, target, {kGL_TEXTURE_ENV, kGL_TEXTURE_FILTER_CONTROL})) return;
-    if (target == kGL_TEXTURE_ENV)
-        known(c, pname, {kGL_TEXTURE_ENV_MODE, kGL_TEXTURE_ENV_COLOR, kGL_ALPHA_SCALE});
-    else
-        known(c, pname, {kGL_TEXTURE_LOD_BIAS});
+    const Owner owner = target == kGL_TEXTURE_ENV ? Owner::kTexEnv : Owner::kTexFilterControl;
+    if (!find_parameter(owner, pname))
+        raise(kGL_INVALID_ENUM, c, "{} is given {}; expected {}", c.name(), enum_name(pname),
+              owner == Owner::kTexEnv ? "GL_TEXTURE_ENV_MODE, GL_TEXTURE_ENV_COLOR, GL_COMBINE_RGB, ..."
+                                      : "GL_TEXTURE_LOD_BIAS");
 }
 
 void State::tex_parameter(const Command& c) {
@@ -157,13 +158,6 @@ void State::tex_parameter(const Command& c) {
 void State::tex_env(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
     if (!known(c, target, {kGL_TEXTURE_ENV, kGL_TEXTURE_FILTER_CONTROL})) return;
-    if (target == kGL_TEXTURE_ENV && pname == kGL_ALPHA_SCALE) {  // of GL_COMBINE (table 3.24)
-        const double scale = c.number(2);
-        if (scale != 1 && scale != 2 && scale != 4)
-            return raise(kGL_INVALID_VALUE, c, "GL_ALPHA_SCALE is {}; it must be 1, 2 or 4", scale);
-        if (scale != 1) note_lasting("glTexEnv(GL_ALPHA_SCALE)", c.place);
-        return;
-    }
     const Owner owner = target == kGL_TEXTURE_ENV ? Owner::kTexEnv : Owner::kTexFilterControl;
     const auto values = parameter_values(c, owner, pname);
     if (!values) return;
@@ -178,7 +172,53 @@ void State::tex_env(const Command& c) {
             unit().env_color = glm::clamp(glm::dvec4((*values)[0], (*values)[1], (*values)[2], (*values)[3]), 0.0, 1.0);
             break;
         case kGL_TEXTURE_LOD_BIAS: unit().lod_bias = values->front(); break;
-        default: break;
+        default: set_combine(c, pname, values->front());
+    }
+}
+
+// The parameters of GL_COMBINE (3.8.13).
+void State::set_combine(const Command& c, Enum pname, double value) {
+    Combine& combine = unit().combine;
+    const auto name = static_cast<Enum>(std::clamp(value, 0.0, 4294967295.0));
+    const auto set = [&](Enum& member, std::initializer_list<Enum> allowed) {
+        if (known(c, name, allowed)) member = name;
+    };
+    const auto set_source = [&](Enum& member) {
+        if (name >= kGL_TEXTURE0 && name < kGL_TEXTURE0 + kMaxTextureUnits)
+            member = name;
+        else
+            set(member, {kGL_TEXTURE, kGL_CONSTANT, kGL_PRIMARY_COLOR, kGL_PREVIOUS});
+    };
+    const auto set_scale = [&](int& member) {
+        if (value != 1 && value != 2 && value != 4)
+            return raise(kGL_INVALID_VALUE, c, "{} is {}; it must be 1, 2 or 4", enum_name(pname), value);
+        member = static_cast<int>(value);
+    };
+    switch (pname) {
+        case kGL_COMBINE_RGB:
+            return set(combine.rgb, {kGL_REPLACE, kGL_MODULATE, kGL_ADD, kGL_ADD_SIGNED, kGL_INTERPOLATE, kGL_SUBTRACT,
+                                     kGL_DOT3_RGB, kGL_DOT3_RGBA});
+        case kGL_COMBINE_ALPHA:
+            return set(combine.alpha,
+                       {kGL_REPLACE, kGL_MODULATE, kGL_ADD, kGL_ADD_SIGNED, kGL_INTERPOLATE, kGL_SUBTRACT});
+        case kGL_SRC0_RGB:
+        case kGL_SRC1_RGB:
+        case kGL_SRC2_RGB: return set_source(combine.rgb_sources[pname - kGL_SRC0_RGB]);
+        case kGL_SRC0_ALPHA:
+        case kGL_SRC1_ALPHA:
+        case kGL_SRC2_ALPHA: return set_source(combine.alpha_sources[pname - kGL_SRC0_ALPHA]);
+        case kGL_OPERAND0_RGB:
+        case kGL_OPERAND1_RGB:
+        case kGL_OPERAND2_RGB:
+            return set(combine.rgb_operands[pname - kGL_OPERAND0_RGB],
+                       {kGL_SRC_COLOR, kGL_ONE_MINUS_SRC_COLOR, kGL_SRC_ALPHA, kGL_ONE_MINUS_SRC_ALPHA});
+        case kGL_OPERAND0_ALPHA:
+        case kGL_OPERAND1_ALPHA:
+        case kGL_OPERAND2_ALPHA:
+            return set(combine.alpha_operands[pname - kGL_OPERAND0_ALPHA], {kGL_SRC_ALPHA, kGL_ONE_MINUS_SRC_ALPHA});
+        case kGL_RGB_SCALE: return set_scale(combine.rgb_scale);
+        case kGL_ALPHA_SCALE: return set_scale(combine.alpha_scale);
+        default: return;
     }
 }
 

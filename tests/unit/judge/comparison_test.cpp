@@ -284,7 +284,7 @@ TEST(Verdict, LeavesPicturesThatAreMeantToDifferOutOfItsLargestDifference) {
 TEST(Verdict, NamesWhatTheDriverIsKnownToGetWrongWhereItIsBeyond) {
     Draw line;
     line.mode = kGL_LINES;
-    line.vertices.resize(2);
+    line.vertices.edit().resize(2);
     line.raster.line_width = 5;
     Scene scene = empty_scene();
     scene.frame.items.emplace_back(line);
@@ -392,11 +392,10 @@ TEST(Missing, LeavesOutTheCommandsThatTheNamesMean) {
     EXPECT_EQ(left("glEnable(GL_FOG)"), Lines{1});
     EXPECT_EQ(left("glFog(GL_FOG_COORD_SRC, GL_FOG_COORD)"), Lines{3});
     EXPECT_EQ(left("glTexParameter(GL_TEXTURE_LOD_BIAS)"), Lines{5});
-    EXPECT_EQ(left("texture unit 1"), Lines{7});
     EXPECT_EQ(left("glEvalMesh2"), Lines{8});
     EXPECT_EQ(left("glEval"), Lines{});
-    for (const char* name : {"texture unit x", "glEnable(GL_NO_SUCH_NAME)", "glEnable(GL_FOG", "a border",
-                             "glCopyTexImage2D", "glTexEnv(GL_COMBINE)"}) {
+    for (const char* name :
+         {"glEnable(GL_NO_SUCH_NAME)", "glEnable(GL_FOG", "a border", "glCopyTexImage2D", "glTexEnv(GL_COMBINE)"}) {
         Unsupported item = fog(1);
         item.name = name;
         EXPECT_EQ(without_missing(empty_scene().recording, {item}), nullptr) << name;
@@ -680,7 +679,7 @@ TEST(Words, GroupDigitsAndRoundShares) {
 TEST(Comparison, TakesTheBoundOfThePlansForAllowed) {
     Draw draw;  // a point that GL_LIGHT1 may light by 0.4 / 255
     draw.mode = kGL_POINTS;
-    draw.vertices.resize(1);
+    draw.vertices.edit().resize(1);
     draw.lighting.enabled = true;
     draw.lighting.lights[1].enabled = true;
     draw.lighting.lights[1].diffuse = glm::dvec4(0.5 / 255);

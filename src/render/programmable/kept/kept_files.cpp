@@ -482,6 +482,8 @@ class Writer {
 std::string why_not_kept(const Frame& frame) {
     if (accumulates(frame)) return "it uses the accumulation buffer (glAccum), which core GL lacks";
     for (const Draw* draw : frame.draws()) {
+        if (!draw->further_units.empty()) return "it uses more than one texture unit (glActiveTexture)";
+        if (draw->combines_textures()) return "it combines textures with GL_COMBINE (glTexEnv)";
         if (!draw->lighting.enabled) continue;
         if (draw->lighting.light_model.spectrum) return "it multiplies colours as spectra (#pragma twinlight spectrum)";
         for (std::size_t i = kMostKeptLights; i < draw->lighting.lights.size(); ++i)

@@ -7,7 +7,9 @@ void main() {
 #if EFFECT_TEXTURE
 #include "texture.glsl"
 #else
+#insert texture_lookups
     vec4 color = primary;
+#insert texture_environments
 #endif
 #if EFFECT_SEPARATE_SPECULAR
     color.rgb = min(color.rgb + secondary, 1.0);  // the colour sum (section 3.9)
