@@ -37,9 +37,10 @@ int differing_pixels(const FragmentCase& shown) {
         read_scene(std::string(kStart) + shown.scene, "case.gl", std::string(shown.name)));
     StateOptions options;
     options.width = options.height = kWindow;
-    const auto [recording, frame] = make_scene(scene, options);
+    const Scene made = make_scene(scene, options);
+    const Frame& frame = made.frame;
     EXPECT_TRUE(frame.unsupported.empty());
-    const Image driver = fixed::render({recording, frame}), reference = reference::render(frame, {});
+    const Image driver = fixed::render(made), reference = reference::render(frame, {});
     const AllowedDifference allowed = reference::allowed_difference(frame);
     int differing = 0;
     for (std::size_t i = 0; i < driver.pixels.size(); ++i) {
@@ -73,6 +74,10 @@ const std::vector<FragmentCase>& fragment_cases() {
             glEnable(GL_STENCIL_TEST); glStencilFuncSeparate(GL_BACK, GL_NEVER, 0, 255);
             glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glLineWidth(8); glBegin(GL_TRIANGLES);
             glVertex2f(-0.8, -0.8); glVertex2f(-0.8, 0.8); glVertex2f(0.8, -0.8); glEnd();)"},
+        // Half of white.
+        {"the alpha of smooth points", R"(
+            glEnable(GL_POINT_SMOOTH); glPointSize(20); glEnable(GL_BLEND); glBlendFunc(GL_SRC_ALPHA, GL_ONE);
+            glColor4f(1, 1, 1, 0.5); glBegin(GL_POINTS); glVertex2f(0, 0); glEnd();)"},
         // All edges of a strip are boundary edges, whatever the flags say.
         {"edge flags of strips and fans", R"(
             glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glLineWidth(8);

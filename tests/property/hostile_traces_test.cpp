@@ -96,6 +96,15 @@ TEST_F(HostileTraces, MayHaveNumbersThatAreNotFinite) {
         EXPECT_NEAR(programmable.at(19, 12)[c], inside[c], 1.01 / 255);
     }
 
+    // The report's page and its JSON have the note, too.
+    const ProgramResult compared = run_program(
+        "twinlight", {"compare", folder_ / "dump.txt", "--size", "16x16", "--json", "-o", folder_ / "report"});
+    EXPECT_EQ(compared.status, 0) << compared.err;
+    const std::string note = "4 of the program's commands up to this frame have NaN or infinity";
+    EXPECT_NE(read_file(folder_ / "report/index.html").find(note), std::string::npos);
+    EXPECT_NE(compared.out.find(R"("notes": [)"), std::string::npos) << compared.out;
+    EXPECT_NE(compared.out.find("have NaN or infinity"), std::string::npos) << compared.out;
+
     // What is exported can be read.
     const ProgramResult exported = run_program("twinlight", {"export", folder_ / "dump.txt", "--as", "scene"});
     ASSERT_EQ(exported.status, 0) << exported.err;

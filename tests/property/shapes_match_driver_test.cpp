@@ -106,8 +106,9 @@ class ShapesAndTheDriver : public testing::Test {
             "gluLookAt(1, 2, 3,  0, 0, 0.2,  0, 1, 0); glNormal3f(0, 0, 1);" +
             drawing;
         const auto scene = std::make_shared<const CommandList>(read_scene(text, "shape.gl", "shape"));
-        const auto [recording, frame] = make_scene(scene, {.width = kWidth, .height = kHeight});
-        const Image driver = fixed::render({recording, frame});
+        const Scene made = make_scene(scene, {.width = kWidth, .height = kHeight});
+        const Frame& frame = made.frame;
+        const Image driver = fixed::render(made);
         // The driver may choose how to cut the quadrilaterals of a strip.
         const Image right = nearer_of(driver, reference::render(frame, {{}, reference::QuadCut::kFirstToThird}),
                                       reference::render(frame, {{}, reference::QuadCut::kSecondToFourth}));

@@ -26,9 +26,7 @@ constexpr const char* kFolder = "tests/traces";
 
 // Features of the programs that not every renderer supports.
 const std::map<std::string, std::set<std::string>>& expected_unsupported() {
-    static const std::map<std::string, std::set<std::string>> table = {
-        {"stonerview", {"glEnable(GL_LINE_SMOOTH)"}},
-    };
+    static const std::map<std::string, std::set<std::string>> table = {};
     return table;
 }
 

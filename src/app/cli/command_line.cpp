@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "app/cli/progress.h"
 #include "base/image/file.h"
@@ -161,8 +163,11 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
         choice.height = size->height;
         choice.memory = without_pixels(memory, size->width, size->height);
     }
-    for (const std::string& note : recording->notes())
+    const auto print = [&](const std::string& note) {
         fmt::print(stderr, "twinlight: note: {}: {}\n", recording->name, one_line(note));
+    };
+    std::vector<std::string> notes = recording->notes();
+    std::ranges::for_each(notes, print);
     ProgressBar bar;
     choice.progress = [&](int frames, std::size_t commands) {
         bar.show(fmt::format("reading {}: {} frames, {:.1f} million commands", recording->name, frames,
@@ -170,17 +175,17 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
     };
     RecordedFrame recorded = frame_to_see(recording, choice);
     bar.wipe();
-    for (const std::string& note : recorded.notes) {
-        fmt::print(stderr, "twinlight: note: {}: {}\n", recording->name, one_line(note));
-    }
+    std::ranges::for_each(recorded.notes, print);
+    std::ranges::move(recorded.notes, std::back_inserter(notes));
     if (recorded.first_error) {
         const GlError& first = *recorded.first_error;
-        fmt::print(
-            stderr,
-            "twinlight: note: up to this frame, {} of the program's commands {} a GL error; the first: {}: {} ({})\n",
-            recorded.error_count, recorded.error_count == 1 ? "causes" : "cause", one_line(first.place.str()),
-            one_line(first.message), enum_name(first.code));
+        notes.push_back(
+            fmt::format("up to this frame, {} of the program's commands {} a GL error; the first: {}: {} ({})",
+                        recorded.error_count, recorded.error_count == 1 ? "causes" : "cause",
+                        one_line(first.place.str()), one_line(first.message), enum_name(first.code)));
+        fmt::print(stderr, "twinlight: note: {}\n", notes.back());
     }
+    recorded.scene.notes = std::move(notes);
     return std::move(recorded.scene);
 }
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/session/arguments.h"
+#include "base/math/as_float.h"
 #include "judge/study/scene_of_choice.h"
 #include "render/effect/plan.h"
 #include "scene/command/command_set.h"
@@ -93,7 +94,7 @@ bool is_on(const CommandList& commands, Enum cap) {
 
 double as_kind(double value, Kind kind) {
     if (kind == Kind::kDouble) return value;
-    if (kind == Kind::kFloat) return static_cast<double>(static_cast<float>(value));
+    if (kind == Kind::kFloat) return as_float(value);
     if (kind == Kind::kBoolean) return value != 0 ? 1 : 0;
     const WholeRange range = whole_range(kind);
     return std::isnan(value) ? 0 : std::clamp(std::round(value), range.smallest, range.largest);

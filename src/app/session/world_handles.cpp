@@ -9,6 +9,7 @@
 
 #include "app/session/edits.h"
 #include "app/session/world.h"
+#include "base/math/as_float.h"
 #include "base/math/directions.h"
 
 namespace twinlight::session {
@@ -31,7 +32,7 @@ double nice(double value, double size) {
     const double power = std::pow(10.0, std::floor(std::log10(size)) - 2);
     const double result =
         power >= 1 ? std::round(value / power) * power : std::round(value * (1 / power)) / (1 / power);
-    return result == 0 ? 0 : static_cast<double>(static_cast<float>(result));
+    return result == 0 ? 0 : as_float(result);
 }
 
 // Whether the command gave the light this position or direction.

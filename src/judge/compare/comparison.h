@@ -81,6 +81,7 @@ struct Comparison {
     // is no such command.
     PixelMask changed_by_missing{};
     std::vector<SceneWarning> warnings{};  // by the caller; they do not change the verdict
+    std::vector<std::string> notes{};      // Scene::notes
     // If pictures differ beyond the tolerance, or are not judged in whole: the known bugs of this driver that the scene may trigger, "name (section)".
     std::vector<std::string> known_departures{};
     bool is_listed_driver = false;  // whether any bugs of this driver are listed

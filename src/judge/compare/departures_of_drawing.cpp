@@ -84,6 +84,12 @@ bool has_faces_in_stencil_of_borders(const Draw& draw) {
     return draw.draws_borders() && stencil && stencil->front != stencil->back;
 }
 
+bool has_smooth_points(const Draw& draw) {
+    const bool is_opaque = !draw.lighting.enabled && !draw.texture.texture &&
+                           std::ranges::all_of(draw.vertices, [](const Vertex& vertex) { return vertex.color.a == 1; });
+    return draw.draws_points() && draw.raster.point_smooth && !is_opaque;
+}
+
 bool has_wide_lines(const Draw& draw) { return draw.draws_lines() && draw.raster.line_width > 1; }
 
 template <class Holds>

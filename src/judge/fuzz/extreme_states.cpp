@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/math/as_float.h"
 #include "judge/fuzz/random_states.h"
 #include "scene/command/text.h"
 
@@ -20,7 +21,6 @@ namespace {
 
 using Id = CommandId;
 
-double as_float(double x) { return static_cast<double>(static_cast<float>(x)); }
 glm::dvec4 as_floats(const glm::dvec4& v) { return {as_float(v.x), as_float(v.y), as_float(v.z), as_float(v.w)}; }
 bool is_finite(const glm::dvec4& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "judge/fuzz/random_states.h"
 #include "scene/command/text.h"
@@ -19,7 +20,8 @@ class Builder {
           random_(seed.values),
           levels_(seed.structure + 1),
           units_(seed.structure + 2),
-          unit_values_(~seed.values),
+          unit_values_(~seed.values + 1),
+          fragments_(~seed.values),
           departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
@@ -263,6 +265,12 @@ class Builder {
 
     void fragment_operations() {
         if (structure_.chance(0.5)) blending();
+        if (departure_.empty()) {
+            if (fragments_.chance(0.05)) logic_op();
+            if (fragments_.chance(0.05)) polygon_stipple();
+            if (fragments_.chance(0.1)) add("glEnable(GL_LINE_SMOOTH);");
+            if (fragments_.chance(0.02)) add("glEnable(GL_POINT_SMOOTH);");
+        }
         if (structure_.chance(0.3))
             add("glEnable(GL_ALPHA_TEST); glAlphaFunc({}, {:.4f});",
                 one_of({"GL_LESS", "GL_LEQUAL", "GL_GREATER", "GL_GEQUAL", "GL_NOTEQUAL", "GL_EQUAL"}),
@@ -319,6 +327,21 @@ class Builder {
         add("glAccum(GL_ACCUM, {:.4f});", random_.uniform(0, 0.4));
     }
 
+    // With numbers of their own, so that the rest of the scene does not depend on them.
+    void logic_op() {
+        constexpr const char* kOps[] = {"GL_CLEAR",         "GL_AND",         "GL_AND_REVERSE", "GL_COPY",
+                                        "GL_AND_INVERTED",  "GL_NOOP",        "GL_XOR",         "GL_OR",
+                                        "GL_NOR",           "GL_EQUIV",       "GL_INVERT",      "GL_OR_REVERSE",
+                                        "GL_COPY_INVERTED", "GL_OR_INVERTED", "GL_NAND",        "GL_SET"};
+        add("glEnable(GL_COLOR_LOGIC_OP); glLogicOp({});", kOps[fragments_.below(static_cast<int>(std::size(kOps)))]);
+    }
+
+    void polygon_stipple() {
+        std::string bytes;
+        for (int i = 0; i < 128; ++i) bytes += fmt::format("{}{}", i == 0 ? "" : ", ", fragments_.below(256));
+        add("glPolygonStipple((GLubyte[128]){{{}}}); glEnable(GL_POLYGON_STIPPLE);", bytes);
+    }
+
     void blending() {
         const auto factor = [&] {
             return one_of({"GL_ZERO", "GL_ONE", "GL_SRC_COLOR", "GL_ONE_MINUS_SRC_COLOR", "GL_DST_COLOR",
@@ -353,6 +376,10 @@ class Builder {
         for (int i = 0; i < 2; ++i)
             if (structure_.chance(0.15))
                 add("glClipPlane(GL_CLIP_PLANE{0}, (GLdouble[]){{{1}}}); glEnable(GL_CLIP_PLANE{0});", i, four(-1, 1));
+        if (shows("the alpha of smooth points"))
+            add("glEnable(GL_POINT_SMOOTH); glPointSize({:.1f}); glEnable(GL_BLEND);"
+                "glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);",
+                random_.uniform(9, 30));
         if (shows("clipped polygons as lines and points")) add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);");
         if (shows("edge flags of strips and fans")) add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);");
         if (shows("polygon offset of one of two polygon modes"))
@@ -432,7 +459,7 @@ class Builder {
             return "glNewList(9, GL_COMPILE); glBegin(GL_TRIANGLE_FAN);\n" + attributes(true, true) +
                    "glVertex3f(0, 0, -2); glEnd(); glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);\n" +
                    anywhere("GL_TRIANGLE_FAN") + "glEndList(); glCallList(9);\n";
-        if (shows("level of detail of points")) return anywhere("GL_POINTS");
+        if (shows("level of detail of points") || shows("the alpha of smooth points")) return anywhere("GL_POINTS");
         if (shows("a line loop whose first vertex lacks attributes")) return anywhere("GL_LINE_LOOP");
         if (of_triangles || structure_.chance(0.55)) return anywhere("GL_TRIANGLES");
         if (structure_.chance(0.5))
@@ -574,7 +601,7 @@ class Builder {
 
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
-    Random structure_, generated_, random_, levels_, units_, unit_values_;
+    Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_;
     std::vector<int> further_units_;  // the numbers of those with a texture
     std::string_view departure_;
     bool lit_ = false;

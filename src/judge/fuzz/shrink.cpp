@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/math/as_float.h"
+
 namespace twinlight::fuzz {
 
 namespace {
@@ -132,9 +134,9 @@ class Shrinker {
         for (const double digits : {0.0, 1.0, 10.0, 100.0}) {
             double rounded = digits == 0 ? 0 : std::round(value * digits) / digits;
             if (rounded == 0) rounded = 0;  // not -0
-            const auto as_float = static_cast<double>(static_cast<float>(rounded));
-            if (as_float == value) return candidates;  // it is already that simple
-            candidates.push_back(as_float);
+            rounded = as_float(rounded);
+            if (rounded == value) return candidates;  // it is already that simple
+            candidates.push_back(rounded);
             if (digits == 0 && value != 1) candidates.push_back(1);
         }
         return candidates;

@@ -8,14 +8,21 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace twinlight::oracle {
 
-// The number that judges: 60 decimal digits, an exponent of 32 bits.
-using Exact = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<60, boost::multiprecision::digit_base_10, void, std::int32_t>,
+// Decimal digits, with an exponent of 32 bits.
+template <unsigned kDigits>
+using Digits = boost::multiprecision::number<
+    boost::multiprecision::cpp_bin_float<kDigits, boost::multiprecision::digit_base_10, void, std::int32_t>,
     boost::multiprecision::et_off>;
+// The number that judges.
+using Exact = Digits<60>;
+// The same for a light and a vertex that agree in so many digits that too few are left: floats go from 1e-45 to 3e38, and a sum of
+// products of two of them has 170 digits at most.
+using Whole = Digits<260>;
 // The number of evaluations whose inputs are rounded on purpose, at 2^-51 or more of each value. Its own rounding is 2^-64 an
 // operation, which such inputs hide. Lighting multiplies a dozen floats of 2^149 at most, far from its largest, 2^16384; only powers
 // may leave it.
@@ -44,16 +51,19 @@ using Mat4 = std::array<Vec4<Number>, 4>;
 
 inline Rough root(Rough x) { return std::sqrt(x); }
 // Newton's method, from a root in double; Boost's own finds one bit after the other.
-inline Exact root(const Exact& x) {
+template <unsigned kDigits>
+Digits<kDigits> root(const Digits<kDigits>& x) {
+    using Number = Digits<kDigits>;
     namespace mp = boost::multiprecision;
     if (x == 0) return 0;
     int exponent = 0;
-    Exact m = mp::frexp(x, &exponent);
+    Number m = mp::frexp(x, &exponent);
     if (exponent % 2 != 0) m = mp::ldexp(m, -1), ++exponent;
-    Exact inverse = 1 / std::sqrt(m.convert_to<double>());  // 53 bits, then 105, then 201
-    for (int round = 0; round < 2; ++round) inverse += mp::ldexp(Exact(inverse * (1 - m * inverse * inverse)), -1);
-    Exact result = m * inverse;
-    result += mp::ldexp(Exact(inverse * (m - result * result)), -1);
+    Number inverse = 1 / std::sqrt(static_cast<double>(m));  // 53 bits, then 105, then 201
+    for (int bits = 53; bits < std::numeric_limits<Number>::digits / 2; bits *= 2)
+        inverse += mp::ldexp(Number(inverse * (1 - m * inverse * inverse)), -1);
+    Number result = m * inverse;
+    result += mp::ldexp(Number(inverse * (m - result * result)), -1);
     return mp::ldexp(result, exponent / 2);
 }
 

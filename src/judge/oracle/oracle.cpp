@@ -52,6 +52,8 @@ class Machine {
         function(*this, command);
     }
     std::vector<Vertex> take_vertices() { return std::move(vertices_); }
+    // Whether a light and a vertex agree in so many digits that Exact has too few.
+    bool agrees() const { return agrees_; }
 
   private:
     using Function = std::function<void(Machine&, const Command&)>;
@@ -77,6 +79,8 @@ class Machine {
 
     // ---- The equation (2.14.1) ----
 
+    static constexpr double kFewDigits = 1e-25;  // of the 60 digits, 35 are left
+
     struct Towards {
         Vector3 dir{};
         Number distance = 0;
@@ -88,11 +92,15 @@ class Machine {
         const Measured<Number> m = measured(v);
         return {m.dir, m.length};
     }
+    static Number largest(const Vector3& v) {
+        return std::max({Number(abs(v[0])), Number(abs(v[1])), Number(abs(v[2]))});
+    }
     // The vector from p1 to p2, which are homogeneous: the unit vector, and its length before.
-    Towards towards(const Vector4& p1, const Vector4& p2) const {
+    Towards towards(const Vector4& p1, const Vector4& p2) {
         if (p1[3] != 0 && p2[3] != 0) {
             const Vector3 from = divided(p1), to = divided(p2);
             Vector3 v = minus(to, from);
+            agrees_ = agrees_ || largest(v) <= kFewDigits * std::max(largest(from), largest(to));
             if (options_.value_rounding == 0) return from_vector(v);
             // What rounding may add to each end.
             const Number share = 2 * Number(options_.value_rounding),
@@ -145,6 +153,12 @@ class Machine {
         return power(cosine, light.exponent);
     }
 
+    // x as a double, and the rest.
+    static void split(const Number& x, double& value, double& rest) {
+        value = static_cast<double>(x);
+        rest = std::isfinite(value) ? static_cast<double>(Number(x - value)) : 0;
+    }
+
     Colors lit(const Vector4& v, const Vector3& n, const Material& material) {
         Vector3 primary = xyz(material.emission), secondary{}, magnitude{};
         const auto add = [&](Vector3& sum, const Number& factor, const Vector4& a, const Vector4& b) {
@@ -179,8 +193,8 @@ class Machine {
         }
         Colors colors;
         for (std::size_t i = 0; i < 3; ++i) {
-            colors.primary[i] = static_cast<double>(primary[i]);
-            colors.secondary[i] = static_cast<double>(secondary[i]);
+            split(primary[i], colors.primary[i], colors.primary_rest[i]);
+            split(secondary[i], colors.secondary[i], colors.secondary_rest[i]);
             colors.magnitude[i] = static_cast<double>(magnitude[i]);
         }
         colors.primary[3] = static_cast<double>(material.diffuse[3]);
@@ -425,6 +439,7 @@ class Machine {
     std::array<Material, 2> materials_{};  // front, back
     Vector4 scene_ambient_{Number(0.2), Number(0.2), Number(0.2), 1};
     double shortest_half_vector_ = 2;
+    bool agrees_ = false;
     bool local_viewer_ = false, separate_ = false, two_side_ = false, normalize_ = false, rescale_ = false;
     bool color_material_ = false;
     Enum color_face_ = kGL_FRONT_AND_BACK, color_mode_ = kGL_AMBIENT_AND_DIFFUSE;
@@ -434,17 +449,19 @@ class Machine {
 };
 
 template <class Number>
-std::vector<Vertex> light_with(const CommandList& commands, const Options& options) {
+Machine<Number> executed(const CommandList& commands, const Options& options) {
     Machine<Number> machine(options);
     for (const Command& command : commands.commands) machine.execute(command);
-    return machine.take_vertices();
+    return machine;
 }
 
 }  // namespace
 
 std::vector<Vertex> light(const CommandList& commands, const Options& options) {
     const bool rounds = options.matrix_rounding != 0 || options.value_rounding != 0;
-    return rounds ? light_with<Rough>(commands, options) : light_with<Exact>(commands, options);
+    if (rounds) return executed<Rough>(commands, options).take_vertices();
+    Machine<Exact> machine = executed<Exact>(commands, options);
+    return machine.agrees() ? executed<Whole>(commands, options).take_vertices() : machine.take_vertices();
 }
 
 }  // namespace twinlight::oracle

@@ -37,7 +37,8 @@ struct Options {
 struct Colors {
     std::array<double, 4> primary{};
     std::array<double, 3> secondary{};
-    std::array<double, 3> magnitude{};  // the sum of the magnitudes of the terms of both colours
+    std::array<double, 3> primary_rest{}, secondary_rest{};  // what the doubles above lack of 32 digits
+    std::array<double, 3> magnitude{};                       // the sum of the magnitudes of the terms of both colours
 };
 
 struct Vertex {

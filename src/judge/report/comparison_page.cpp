@@ -160,6 +160,13 @@ std::string warnings(const Comparison& comparison) {
     return html + "</ul>\n</section>\n";
 }
 
+std::string notes(const Comparison& comparison) {
+    if (comparison.notes.empty()) return "";
+    std::string html = "<section>\n<h2>About this recording</h2>\n<ul>\n";
+    for (const std::string& note : comparison.notes) html += "<li>" + escaped(note) + "</li>\n";
+    return html + "</ul>\n</section>\n";
+}
+
 // What the scene's queries return; "" if it has none.
 std::string queries(const Comparison& comparison) {
     if (comparison.queries.empty()) return "";
@@ -240,6 +247,7 @@ std::string article(const Compared& compared, std::size_t number) {
          {"verdict", verdict(comparison)},
          {"shown_pairs", buttons(shown_pairs(comparison))},
          {"warnings", warnings(comparison)},
+         {"notes", notes(comparison)},
          {"renders", renders},
          {"differences", differences},
          {"edges", image(comparison, pictures.edges, R"(class="edges" alt="" hidden)")},

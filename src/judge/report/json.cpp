@@ -69,6 +69,7 @@ Json json_of(const Comparison& comparison) {
     }
     json["warnings"] = Json::array();
     for (const compare::SceneWarning& warning : comparison.warnings) json["warnings"].push_back(warning.line);
+    json["notes"] = comparison.notes;
     return json;
 }
 

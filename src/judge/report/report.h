@@ -30,7 +30,8 @@ std::string step_folder(std::size_t step);
 //    "known_departures": ["name (section)"],    if "beyond": known bugs of this driver that the scene may show
 //    "unsupported": [{"name", "count", "place", "renderers": [...]}],   commands that some renderers cannot draw
 //    "queries": [{"place", "call", "twinlight", "driver", "agree"}],    what the scene's glGet* return; "?" for no answer
-//    "warnings": ["scene.gl:7:1: warning: message [name]"]}   of the linter about the scene
+//    "warnings": ["scene.gl:7:1: warning: message [name]"],   of the linter about the scene
+//    "notes": ["2 of the program's commands up to this frame have NaN or infinity; ..."]}   about a recorded program
 // max and rms are for channels on [0,1]; x and y count from the top left.
 std::string comparison_json(const compare::Comparison& comparison);
 

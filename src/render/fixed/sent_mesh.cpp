@@ -62,8 +62,11 @@ SentMesh::SentMesh(const Draw& draw, const MeshContents& contents, const ReplayO
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
         return;
     }
-    count_ = static_cast<int>(draw.count());
-    indices_ = draw.indices;
+    const bool cuts = cuts_quadrilaterals(draw);
+    if (cuts) mode_ = kGL_TRIANGLES;
+    indices_ = cuts ? cut_indices(draw) : draw.indices;
+    count_ = static_cast<int>(cuts ? indices_.size() : draw.count());
+    if (count_ == 0) stride_ = 0;
     if (sending_ == Sending::kDisplayList) {
         list_ = glGenLists(1);
         glNewList(list_, GL_COMPILE);

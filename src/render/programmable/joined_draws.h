@@ -28,6 +28,8 @@ struct JoinedDraws {
 };
 JoinedDraws joined(DrawRun run);
 
-inline ElementsPart part_of(const Draw& draw) { return {draw.mode, draw.vertices.size(), draw.indices.size()}; }
+inline ElementsPart part_of(const Draw& draw) {
+    return {draw.mode, draw.vertices.size(), draw.indices.size(), cuts_quadrilaterals(draw)};
+}
 
 }  // namespace twinlight::programmable

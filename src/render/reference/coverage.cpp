@@ -136,4 +136,67 @@ PixelRect point_square(const glm::dvec2& position_window, int size, const PixelR
             std::min(y + size, within.y1)};
 }
 
+namespace {
+
+using Outline = std::vector<glm::dvec2>;
+
+// The part of a convex polygon where sign * position[axis] <= sign * border.
+Outline cut(const Outline& polygon, int axis, double border, double sign) {
+    Outline inside;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double from = sign * (a[axis] - border), to = sign * (b[axis] - border);
+        if (from <= 0) inside.push_back(a);
+        if ((from < 0 && to > 0) || (from > 0 && to < 0)) inside.push_back(a + from / (from - to) * (b - a));
+    }
+    return inside;
+}
+
+// The part between first and first + 1.
+Outline strip(const Outline& polygon, int axis, int first) {
+    return cut(cut(polygon, axis, first + 1, 1), axis, first, -1);
+}
+
+Outline outline_of(const Piece& piece) {
+    Outline outline;
+    outline.reserve(piece.corners.size());
+    for (std::size_t i = 0; i < piece.corners.size(); ++i) outline.push_back(piece.corners.position_window(i));
+    return outline;
+}
+
+double area(const Outline& polygon) {
+    double doubled = 0;
+    for (std::size_t i = 0; i + 2 < polygon.size(); ++i) {
+        const glm::dvec2 a = polygon[i + 1] - polygon[0], b = polygon[i + 2] - polygon[0];
+        doubled += a.x * b.y - a.y * b.x;
+    }
+    return doubled / 2;
+}
+
+}  // namespace
+
+double coverage_of(const Piece& piece, int x, int y) {
+    return std::clamp(area(strip(strip(outline_of(piece), 1, y), 0, x)), 0.0, 1.0);
+}
+
+std::vector<std::pair<int, int>> smooth_pixels(const Piece& piece, const PixelRect& within) {
+    std::vector<std::pair<int, int>> pixels;
+    if (piece.corners.size() == 0) return pixels;
+    const PixelRect box = bounds(piece.corners, within, 0);
+    const Outline outline = outline_of(piece);
+    for (int y = box.y0; y < box.y1; ++y) {
+        const Outline row = strip(outline, 1, y);
+        if (row.empty()) continue;
+        double low = row.front().x, high = low;
+        for (const glm::dvec2& corner : row) {
+            low = std::min(low, corner.x);
+            high = std::max(high, corner.x);
+        }
+        const int first = std::max(box.x0, static_cast<int>(std::floor(std::max(low, box.x0 - 1.0))));
+        for (int x = first; x < box.x1 && x < high; ++x)
+            if (area(strip(row, 0, x)) > 0) pixels.emplace_back(x, y);
+    }
+    return pixels;
+}
+
 }  // namespace twinlight::reference

@@ -73,6 +73,12 @@ std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_window, cons
 // pixel if the size is even.
 PixelRect point_square(const glm::dvec2& position_window, int size, const PixelRect& within);
 
+// 3.3, 3.4.2: the share of the pixel's square that a smooth line or point covers, which its alpha is multiplied by
+// (3.11). 3.2 lets drivers compute another share for squares that are partly covered.
+double coverage_of(const Piece& piece, int x, int y);
+// The pixels where that is above 0.
+std::vector<std::pair<int, int>> smooth_pixels(const Piece& piece, const PixelRect& within);
+
 // Calls visit(x, y) for each pixel.
 template <class Visit>
 void for_each(const PixelRect& rect, const Visit& visit) {
@@ -83,6 +89,10 @@ void for_each(const PixelRect& rect, const Visit& visit) {
 // Calls fragment(x, y) for every pixel of `within` that a mesh's piece covers.
 template <class Fragment>
 void for_each_pixel(const Piece& piece, const PixelRect& within, const Fragment& fragment) {
+    if (piece.is_smooth) {
+        for (const auto& [x, y] : smooth_pixels(piece, within)) fragment(x, y);
+        return;
+    }
     switch (piece.shape) {
         case Shape::kPoint:
             for_each(point_square(glm::dvec2(piece.ends().from.position_window), piece.size, within), fragment);

@@ -80,7 +80,7 @@ class FragmentLoop {
         const RasterState& raster = draw.raster;
         const FragmentState& state = draw.fragment;
         const bool writes = writes_color(state);
-        const bool waits = overwrites_color(state) && !state.alpha_test;
+        const bool waits = overwrites_color(state) && !state.alpha_test && !piece.is_smooth;
         // Draws a fragment that certainly or perhaps covers the pixel, and returns the outcome.
         const auto draw_fragment = [&](StepId id, const Fragment& fragment, int x, int y, Outcome covers) {
             const std::size_t at = window_.index(x, y);
@@ -93,6 +93,7 @@ class FragmentLoop {
             const auto alpha_test = [&] {
                 if (waits || !((writes && !stays_open) || state.alpha_test) || outcome != Outcome::kPasses) return;
                 shaded = shaders_[piece.draw].template shade<Real>(fragment);
+                if (piece.is_smooth) shaded.color[3] = shaded.color[3] * Real(coverage_of(piece, x, y));
                 if (state.alpha_test) outcome = alpha_outcome(state, shaded.color[3]);
             };
             if (state.stencil) {
@@ -129,9 +130,17 @@ class FragmentLoop {
         };
         kept_.for_each_fragment(first_id, scissored(state.scissor, window_),
                                 [&](StepId id, int x, int y, Outcome covers, const RayPoint* point) {
+                                    if (raster.polygon_stipple && is_stippled_away(piece, x, y)) return;
                                     const Fragment fragment{&stages_.piece(id), pixel_centre(x, y), point};
                                     watch(fragment, draw_fragment(id, fragment, x, y, covers));
                                 });
+    }
+
+    // 3.5.2: for filled polygons.
+    bool is_stippled_away(const Piece& piece, int x, int y) const {
+        const bool is_polygon = piece.shape == Shape::kTriangle || piece.shape == Shape::kSurface;
+        const PolygonStipple& rows = *stages_.draw_of(piece).raster.polygon_stipple;
+        return is_polygon && (rows[static_cast<std::size_t>(y % 32)] >> (x % 32) & 1U) == 0;
     }
 
     static Face face_of(const Fragment& fragment) {

@@ -127,7 +127,40 @@ bool leaves_accumulation(const Interval& value) {
     return std::abs(value.low + value.high) / 2 > 1 + kRounding;
 }
 
+double combined(Enum logic_op, double source, double stored) {
+    const auto code = [](double channel) { return static_cast<unsigned>(std::lround(held(channel) * kColorCodes)); };
+    const unsigned s = code(source), d = code(stored);
+    const auto result = [&]() -> unsigned {
+        switch (logic_op) {
+            case kGL_CLEAR: return 0;
+            case kGL_AND: return s & d;
+            case kGL_AND_REVERSE: return s & ~d;
+            case kGL_AND_INVERTED: return ~s & d;
+            case kGL_NOOP: return d;
+            case kGL_XOR: return s ^ d;
+            case kGL_OR: return s | d;
+            case kGL_NOR: return ~(s | d);
+            case kGL_EQUIV: return ~(s ^ d);
+            case kGL_INVERT: return ~d;
+            case kGL_OR_REVERSE: return s | ~d;
+            case kGL_COPY_INVERTED: return ~s;
+            case kGL_OR_INVERTED: return ~s | d;
+            case kGL_NAND: return ~(s & d);
+            case kGL_SET: return ~0U;
+        }
+        return s;  // GL_COPY
+    };
+    return (result() & kColorCodes) / static_cast<double>(kColorCodes);
+}
+
+Interval combined(Enum logic_op, const Interval& source, const Interval& stored) {
+    const Interval s = held(source), d = held(stored);
+    if (s.low != s.high || d.low != d.high) return {0, 1};
+    return combined(logic_op, s.low, d.low);
+}
+
 bool overwrites_color(const FragmentState& state) {
+    if (state.logic_op) return false;
     const bool adds = state.blend_equation == kGL_FUNC_ADD && state.blend_equation_alpha == kGL_FUNC_ADD;
     const bool blends = state.blend && (!adds || state.blend_src != kGL_ONE || state.blend_dst != kGL_ZERO ||
                                         state.blend_src_alpha != kGL_ONE || state.blend_dst_alpha != kGL_ZERO);

@@ -96,6 +96,11 @@ Real blended(const FragmentState& state, std::size_t i, const Channels<Real>& so
     return from_source + from_destination;
 }
 
+// 4.1.10: the codes of the new and the stored colour, combined bit by bit. An interval is every value if either code is
+// open.
+double combined(Enum logic_op, double source, double stored);
+Interval combined(Enum logic_op, const Interval& source, const Interval& stored);
+
 // Blending in an 8-bit buffer: drivers may round the fragment's colour and the blend colour to 8 bits before
 // multiplying, and both products before adding. Intervals include the results; numbers are not rounded.
 inline double rounded_factor(double channel) { return channel; }
@@ -115,7 +120,9 @@ Channels<Real> written(const FragmentState& state, const Channels<Real>& source,
     for (std::size_t i = 0; i < result.size(); ++i) {
         if (!state.color_mask[i]) continue;
         result[i] = source[i];
-        if (state.blend)
+        if (state.logic_op)
+            result[i] = combined(*state.logic_op, source[i], beneath[i]);
+        else if (state.blend)
             result[i] = clamp01(rounded_products(state, i, blended(state, i, fragment, beneath, constant)));
     }
     return result;

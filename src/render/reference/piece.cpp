@@ -87,6 +87,24 @@ double along(const Ends& line, const glm::dvec2& position_window) {
     return d[major] == 0 ? 0 : std::clamp((position_window[major] - from[major]) / d[major], 0.0, 1.0);
 }
 
+// 3.4.2: the rectangle about the line. 3.3: the circle about the point, as a polygon of the same area. RULING: smaller
+// sizes than 1 are 1, because 3.3 and 3.4 let the implementation choose the smallest.
+std::vector<Corner> outline(const glm::dvec2& from, const glm::dvec2& to, double width) {
+    const glm::dvec2 way = to - from;
+    const double length = glm::length(way);
+    if (length == 0) return {};
+    const glm::dvec2 across = std::max(width, 1.0) / 2 / length * glm::dvec2(-way.y, way.x);
+    return {{from - across}, {to - across}, {to + across}, {from + across}};
+}
+std::vector<Corner> outline(const glm::dvec2& centre, double size) {
+    constexpr int kCorners = 48;
+    const double step = 2 * M_PI / kCorners, radius = std::max(size, 1.0) / 2 * std::sqrt(step / std::sin(step));
+    std::vector<Corner> corners;
+    for (int i = 0; i < kCorners; ++i)
+        corners.push_back({centre + radius * glm::dvec2(std::cos(i * step), std::sin(i * step))});
+    return corners;
+}
+
 class PieceMaker {
   public:
     PieceMaker(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
@@ -155,6 +173,9 @@ class PieceMaker {
         Ends ends{.from = window_vertex(draw_.raster, v)};
         ends.from.position_window.z += depth_offset;
         piece.place = ends;
+        piece.is_smooth = draw_.raster.point_smooth;
+        if (piece.is_smooth)
+            piece.corners = Corners(outline(glm::dvec2(ends.from.position_window), draw_.raster.point_size));
     }
 
     void line(const Primitive& primitive, Face face, const ClipVertex& from, const ClipVertex& to,
@@ -166,6 +187,10 @@ class PieceMaker {
         Ends placed{window_vertex(draw_.raster, ends[0]), window_vertex(draw_.raster, ends[1])};
         for (WindowVertex* end : {&placed.from, &placed.to}) end->position_window.z += depth_offset;
         piece.place = placed;
+        piece.is_smooth = draw_.raster.line_smooth;
+        if (piece.is_smooth)
+            piece.corners = Corners(outline(glm::dvec2(placed.from.position_window),
+                                            glm::dvec2(placed.to.position_window), draw_.raster.line_width));
     }
 
     void triangle(const Primitive& primitive) {

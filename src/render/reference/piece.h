@@ -76,10 +76,11 @@ struct Piece {
     std::uint32_t draw = 0;  // index of the Draw in the frame
 
     bool is_perhaps_clipped = false;  // see InClipPlane
+    bool is_smooth = false;           // a line or point that coverage_of() blends
 
     Shape shape = Shape::kPoint;  // how it is drawn: a triangle may be drawn as lines or points
     int size = 1;                 // the width of a line, the side of a point's square; in pixels
-    Corners corners{};            // for a polygon
+    Corners corners{};            // of a polygon, or of the outline of a smooth line or point
     std::variant<Ends, Planes> place{};
 
     // For a surface: the number of the visible point at a pixel; each point has its own face. The pieces of a surface

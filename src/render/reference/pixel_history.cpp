@@ -167,6 +167,7 @@ PixelHistory pixel_history(const Frame& frame, const Options& options, int x, in
                                .after = color_of(pixel.colors().front())};
         const bool is_seen = fragment.passes && overwrites_color(draw.fragment);
         fragment.color = is_seen ? fragment.after : color_of(shader.shade<double>(seen).color);
+        if (!is_seen && seen.piece->is_smooth) fragment.color.a *= coverage_of(*seen.piece, x, y);
         fragment.steps = shader.steps(seen);
         const VertexRulings of_place = rulings_of_place(draw, seen);
         add_corners(seen, fragment);

@@ -18,14 +18,20 @@ std::size_t most_primitives(const Draw& draw) {
     }
 }
 
+// Its pieces, where clipping adds none: a triangle that is drawn as lines or points has three.
+std::size_t most_pieces(const Draw& draw) {
+    const bool fills = !draw.draws_polygons_as(kGL_LINE) && !draw.draws_polygons_as(kGL_POINT);
+    return most_primitives(draw) * (fills ? 1 : 3);
+}
+
 }  // namespace
 
 StagedFrame run_stages(const Frame& frame, const Options& options) {
     StagedFrame stages;
     // A vector that grows as it is filled needs up to three times as much memory.
-    std::size_t most_pieces = 0;
-    for (const Draw* draw : frame.draws()) most_pieces += most_primitives(*draw);
-    stages.pieces.reserve(most_pieces);
+    std::size_t pieces = 0;
+    for (const Draw* draw : frame.draws()) pieces += most_pieces(*draw);
+    stages.pieces.reserve(pieces);
     const Draw* last = nullptr;
     const auto add_clear = [&](const Clear& clear) {
         stages.clears.push_back(clear);

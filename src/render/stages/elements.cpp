@@ -24,12 +24,59 @@ bool is_order_free(const Draw& draw) {
 
 }  // namespace
 
+bool cuts_quadrilaterals(const Draw& draw) { return draw.in_list && draw.mode == kGL_QUADS && !draw.draws_borders(); }
+
+namespace {
+
+// Appends the triangles of quadrilaterals whose corners are at(0), at(1), ... The last corner stays the provoking vertex.
+template <class At>
+void cut(std::size_t corners, const At& at, std::vector<std::uint32_t>& indices) {
+    for (std::size_t i = 0; i + 3 < corners; i += 4)
+        for (const std::size_t corner : {0, 1, 3, 1, 2, 3}) indices.push_back(at(i + corner));
+}
+
+// The vertices of all parts in their order, with quadrilaterals cut where the part asks for that; changes those parts.
+std::vector<std::uint32_t> cut_indices(const Draw& draw, std::vector<ElementsPart>& parts) {
+    std::vector<std::uint32_t> indices;
+    std::size_t first = 0;
+    for (ElementsPart& part : parts) {
+        const std::size_t count = draw.indices.empty() ? part.vertices : part.indices, start = indices.size();
+        const auto at = [&](std::size_t i) { return draw.index(first + i); };
+        if (part.cuts_quads) {
+            cut(count, at, indices);
+            part.mode = kGL_TRIANGLES;
+        } else {
+            for (std::size_t i = 0; i < count; ++i) indices.push_back(at(i));
+        }
+        part.indices = indices.size() - start;
+        first += count;
+    }
+    return indices;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> cut_indices(const Draw& draw) {
+    std::vector<std::uint32_t> indices;
+    cut(
+        draw.count(), [&](std::size_t i) { return draw.index(i); }, indices);
+    return indices;
+}
+
 bool needs_edge_flags(const Draw& draw) {
     const bool has_edges = draw.mode == kGL_TRIANGLES || draw.mode == kGL_QUADS || draw.mode == kGL_POLYGON;
     return has_edges && draw.draws_borders() && !std::ranges::all_of(draw.vertices, &Vertex::edge_flag);
 }
 
 Elements::Elements(const Draw& draw, bool patches) : mode_(draw.mode), count_(static_cast<int>(draw.count())) {
+    if (cuts_quadrilaterals(draw)) {
+        const std::vector<std::uint32_t> indices = cut_indices(draw);
+        mode_ = kGL_TRIANGLES;
+        count_ = static_cast<int>(indices.size());
+        indices_ = filled_buffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+        bytes_ = indices.size() * sizeof(std::uint32_t);
+        return;
+    }
     if (draw.indices.empty()) return;
     // Incomplete triangles are not drawn (2.6.1).
     const std::size_t whole = draw.indices.size() / 3 * 3;
@@ -46,8 +93,13 @@ Elements::Elements(const Draw& draw, bool patches) : mode_(draw.mode), count_(st
     patched_.indices = {};
 }
 
-Elements::Elements(const Draw& draw, const std::vector<ElementsPart>& parts)
+Elements::Elements(const Draw& draw, const std::vector<ElementsPart>& given)
     : mode_(draw.mode), count_(static_cast<int>(draw.count())) {
+    std::vector<ElementsPart> parts = given;
+    const bool cuts = std::ranges::any_of(parts, &ElementsPart::cuts_quads);
+    const std::vector<std::uint32_t> cut = cuts ? cut_indices(draw, parts) : std::vector<std::uint32_t>{};
+    const std::vector<std::uint32_t>& indices = cuts ? cut : draw.indices;
+    const bool has_indices = cuts || !indices.empty();
     // The vertices of a primitive, in modes whose primitives do not share any; 0 in others.
     const auto vertices_of_primitive = [](Enum mode) -> std::size_t {
         switch (mode) {
@@ -61,7 +113,7 @@ Elements::Elements(const Draw& draw, const std::vector<ElementsPart>& parts)
     std::size_t first = 0;
     bool may_continue = false;  // whether the next part's primitives may follow in the same array
     for (const ElementsPart& part : parts) {
-        const std::size_t count = draw.indices.empty() ? part.vertices : part.indices;
+        const std::size_t count = has_indices ? part.indices : part.vertices;
         const bool is_new_run = runs_.empty() || runs_.back().mode != part.mode;
         if (is_new_run) runs_.push_back({part.mode, {}, {}, {}});
         Run& run = runs_.back();
@@ -70,15 +122,15 @@ Elements::Elements(const Draw& draw, const std::vector<ElementsPart>& parts)
         } else {
             run.firsts.push_back(static_cast<int>(first));
             run.counts.push_back(static_cast<int>(count));
-            if (!draw.indices.empty()) run.offsets.push_back(buffer_offset(first * sizeof(std::uint32_t)));
+            if (has_indices) run.offsets.push_back(buffer_offset(first * sizeof(std::uint32_t)));
         }
         const std::size_t size = vertices_of_primitive(part.mode);
         may_continue = size > 0 && count % size == 0;  // incomplete primitives are not drawn (2.6.1)
         first += count;
     }
-    if (draw.indices.empty()) return;
-    indices_ = filled_buffer(GL_ELEMENT_ARRAY_BUFFER, draw.indices);
-    bytes_ = draw.indices.size() * sizeof(draw.indices[0]);
+    if (!has_indices) return;
+    indices_ = filled_buffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+    bytes_ = indices.size() * sizeof(indices[0]);
 }
 
 Elements::~Elements() { glDeleteBuffers(1, &indices_); }

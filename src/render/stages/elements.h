@@ -13,6 +13,7 @@ namespace twinlight {
 struct ElementsPart {
     Enum mode = kGL_TRIANGLES;
     std::size_t vertices = 0, indices = 0;  // how many
+    bool cuts_quads = false;                // see cuts_quadrilaterals()
 
     friend bool operator==(const ElementsPart&, const ElementsPart&) = default;
 };
@@ -54,6 +55,12 @@ class Elements {
     std::size_t bytes_ = 0;
     PatchedTriangles patched_;
 };
+
+// Whether filled quadrilaterals are drawn as triangles, cut from the second corner to the fourth. Mesa does so with those
+// in display lists, but draws others from the first corner to the third; 2.6.1 allows both. With the same cut, fixed
+// function and shaders give the same colours.
+bool cuts_quadrilaterals(const Draw& draw);
+std::vector<std::uint32_t> cut_indices(const Draw& draw);  // the indices of those triangles
 
 // 2.6.2: edge flags matter only if polygons are drawn as edges or corners; strips and fans ignore them.
 bool needs_edge_flags(const Draw& draw);

@@ -1,5 +1,6 @@
 #include "render/stages/fixed_stages.h"
 
+#include <array>
 #include <utility>
 
 #include "render/context/gl.h"
@@ -8,6 +9,20 @@ namespace twinlight {
 namespace {
 
 void set_enabled(GLenum capability, bool enabled) { (enabled ? glEnable : glDisable)(capability); }
+
+// The bytes of glPolygonStipple: rows from the bottom, each from the highest bit of its first byte.
+void set_stipple_and_smoothing(const RasterState& raster) {
+    set_enabled(GL_POLYGON_STIPPLE, raster.polygon_stipple != nullptr);
+    set_enabled(GL_LINE_SMOOTH, raster.line_smooth);
+    set_enabled(GL_POINT_SMOOTH, raster.point_smooth);
+    if (!raster.polygon_stipple) return;
+    std::array<GLubyte, 128> bytes{};
+    for (std::size_t row = 0; row < 32; ++row)
+        for (std::size_t column = 0; column < 32; ++column)
+            if (((*raster.polygon_stipple)[row] >> column & 1U) != 0)
+                bytes[4 * row + column / 8] |= static_cast<GLubyte>(1U << (7 - column % 8));
+    glPolygonStipple(bytes.data());
+}
 
 void set_raster(const RasterState& raster) {
     const Viewport& v = raster.viewport;
@@ -31,6 +46,12 @@ void set_raster(const RasterState& raster) {
     set_enabled(GL_DEPTH_TEST, raster.depth_test);
     glDepthFunc(raster.depth_func);
     glDepthMask(raster.depth_mask);
+    set_stipple_and_smoothing(raster);
+}
+
+void set_logic_op(const std::optional<Enum>& logic_op) {
+    set_enabled(GL_COLOR_LOGIC_OP, logic_op.has_value());
+    if (logic_op) glLogicOp(*logic_op);
 }
 
 void set_scissor(const Scissor& scissor) {
@@ -56,6 +77,7 @@ void set_fragment_operations(const FragmentState& fragment) {
     set_enabled(GL_ALPHA_TEST, fragment.alpha_test);
     glAlphaFunc(fragment.alpha_func, static_cast<float>(fragment.alpha_ref));
     set_stencil(fragment.stencil);
+    set_logic_op(fragment.logic_op);
     set_enabled(GL_BLEND, fragment.blend);
     glBlendFuncSeparate(fragment.blend_src, fragment.blend_dst, fragment.blend_src_alpha, fragment.blend_dst_alpha);
     glBlendEquationSeparate(fragment.blend_equation, fragment.blend_equation_alpha);
@@ -70,9 +92,8 @@ FixedStages::FixedStages() {
     glPushAttrib(GL_ALL_ATTRIB_BITS);
     glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
     for (GLenum capability :
-         {GL_POINT_SMOOTH, GL_LINE_SMOOTH, GL_LINE_STIPPLE, GL_POLYGON_SMOOTH, GL_POLYGON_STIPPLE, GL_POINT_SPRITE,
-          GL_VERTEX_PROGRAM_POINT_SIZE, GL_VERTEX_PROGRAM_TWO_SIDE, GL_DEPTH_CLAMP, GL_COLOR_LOGIC_OP,
-          GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE})
+         {GL_LINE_STIPPLE, GL_POLYGON_SMOOTH, GL_POINT_SPRITE, GL_VERTEX_PROGRAM_POINT_SIZE, GL_VERTEX_PROGRAM_TWO_SIDE,
+          GL_DEPTH_CLAMP, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE})
         glDisable(capability);
     glActiveTexture(GL_TEXTURE0);
     glEdgeFlag(GL_TRUE);

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/math/as_float.h"
 #include "scene/command/memory.h"
 #include "scene/command/program.h"
 #include "scene/command/reader.h"
@@ -68,7 +69,7 @@ std::optional<Kind> find_type(std::string_view name) {
 
 Value integer(std::int64_t value) { return {.type = Value::Type::kInteger, .integer = value}; }
 Value real(double value, bool is_float) {
-    return is_float ? Value{.type = Value::Type::kFloat, .real = static_cast<double>(static_cast<float>(value))}
+    return is_float ? Value{.type = Value::Type::kFloat, .real = as_float(value)}
                     : Value{.type = Value::Type::kDouble, .real = value};
 }
 

@@ -6,6 +6,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
+#include "base/math/as_float.h"
 #include "scene/state/pixel_unpacking.h"
 
 namespace twinlight {
@@ -80,8 +81,8 @@ Answer of_fragments(const FragmentState& fragment, const Fog& fog, const Clear& 
     }
 }
 
-// Table 6.21.
-Answer of_stencil(const Attributes& a, Enum pname) {
+// Tables 6.12, 6.21, 6.22, 6.23.
+Answer of_buffers(const Attributes& a, Enum pname) {
     const StencilFace &front = a.stencil_test.front, &back = a.stencil_test.back;
     const auto ref = [](const StencilFace& face) { return one(std::clamp(face.ref, 0, kMaxStencil)); };
     switch (pname) {
@@ -99,6 +100,7 @@ Answer of_stencil(const Attributes& a, Enum pname) {
         case kGL_STENCIL_BACK_PASS_DEPTH_FAIL: return one(back.depth_fail);
         case kGL_STENCIL_BACK_PASS_DEPTH_PASS: return one(back.depth_pass);
         case kGL_STENCIL_BACK_WRITEMASK: return one(back.write_mask);
+        case kGL_LOGIC_OP_MODE: return one(a.logic_op);
         case kGL_STENCIL_CLEAR_VALUE: return one(a.clear.clear_stencil);
         case kGL_ACCUM_CLEAR_VALUE: return list(a.clear.clear_accumulation);
         default: return {};
@@ -160,7 +162,7 @@ Answer answer(const State& state, Enum pname) {
     const Attributes& a = state.attributes();
     for (const Answer& answer :
          {of_lighting(a.lighting, pname), of_raster(a.raster, pname), of_fragments(a.fragment, a.fog, a.clear, pname),
-          of_stencil(a, pname), of_hints(a.hints, pname), of_pixel_store(state.pixel_store(), pname),
+          of_buffers(a, pname), of_hints(a.hints, pname), of_pixel_store(state.pixel_store(), pname),
           of_arrays(state.arrays(), pname)}) {
         if (!answer.empty()) return answer;
     }
@@ -361,7 +363,7 @@ Answer answer(const State& state, const Command& query) {
     for (double& value : values) {
         if (kind == Kind::kBoolean) value = value != 0 ? 1 : 0;
         if (kind == Kind::kInt) value = std::nearbyint(fraction ? (4294967295.0 * value - 1) / 2 : value);
-        if (kind == Kind::kFloat) value = static_cast<double>(static_cast<float>(value));
+        if (kind == Kind::kFloat) value = as_float(value);
     }
     return values;
 }

@@ -18,12 +18,15 @@ auto capabilities(auto& a) {  // GL_ENABLE_BIT, without lights, clip planes and 
                     a.lighting.rescale_normal, a.raster.cull_enabled, a.raster.depth_test,
                     a.raster.polygon_offset.point, a.raster.polygon_offset.line, a.raster.polygon_offset.fill,
                     a.fragment.scissor.enabled, a.fragment.alpha_test, a.fragment.blend, a.fragment.color_sum,
-                    a.fog.enabled, a.stencil_enabled);
+                    a.fog.enabled, a.stencil_enabled, a.polygon_stipple_enabled, a.logic_op_enabled,
+                    a.raster.line_smooth, a.raster.point_smooth);
 }
+
+auto line(auto& a) { return std::tie(a.raster.line_width, a.raster.line_smooth); }
 
 auto polygon(auto& a) {
     return std::tie(a.raster.front_face, a.raster.cull_enabled, a.raster.cull_face, a.raster.polygon_mode_front,
-                    a.raster.polygon_mode_back, a.raster.polygon_offset);
+                    a.raster.polygon_mode_back, a.raster.polygon_offset, a.polygon_stipple_enabled);
 }
 
 auto depth(auto& a) {
@@ -73,6 +76,8 @@ void restore_color_buffer(Attributes& now, const Attributes& saved) {
     now.fragment.color_sum = color_sum;
     now.clear.clear_color = saved.clear.clear_color;
     now.draws_color = saved.draws_color;
+    now.logic_op_enabled = saved.logic_op_enabled;
+    now.logic_op = saved.logic_op;
 }
 
 void restore(Attributes& now, const Attributes& saved, Enum mask) {
@@ -84,10 +89,12 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
     }
     if (bit(kGL_POINT_BIT)) {
         now.raster.point_size = saved.raster.point_size;
+        now.raster.point_smooth = saved.raster.point_smooth;
         now.point_parameters = saved.point_parameters;
     }
-    if (bit(kGL_LINE_BIT)) now.raster.line_width = saved.raster.line_width;
+    if (bit(kGL_LINE_BIT)) line(now) = line(saved);
     if (bit(kGL_POLYGON_BIT)) polygon(now) = polygon(saved);
+    if (bit(kGL_POLYGON_STIPPLE_BIT)) now.polygon_stipple = saved.polygon_stipple;
     if (bit(kGL_LIGHTING_BIT)) restore_lighting(now.lighting, saved.lighting);
     if (bit(kGL_FOG_BIT)) {
         now.fog = saved.fog;

@@ -93,6 +93,8 @@ inline constexpr PixelStoreRow kPixelStoreRows[] = {
     {kGL_PACK_SKIP_IMAGES, &PixelStore::pack_skip_images},
 };
 
+std::shared_ptr<const PolygonStipple> solid_stipple();  // every bit is 1
+
 struct ClipPlane {  // 2.12
     bool enabled = false;
     glm::dvec4 equation_eye{0, 0, 0, 0};
@@ -112,8 +114,11 @@ using Hints = std::map<Enum, Enum>;
 // All state that some bit of glPushAttrib saves (6.1.14, tables 6.5 to 6.35).
 struct Attributes {
     LightingState lighting;
-    RasterState raster;      // without the clip planes, which a Draw gets from clip_planes
-    FragmentState fragment;  // without the stencil test, which a Draw gets from stencil_test if it is enabled
+    RasterState raster;      // without what a Draw gets only if it is enabled: clip planes, the polygon stipple
+    FragmentState fragment;  // without what a Draw gets only if it is enabled: the stencil test, the logical operation
+    bool polygon_stipple_enabled = false, logic_op_enabled = false;
+    std::shared_ptr<const PolygonStipple> polygon_stipple = solid_stipple();
+    Enum logic_op = kGL_COPY;
     bool stencil_enabled = false;
     StencilTest stencil_test;
     Fog fog;

@@ -93,17 +93,6 @@ void State::driver_only_bitmap(const Command& c) {
     driver_only_drawing(c);
 }
 
-// 3.5.2: 32 x 32 bits, unpacked like a bitmap. GL_POLYGON_STIPPLE is noted when it is enabled.
-void State::driver_only_stipple(const Command& c) {
-    constexpr int kSide = 32;
-    const std::size_t needed = bitmap_bytes(kSide, kSide, pixel_store_);
-    if (needed > c.array().size()) {
-        raise(kGL_INVALID_OPERATION, c,
-              "glPolygonStipple reads {} bytes with these glPixelStore values, but its array has {}", needed,
-              c.array().size());
-    }
-}
-
 // 3.8.2: the image exists from now on, but only the driver knows its contents.
 void State::driver_only_copy_image(const Command& c) {
     note_lasting(c.name(), c.place);

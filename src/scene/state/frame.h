@@ -227,6 +227,9 @@ struct PolygonOffset {  // 3.5.5
     }
 };
 
+// 3.5.2: a bit for each pixel of 32 rows, from the bottom; bit 0 is the leftmost. A fragment is drawn if its bit is 1.
+using PolygonStipple = std::array<std::uint32_t, 32>;
+
 inline constexpr int kMaxClipPlanes = 8;  // GL requires at least 6 (table 6.29); Mesa has 8
 
 struct RasterState {
@@ -240,6 +243,8 @@ struct RasterState {
     PolygonOffset polygon_offset;
     double line_width = 1;  // 3.4: without smoothing, rounded to a whole number of pixels, at least 1
     double point_size = 1;  // 3.3: the same
+    std::shared_ptr<const PolygonStipple> polygon_stipple{};  // null: off
+    bool line_smooth = false, point_smooth = false;           // 3.3, 3.4.2
     std::array<std::optional<glm::dvec4>, kMaxClipPlanes>
         clip_planes_eye;  // the enabled ones (2.12), in eye coordinates
     bool depth_test = false;
@@ -408,6 +413,7 @@ struct FragmentState {
     Enum blend_src = kGL_ONE, blend_dst = kGL_ZERO;
     Enum blend_src_alpha = kGL_ONE, blend_dst_alpha = kGL_ZERO;  // differ only by glBlendFuncSeparate
     glm::dvec4 blend_color{0, 0, 0, 0};
+    std::optional<Enum> logic_op{};                          // 4.1.10, in place of blending; nothing: off
     std::array<bool, 4> color_mask{true, true, true, true};  // 4.2.2
     bool color_sum = false;  // 3.9: only without lighting; with lighting the secondary colour is always added
     // Not in GL: `#pragma twinlight transfer(srgb)`. Colours are linear light and are converted to sRGB after fog.
@@ -462,7 +468,8 @@ struct Draw {
     std::vector<Materials> materials;
     glm::dmat4 eye_from_object{1};
     glm::dmat4 clip_from_eye{1};
-    Place place;  // the place of glBegin or of the shape
+    Place place;           // the place of glBegin or of the shape
+    bool in_list = false;  // a display list draws it; then a driver may cut quadrilaterals the other way
     // The curved surfaces that the mesh approximates; null if the mesh is exact. Draws that share them are the parts of
     // one shape and follow each other.
     std::shared_ptr<const std::vector<Surface>> surfaces;

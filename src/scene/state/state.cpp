@@ -117,7 +117,7 @@ std::size_t State::vertex_bytes(std::size_t vertices, std::size_t indices) const
     const std::size_t further =
         open_ ? open_->further_units.size()
               : static_cast<std::size_t>(std::count_if(a_.units.begin() + 1, a_.units.end(), is_in_use));
-    return bytes_of_vertices(vertices, indices) + further * bytes_of_tex_coords(vertices);
+    return bytes_of_vertices(a_.raster, vertices, indices) + further * bytes_of_tex_coords(vertices);
 }
 
 bool State::has_time(const Command& command, double work) {
@@ -260,6 +260,7 @@ Draw State::new_draw(Enum mode, const Place& place) {
     draw.eye_from_object = modelview();
     draw.clip_from_eye = projection();
     draw.place = place;
+    draw.in_list = lists_.nesting > 0 || lists_.open_name != 0;
     draw.texture = texture_unit(0);
     for (std::size_t i = 1; i < a_.units.size(); ++i)
         if (a_.units[i].enabled_1d || a_.units[i].enabled_2d)
@@ -275,6 +276,10 @@ Draw State::new_draw(Enum mode, const Place& place) {
     draw.fragment = a_.fragment;
     if (!a_.draws_color) draw.fragment.color_mask.fill(false);
     if (a_.stencil_enabled) draw.fragment.stencil = a_.stencil_test;
+    if (a_.logic_op_enabled) draw.fragment.logic_op = a_.logic_op;
+    if (a_.polygon_stipple_enabled && draws_polygons(mode)) draw.raster.polygon_stipple = a_.polygon_stipple;
+    draw.raster.line_smooth &= draw.draws_lines();
+    draw.raster.point_smooth &= draw.draws_points();
     for (std::size_t i = 0; i < a_.clip_planes.size(); ++i)
         if (a_.clip_planes[i].enabled) draw.raster.clip_planes_eye[i] = a_.clip_planes[i].equation_eye;
     for (const auto& [capability, where] : a_.driver_only) {
@@ -430,7 +435,8 @@ void State::drop_hidden() {
     item_bytes_ = 0;
     for (const FrameItem& item : items_)
         if (const Draw* draw = std::get_if<Draw>(&item))
-            item_bytes_ += bytes_of_draw() + bytes_of_vertices(draw->vertices.size(), draw->indices.size()) +
+            item_bytes_ += bytes_of_draw() +
+                           bytes_of_vertices(draw->raster, draw->vertices.size(), draw->indices.size()) +
                            draw->further_units.size() * bytes_of_tex_coords(draw->vertices.size());
     if (items_.size() == 1) unsupported_.clear();
 }

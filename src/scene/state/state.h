@@ -44,11 +44,13 @@ inline constexpr std::size_t kMaxErrorsKept = 100;
 inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; all further ones count as "more commands"
 
 // What `twinlight compare` needs at its peak for the vertices of a Draw, which are drawn in the order of the indices, if there are
-// any: their Vertex and StageVertex, the meshes of two renderers, and the reference's Pieces. Measured: up to 830 bytes for each
-// vertex of a strip, 570 of separate triangles.
-constexpr std::size_t bytes_of_vertices(std::size_t vertices, std::size_t indices = 0) {
-    constexpr std::size_t kVertex = 450, kDrawn = 400;
-    return vertices * kVertex + (indices > 0 ? indices : vertices) * kDrawn;
+// any: their Vertex and StageVertex, the meshes of two renderers, and the reference's Pieces. A triangle that is drawn as lines or
+// points becomes three of these. Measured: up to 920 bytes for each vertex of a polygon, 1,630 of a strip that is drawn as lines, 570
+// of separate triangles.
+constexpr std::size_t bytes_of_vertices(const RasterState& raster, std::size_t vertices, std::size_t indices = 0) {
+    const bool fills = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
+    constexpr std::size_t kVertex = 500, kPiece = 500;
+    return vertices * kVertex + (indices > 0 ? indices : vertices) * (fills ? 1 : 3) * kPiece;
 }
 // The same for the texture coordinates of a texture unit above 0.
 constexpr std::size_t bytes_of_tex_coords(std::size_t vertices) { return 100 * vertices; }
@@ -134,9 +136,10 @@ class State {
     Effect client_arrays, array_element, draw_arrays;
     Effect draw_buffer, driver_only_state, driver_only_drawing, driver_only_attribute, driver_only_query,
         driver_only_secondary_color, driver_only_point_parameter, driver_only_pixel_transfer, driver_only_bitmap,
-        driver_only_stipple, driver_only_copy_image;
+        driver_only_copy_image;
     Effect stencil_func, stencil_op, stencil_mask, clear_stencil;
     Effect accumulate, clear_accumulation;
+    Effect polygon_stipple, logic_op;
     Effect clear_depth, clear_color, clear, scissor, alpha_func, blend_func, blend_color, color_mask, fog,
         blend_equation;
     Effect light, material, light_model, color_material, shade_model, get_light, get_material, specular_model,

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/math/as_float.h"
 #include "scene/command/lexer.h"
 #include "scene/command/memory.h"
 #include "scene/command/object_names.h"
@@ -23,7 +24,7 @@ template <class... Values>
 
 // The value converted to the C type of the parameter.
 double typed(const Command& command, const Parameter& parameter, double value) {
-    if (parameter.kind == Kind::kFloat) return static_cast<double>(static_cast<float>(value));
+    if (parameter.kind == Kind::kFloat) return as_float(value);
     if (parameter.kind == Kind::kDouble) return value;
     // apitrace may print an unknown enumerant as a negative number.
     const bool wraps = parameter.kind == Kind::kEnum || parameter.kind == Kind::kBitfield;

@@ -1,9 +1,16 @@
 // What file names, full disks and large scenes must not do: control the terminal, leave half of a result, fill the memory.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "../run_program.h"
@@ -195,6 +202,68 @@ TEST(MemoryLimit, CountsWhatIsBuilt) {
     };
     EXPECT_EQ(run("0.05"), 2);
     EXPECT_EQ(run("0.5"), 0);
+}
+
+// The largest memory of a process, in bytes.
+double peak_of(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), build_folder() + "/twinlight");
+    std::vector<char*> words;
+    for (std::string& argument : arguments) words.push_back(argument.data());
+    words.push_back(nullptr);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const int nowhere = ::open("/dev/null", O_WRONLY);
+        ::dup2(nowhere, STDOUT_FILENO);
+        ::dup2(nowhere, STDERR_FILENO);
+        ::execv(words.front(), words.data());
+        ::_exit(127);
+    }
+    // The kernel's peak, read until the end: getrusage() would also count the memory that this test had at the fork.
+    const std::string file = "/proc/" + std::to_string(child) + "/status", label = "VmHWM:";
+    double kilobytes = 0;
+    int status = 0;
+    while (::waitpid(child, &status, WNOHANG) == 0) {
+        std::ifstream lines(file);
+        for (std::string line; std::getline(lines, line);)
+            if (line.starts_with(label)) kilobytes = std::stod(line.substr(label.size()));
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) < 2) << arguments[1];
+    return 1024 * kilobytes;
+}
+
+// A recording of one glBegin with this many vertices.
+std::string dump_of(const std::string& mode, const std::string& polygon_mode, int vertices) {
+    std::string text = "0 glViewport(x = 0, y = 0, width = 64, height = 64)\n1 glEnable(cap = GL_LIGHTING)\n";
+    text += "2 glPolygonMode(face = GL_FRONT_AND_BACK, mode = " + polygon_mode + ")\n";
+    text += "3 glBegin(mode = " + mode + ")\n";
+    for (int i = 0; i < vertices; ++i)
+        text += std::to_string(4 + i) + " glVertex2f(x = " + std::to_string(1.8 * i / vertices - 0.9) +
+                (i % 2 == 0 ? ", y = 0.5)\n" : ", y = -0.5)\n");
+    const int end = 4 + vertices;
+    return text + std::to_string(end) + " glEnd()\n" + std::to_string(end + 1) +
+           " glXSwapBuffers(dpy = 0x1, drawable = 2)\n";
+}
+
+// A picture that is allowed as much memory as its comparison was seen to need is refused.
+TEST(MemoryLimit, CountsAtLeastWhatAComparisonUses) {
+    if (kSanitized) GTEST_SKIP() << "sanitizers change how much memory is needed";
+    const TemporaryFolder folder;
+    const std::string file = folder / "dump.txt", report = folder / "report";
+    const auto compare = [&](const std::string& memory) {
+        return std::vector<std::string>{"compare", file, "--size", "64x64", "--memory", memory, "-o", report};
+    };
+    write_file_atomically(file, dump_of("GL_TRIANGLES", "GL_FILL", 3));
+    const double without = peak_of(compare("2"));
+    for (const auto& [mode, polygon_mode] : std::vector<std::pair<std::string, std::string>>{
+             {"GL_TRIANGLE_STRIP", "GL_FILL"}, {"GL_TRIANGLE_STRIP", "GL_LINE"}, {"GL_POINTS", "GL_FILL"}}) {
+        write_file_atomically(file, dump_of(mode, polygon_mode, 150'000));
+        const double used = peak_of(compare("2")) - without;
+        EXPECT_GT(used, 60e6) << mode;
+        const ProgramResult refused = run_program("twinlight", compare(std::to_string(used / 1e9)));
+        EXPECT_EQ(refused.status, 2) << mode << " " << polygon_mode << ": " << used / 150'000 << " bytes a vertex";
+        EXPECT_NE(refused.err.find("--memory"), std::string::npos) << refused.err;
+    }
 }
 
 }  // namespace

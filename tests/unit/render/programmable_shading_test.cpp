@@ -173,14 +173,14 @@ TEST(Programmable, DrawsWhatTheDriversFixedFunctionDraws) {
     const auto scene = std::make_shared<const CommandList>(read_scene(kScene, "scene.gl", "scene"));
     StateOptions state_options;
     state_options.width = state_options.height = kSize;
-    const auto [recording, frame] = make_scene(scene, state_options);
+    const Scene made = make_scene(scene, state_options);
+    const Frame& frame = made.frame;
     for (const Shading shading : {Shading::kFlat, Shading::kGouraud}) {
         const auto context = make_offscreen_context(kSize, kSize);
-        const Image before = fixed::render({recording, frame}, {.shading = shading});
+        const Image before = fixed::render(made, {.shading = shading});
         Renderer renderer;
         const Image ours = renderer.render(frame, {{{.shading = shading}}}).image;
-        EXPECT_EQ(fixed::render({recording, frame}, {.shading = shading}).pixels, before.pixels)
-            << "the context is as it was";
+        EXPECT_EQ(fixed::render(made, {.shading = shading}).pixels, before.pixels) << "the context is as it was";
         int differing = 0;
         double largest = 0;
         for (std::size_t i = 0; i < ours.pixels.size(); ++i) {

@@ -115,7 +115,7 @@ constexpr bool kDrawnByAll[] = {
 
 TEST(BuiltInScenes, UseEveryCommandThatAllRenderersCarryOut) {
     std::set<CommandId> used;
-    const std::set<std::string> scenes{"commands", "legacy", "buffers", "spectral", "report", "tutorial"};
+    const std::set<std::string> scenes{"commands", "legacy", "buffers", "fragments", "spectral", "report", "tutorial"};
     for (const EmbeddedFile& file : kSceneFiles) {
         if (!scenes.contains(name_of(file))) continue;
         for (const CommandList& step : read_steps(file))

@@ -1,10 +1,14 @@
 // The rules of the state machine, calculated by hand. tests/property compares them with the driver.
 #include "scene/state/state.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/vec2.hpp>
+#include <numbers>
 
 #include "scene/command/text.h"
 
@@ -273,6 +277,24 @@ TEST(Vertices, ThreeComponentColoursHaveAlpha1) {
 TEST(Matrices, MultiplyFromTheRight) {
     const State state = after("glTranslated(1, 0, 0); glScaled(2, 2, 2);");
     EXPECT_EQ(state.modelview() * glm::dvec4(1, 1, 1, 1), glm::dvec4(3, 2, 2, 1));
+}
+
+// Radians in double would leave 6e-17 at 90 degrees, and take digits from every sine and cosine near 0.
+TEST(Matrices, RotateByAnglesWhoseSinesAndCosinesKeepAllDigits) {
+    const auto turn = [](double angle_deg) {
+        const glm::dmat4 m = after(fmt::format("glRotated({}, 0, 0, 1);", angle_deg)).modelview();
+        return glm::dvec2(m[0][0], m[0][1]);
+    };
+    const std::array<glm::dvec2, 4> right_angles = {glm::dvec2(1, 0), {0, 1}, {-1, 0}, {0, -1}};
+    for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(turn(90.0 * static_cast<double>(i)), right_angles.at(i % 4)) << i;
+    constexpr double kTwoUnits = 0x1p-51;
+    for (double beyond_deg = 1; beyond_deg > 1e-9; beyond_deg /= 8) {
+        const long double radians = beyond_deg * std::numbers::pi_v<long double> / 180;
+        const auto sine = static_cast<double>(std::sin(radians));
+        EXPECT_NEAR(-turn(90 + beyond_deg).x / sine, 1, kTwoUnits) << beyond_deg;
+        EXPECT_NEAR(-turn(180 + beyond_deg).y / sine, 1, kTwoUnits) << beyond_deg;
+        EXPECT_NEAR(turn(-90 + beyond_deg).x / sine, 1, kTwoUnits) << beyond_deg;
+    }
 }
 
 TEST(Matrices, RotateAboutTheAxisByTheRightHandRule) {

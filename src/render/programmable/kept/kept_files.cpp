@@ -238,6 +238,11 @@ class Writer {
                                         enum_name(hides_front ? raster.polygon_mode_back : raster.polygon_mode_front)));
         enable(kGL_POLYGON_OFFSET_POINT, raster.polygon_offset.point);
         enable(kGL_POLYGON_OFFSET_LINE, raster.polygon_offset.line);
+        uses_smooth_lines_ |= raster.line_smooth;
+        if (uses_smooth_lines_) enable(kGL_LINE_SMOOTH, raster.line_smooth);
+        uses_logic_op_ |= draw.fragment.logic_op.has_value();
+        if (uses_logic_op_) enable(kGL_COLOR_LOGIC_OP, draw.fragment.logic_op.has_value());
+        if (draw.fragment.logic_op) set("logic op", fmt::format("glLogicOp({});", enum_name(*draw.fragment.logic_op)));
         if (draw.draws_points()) set("point size", fmt::format("glPointSize({});", c_.number(raster.point_size)));
         // The program has one clip distance for each enabled plane, without gaps.
         const int planes = raster.clip_plane_count();
@@ -419,6 +424,8 @@ class Writer {
         };
         const auto note = [&](const char* what, bool is_used) { unsupported_[what] |= is_used; };
         note("line width", draw.draws_lines() && raster.line_width != 1);
+        note("smooth lines", draw.draws_lines() && raster.line_smooth);
+        note("logical operations", draw.fragment.logic_op.has_value());
         note("polygon mode", draw.draws_borders());
         note("border colours of textures", texture && (has_border(texture->wrap_s) || has_border(texture->wrap_t)));
         note("GL_TEXTURE_LOD_BIAS", texture && draw.texture.lod_bias != 0);
@@ -472,7 +479,7 @@ class Writer {
     std::map<std::string, std::string> last_;
     std::string body_;  // of draw_scene()
     int kind_ = 0;      // of the Draw being written
-    bool uses_stencil_ = false;
+    bool uses_stencil_ = false, uses_smooth_lines_ = false, uses_logic_op_ = false;
     glm::dvec3 middle_{0};
     double middle_count_ = 0;
 };
@@ -484,6 +491,8 @@ std::string why_not_kept(const Frame& frame) {
     for (const Draw* draw : frame.draws()) {
         if (!draw->further_units.empty()) return "it uses more than one texture unit (glActiveTexture)";
         if (draw->combines_textures()) return "it combines textures with GL_COMBINE (glTexEnv)";
+        if (draw->raster.polygon_stipple) return "it uses a polygon stipple, which core GL lacks";
+        if (draw->raster.point_smooth) return "it uses smooth points, which core GL lacks";
         if (!draw->lighting.enabled) continue;
         if (draw->lighting.light_model.spectrum) return "it multiplies colours as spectra (#pragma twinlight spectrum)";
         for (std::size_t i = kMostKeptLights; i < draw->lighting.lights.size(); ++i)

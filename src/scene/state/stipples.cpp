@@ -1,0 +1,50 @@
+// The polygon stipple (3.5.2) and logical operations (4.1.10).
+#include "scene/state/pixel_unpacking.h"
+#include "scene/state/state.h"
+
+namespace twinlight {
+
+std::shared_ptr<const PolygonStipple> solid_stipple() {
+    static const auto solid = [] {
+        PolygonStipple bits;
+        bits.fill(~0U);
+        return std::make_shared<const PolygonStipple>(bits);
+    }();
+    return solid;
+}
+
+// Unpacked like a bitmap (3.6.4).
+void State::polygon_stipple(const Command& c) {
+    constexpr int kSide = 32;
+    if (arrays_.pixel_unpack_buffer()) return note_lasting("glPolygonStipple from a buffer object", c.place);
+    const std::size_t needed = bitmap_bytes(kSide, kSide, pixel_store_);
+    const auto bytes = c.array();
+    if (needed > bytes.size()) {
+        return raise(kGL_INVALID_OPERATION, c,
+                     "glPolygonStipple reads {} bytes with these glPixelStore values, but its array has {}", needed,
+                     bytes.size());
+    }
+    const auto whole = [](int number) { return static_cast<std::size_t>(number); };
+    const std::size_t per_row = whole(pixel_store_.unpack_row_length > 0 ? pixel_store_.unpack_row_length : kSide);
+    const std::size_t alignment = whole(pixel_store_.unpack_alignment), bits = 8 * alignment;
+    const std::size_t stride = alignment * ((per_row + bits - 1) / bits);
+    PolygonStipple stipple{};
+    for (std::size_t row = 0; row < stipple.size(); ++row)
+        for (std::size_t column = 0; column < whole(kSide); ++column) {
+            const std::size_t bit = whole(pixel_store_.unpack_skip_pixels) + column;
+            const auto byte =
+                static_cast<unsigned>(bytes[(whole(pixel_store_.unpack_skip_rows) + row) * stride + bit / 8]);
+            const std::size_t place = pixel_store_.unpack_lsb_first ? bit % 8 : 7 - bit % 8;
+            stipple[row] |= ((byte >> place) & 1U) << column;
+        }
+    a_.polygon_stipple = std::make_shared<const PolygonStipple>(stipple);
+}
+
+void State::logic_op(const Command& c) {
+    if (known(c, c.enumerant(0),
+              {kGL_CLEAR, kGL_AND, kGL_AND_REVERSE, kGL_COPY, kGL_AND_INVERTED, kGL_NOOP, kGL_XOR, kGL_OR, kGL_NOR,
+               kGL_EQUIV, kGL_INVERT, kGL_OR_REVERSE, kGL_COPY_INVERTED, kGL_OR_INVERTED, kGL_NAND, kGL_SET}))
+        a_.logic_op = c.enumerant(0);
+}
+
+}  // namespace twinlight
