@@ -34,6 +34,7 @@ struct FuzzArguments {
     std::string against = "renderers";
     std::string folder = "fuzz-failures";
     bool json = false;
+    std::uint64_t baked_every = fuzz::OracleOptions{}.baked_every;
 };
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -175,6 +176,17 @@ auto shown_on(ProgressBar& bar, const FuzzArguments& arguments, std::chrono::ste
 
 // ---- Against the oracle ----
 
+// The range of condition numbers, and the power of ten that half of them reach.
+std::string in_words(const std::map<int, long>& conditions) {
+    if (conditions.empty()) return "";
+    long all = 0, below = 0;
+    for (const auto& [power, count] : conditions) all += count;
+    auto middle = conditions.begin();
+    while (2 * (below += middle->second) < all) ++middle;
+    return fmt::format("condition numbers 1e{} to 1e{}, half from 1e{}", conditions.begin()->first,
+                       conditions.rbegin()->first + 1, middle->first);
+}
+
 std::string summary_text(const FuzzArguments& arguments, const fuzz::OracleSummary& summary, double seconds) {
     std::string text = fmt::format(
         "{} random scenes at the limits of floats, seed {}{}, {} min ({:.0f} per second), checked in 60 digits; "
@@ -197,7 +209,11 @@ std::string summary_text(const FuzzArguments& arguments, const fuzz::OracleSumma
     if (!reasons.empty()) text += "\nThe others, by reason:\n";
     for (const auto& [reason, by_who] : reasons) {
         text += fmt::format("  {}\n", reason);
-        for (const auto& [who, count] : by_who) text += fmt::format("    {:<26}  {:>9}\n", who, grouped(count));
+        for (const auto& [who, count] : by_who) {
+            text += fmt::format("    {:<26}  {:>9}", who, grouped(count));
+            if (reason == fuzz::kIllConditioned) text += "  " + in_words(summary.counts.at(who).conditions);
+            text += "\n";
+        }
     }
     text += "\n";
     for (const fuzz::OracleFailure& failure : summary.failures)
@@ -246,7 +262,8 @@ int run_against_oracle(const FuzzArguments& arguments) {
             write_failure(arguments, failure.state, fuzz::failure_text(failure, arguments.options.seed));
         };
         progress.show = shown_on<fuzz::OracleSummary>(bar, arguments, start);
-        summary = fuzz::run_against_oracle({static_cast<const fuzz::RunOptions&>(arguments.options)}, progress);
+        summary = fuzz::run_against_oracle(
+            {static_cast<const fuzz::RunOptions&>(arguments.options), arguments.baked_every}, progress);
     }
     const double seconds = seconds_since(start);
     write_result(arguments.json ? summary_json(arguments, summary, seconds)
@@ -318,6 +335,12 @@ Subcommand add_fuzz(CLI::App& app) {
         ->type_name("JUDGE")
         ->capture_default_str()
         ->check(one_of(kJudges));
+    CLI::Option* baked_every =
+        fuzz->add_option("--baked-every", arguments->baked_every,
+                         "with --against oracle: try shaders with constants in one of N scenes; each compiles its own")
+            ->type_name("N")
+            ->capture_default_str()
+            ->check(number_from(std::uint64_t{1}, most));
     CLI::Option* floats_only = fuzz->add_flag_callback(
         "--float-only", [&options] { options.pictures = false; }, "compare only vertex colours, in floats");
     CLI::Option* pictures_only = fuzz->add_flag_callback(
@@ -341,6 +364,8 @@ Subcommand add_fuzz(CLI::App& app) {
                 for (const CLI::Option* option : {floats_only, pictures_only, lift})
                     if (arguments->against == kOracle && option->count() > 0)
                         throw UsageError(option->get_name() + " does not go with --against oracle");
+                if (arguments->against != kOracle && baked_every->count() > 0)
+                    throw UsageError("--baked-every goes only with --against oracle");
                 return run_fuzz(*arguments);
             }};
 }

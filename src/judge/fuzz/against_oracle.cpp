@@ -74,7 +74,6 @@ constexpr const char* kWrong = "wrong";
 constexpr const char* kNotFinite = "not finite";
 constexpr const char* kWorseThanFixed = "wrong where the fixed function is right";
 constexpr const char* kBorder = "a border";
-constexpr const char* kIllConditioned = "ill-conditioned";
 constexpr const char* kDenormals = "denormals";
 constexpr const char* kBeyond = "coordinates beyond a float";
 constexpr const char* kNearlyAgree = "a light and a vertex that nearly agree";
@@ -250,9 +249,11 @@ class Judged {
         look_at(exact.position_eye, exact.position_eye[3]);
         const glm::dvec4& object = draw().vertices.at(vertex).position_object;
         look_at(std::array{object.x, object.y, object.z}, 1);
+        look_at(std::array{object.x, object.y, object.z}, object.w);
         denormal |= is_denormal(object.w);
         look_at_normal(draw().vertices.at(vertex).normal_object);
-        look_at_normal(normal_matrix(glm::dmat3(draw().eye_from_object)) * draw().vertices.at(vertex).normal_object);
+        const glm::dmat3 normals = normal_matrix(glm::dmat3(draw().eye_from_object));
+        look_at_normal(normals * draw().vertices.at(vertex).normal_object);
         for (int column = 0; column < 4; ++column)
             for (int row = 0; row < 3; ++row) {
                 const double element = draw().eye_from_object[column][row];
@@ -281,10 +282,10 @@ class Judged {
             wide |= !(distance > 0x1p-8 * size) || !(size < 1e9) || !(size > 1e-9);
         }
         const LightingState& lighting = draw().lighting;
-        const double normal =
-            glm::length(normal_matrix(glm::dmat3(draw().eye_from_object)) * draw().vertices.at(vertex).normal_object);
+        double normal = glm::length(normals * draw().vertices.at(vertex).normal_object);
+        if (lighting.rescale_normal && !lighting.normalize) normal /= glm::length(normals[2]);
         const double shininess = std::max(lighting.front.shininess, lighting.back.shininess);
-        if (type == NumberType::kFloat && !lighting.normalize && std::pow(normal, shininess) > 1e30)
+        if (limits.flushes && !lighting.normalize && !per_pixel && std::pow(normal, shininess) > 1e30)
             return "a power beyond the largest float";
         if (type == NumberType::kFloat && exact.position_eye[3] == 0) return "a vertex in a direction";
         if (interpolated) return kInterpolated;

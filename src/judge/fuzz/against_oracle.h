@@ -25,6 +25,7 @@ struct OracleOptions : RunOptions {
 CommandList extreme_scene(std::uint64_t seed, std::uint64_t state);
 
 inline constexpr const char* kRight = "right";
+inline constexpr const char* kIllConditioned = "ill-conditioned";
 
 // What was found for the reference with one number type, or for one kind of shaders. A count is of colours: of one face of one
 // vertex.
