@@ -158,5 +158,24 @@ TEST(SmoothStippleLogic, AgreeThreeWays) {
     }
 }
 
+// Mesa lengthens a smooth line by half a pixel at each end. What changes along it is off by as much of the change.
+TEST(SmoothLines, ThatChangeFromEndToEndAreEdges) {
+    const auto comparison_of = [](const std::string& first, const std::string& second) {
+        return compare_three_ways(scene_of(
+            fmt::format("{}glDisable(GL_BLEND); glEnable(GL_LINE_SMOOTH); glLineWidth(8); glBegin(GL_LINES); {} "
+                        "glVertex2f(4, 16); {} glVertex2f(28, 16); glEnd();",
+                        kWindow, first, second)));
+    };
+    const compare::Comparison constant = comparison_of("glColor3f(0.2, 0.4, 0.6);", "");
+    const compare::Comparison ramp = comparison_of("glColor3f(0, 0, 0);", "glColor3f(1, 1, 1);");
+    for (const compare::Comparison* comparison : {&constant, &ramp})
+        EXPECT_EQ(comparison->verdict(), compare::Verdict::kWithin);
+    const auto interior = [](const compare::Comparison& comparison) {
+        return comparison.pairs.at(1).difference.interior.pixels;
+    };
+    EXPECT_GT(interior(constant), interior(ramp) + 30);
+    EXPECT_GT(ramp.pairs.at(1).difference.edge.max * 255, 3) << "fixed and reference";
+}
+
 }  // namespace
 }  // namespace twinlight

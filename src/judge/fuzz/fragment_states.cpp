@@ -20,7 +20,7 @@ class Builder {
           random_(seed.values),
           levels_(seed.structure + 1),
           units_(seed.structure + 2),
-          unit_values_(~seed.values + 1),
+          unit_values_(~seed.values),
           fragments_(~seed.values),
           departure_(departure_of(seed, structure_)) {}
 

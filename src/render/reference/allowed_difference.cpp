@@ -50,6 +50,18 @@ Outcome covers(const std::vector<Edge>& edges, const glm::dvec2& centre) {
     return result;
 }
 
+// Whether the values of a line's fragments differ from one end to the other.
+bool changes_along(const Piece& line, const Draw& draw) {
+    if (draw.texture.texture || !draw.further_units.empty() || draw.fog.enabled) return true;
+    if (draw.raster.depth_test && line.ends().from.position_window.z != line.ends().to.position_window.z) return true;
+    if (draw.lighting.shade_model == kGL_FLAT) return false;
+    const glm::dvec4& color = draw.vertices[line.primitive.vertices[0]].color;
+    const std::size_t corners = draws_polygons(draw.mode) ? 3 : 2;
+    for (std::size_t i = 1; i < corners; ++i)
+        if (draw.vertices[line.primitive.vertices[i]].color != color) return true;
+    return draw.lighting.enabled;
+}
+
 // The state of a pixel besides its colour: an interval of depths, a stencil value, and whether it is open. Only for meshes.
 class OpenPixels {
   public:
@@ -185,6 +197,9 @@ class OpenPixels {
             for_each({px - reach, py - reach, px + far, py + far},
                      [&](int x, int y) { ++neighbours[box.index(x, y)]; });
         const int all = (2 * reach + 1) * (2 * reach + 1);
+        // Mesa lengthens a smooth line by half a pixel at each end, and with it what changes along the line.
+        const bool is_stretched =
+            piece.is_smooth && piece.shape == Shape::kLine && changes_along(piece, stages_.draw_of(piece));
         const PixelRect seen{std::max(box.x0, within.x0), std::max(box.y0, within.y0), std::min(box.x1, within.x1),
                              std::min(box.y1, within.y1)};
         for_each(seen, [&](int x, int y) {
@@ -193,7 +208,7 @@ class OpenPixels {
             const bool first = !again(id, window_.index(x, y));
             // With another order, blending would have more or less beneath it, whatever the depth test decides.
             if (!first && !overwrites_color(stages_.draw_of(piece).fragment)) open(window_.index(x, y));
-            const bool is_certain = count == all && !nothing && first && !piece.is_perhaps_clipped;
+            const bool is_certain = count == all && !nothing && first && !piece.is_perhaps_clipped && !is_stretched;
             visit(id, x, y, is_certain ? Outcome::kPasses : Outcome::kOpen, nullptr);
         });
     }
