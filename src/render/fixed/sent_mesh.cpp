@@ -64,7 +64,7 @@ SentMesh::SentMesh(const Draw& draw, const MeshContents& contents, const ReplayO
     }
     const bool cuts = cuts_quadrilaterals(draw);
     if (cuts) mode_ = kGL_TRIANGLES;
-    indices_ = cuts ? cut_indices(draw) : draw.indices;
+    indices_ = cuts ? SharedVector(cut_indices(draw)) : draw.indices;
     count_ = static_cast<int>(cuts ? indices_.size() : draw.count());
     if (count_ == 0) stride_ = 0;
     if (sending_ == Sending::kDisplayList) {

@@ -97,8 +97,7 @@ Elements::Elements(const Draw& draw, const std::vector<ElementsPart>& given)
     : mode_(draw.mode), count_(static_cast<int>(draw.count())) {
     std::vector<ElementsPart> parts = given;
     const bool cuts = std::ranges::any_of(parts, &ElementsPart::cuts_quads);
-    const std::vector<std::uint32_t> cut = cuts ? cut_indices(draw, parts) : std::vector<std::uint32_t>{};
-    const std::vector<std::uint32_t>& indices = cuts ? cut : draw.indices;
+    const SharedVector<std::uint32_t> indices = cuts ? SharedVector(cut_indices(draw, parts)) : draw.indices;
     const bool has_indices = cuts || !indices.empty();
     // The vertices of a primitive, in modes whose primitives do not share any; 0 in others.
     const auto vertices_of_primitive = [](Enum mode) -> std::size_t {
