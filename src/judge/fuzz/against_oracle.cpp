@@ -168,7 +168,7 @@ class Judged {
             if (error_of(shown, moved) <= limits.bar) return {kBorder, error};
             if (is_beyond_colors(moved)) return {kBeyondColors, error};
             // A light on the horizon may have a half vector or none.
-            if (other.at(vertex).shortest_half_vector < shortest_exact_half_vector(limits)) return {kOpposite, error};
+            if (is_lost_with(other.at(vertex).shortest_half_vector, error, limits)) return {kOpposite, error};
         }
         constexpr double kOperations = 2, kLost = 0.01;  // beyond kLost no digit of the colour is known
         const double enough = std::min(error / kOperations, kLost);
@@ -199,11 +199,13 @@ class Judged {
         return evaluations_.back().second;
     }
 
-    // The cosine with a half vector of this length is off by `cosines` over the length, and its power by the exponent times that.
-    double shortest_exact_half_vector(const Limits& limits) const {
+    // Whether a half vector of this length loses as much as the error. Its cosine is off by some roundings over its length, and the
+    // power by the exponent times that; a half vector of nearly 0 may point anywhere.
+    bool is_lost_with(double half_vector, double error, const Limits& limits) const {
+        constexpr double kOperations = 64;
         const LightingState& lighting = draw().lighting;
         const double exponent = std::max({lighting.front.shininess, lighting.back.shininess, 1.0});
-        return std::max(8 * limits.cosines, limits.value_rounding * exponent / limits.bar);
+        return half_vector < 8 * limits.cosines || error * half_vector < kOperations * limits.value_rounding * exponent;
     }
 
     static constexpr double kRoundings = 4;  // each value passes through some operations before it is used
@@ -274,6 +276,7 @@ class Judged {
             for (std::size_t i = 0; i < 3; ++i) {
                 const double v = exact.position_eye[i] / exact.position_eye[3], l = p[static_cast<int>(i)] / p.w;
                 distance = std::max(distance, std::abs(v - l));
+                denormal |= is_denormal(v - l);
                 size = std::max({size, std::abs(v), std::abs(l)});
             }
             // The reference in floats starts from eye coordinates; all others take the difference in doubles, or of object coordinates.
