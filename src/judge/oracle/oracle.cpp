@@ -88,6 +88,11 @@ class Machine {
         Number uncertainty = 0;  // of the direction, from value_rounding
     };
     static Vector3 divided(const Vector4& p) { return p[3] == 1 ? xyz(p) : times(Number(1 / p[3]), xyz(p)); }
+    static double relative_to(const Vector4& p, const Number& distance) {
+        const Vector3 v = divided(p);
+        const Number size = std::max({Number(abs(v[0])), Number(abs(v[1])), Number(abs(v[2]))});
+        return size > 0 ? static_cast<double>(Number(distance / size)) : HUGE_VAL;
+    }
     static Towards from_vector(const Vector3& v) {
         const Measured<Number> m = measured(v);
         return {m.dir, m.length};
@@ -176,6 +181,7 @@ class Machine {
         for (const Light& light : lights_) {
             if (!light.enabled) continue;
             Towards vp = towards(v, value_of_position(light.position_eye));
+            if (vp.distance > 0) closest_light_ = std::min(closest_light_, relative_to(v, vp.distance));
             vp.dir = value(vp.dir);
             const Number reach = attenuation(light, vp) * spot(light, vp);
             add(primary, reach, material.ambient, light.ambient);
@@ -238,9 +244,11 @@ class Machine {
         const Vector3 n = normal_eye();
         Vertex result;
         for (std::size_t i = 0; i < 4; ++i) result.position_eye[i] = static_cast<double>(v[i]);
+        closest_light_ = HUGE_VAL;
         shortest_half_vector_ = 2;
         result.front = lit(v, n, materials_[0]);
         if (two_side_) result.back = lit(v, negative(n), materials_[1]);
+        result.closest_light = closest_light_;
         result.shortest_half_vector = shortest_half_vector_;
         vertices_.push_back(result);
     }
@@ -438,7 +446,7 @@ class Machine {
     std::array<Light, 8> lights_{};
     std::array<Material, 2> materials_{};  // front, back
     Vector4 scene_ambient_{Number(0.2), Number(0.2), Number(0.2), 1};
-    double shortest_half_vector_ = 2;
+    double closest_light_ = HUGE_VAL, shortest_half_vector_ = 2;
     bool agrees_ = false;
     bool local_viewer_ = false, separate_ = false, two_side_ = false, normalize_ = false, rescale_ = false;
     bool color_material_ = false;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -44,6 +45,8 @@ struct Colors {
 struct Vertex {
     Colors front, back;  // back: only with GL_LIGHT_MODEL_TWO_SIDE
     std::array<double, 4> position_eye{};
+    // The least distance to a positional light that is not exactly here, relative to the vertex's distance from the eye.
+    double closest_light = HUGE_VAL;
     double shortest_half_vector = 2;  // the least length of VP + VPe of all lights
 };
 
