@@ -47,6 +47,13 @@ TEST(Oracle, AgreesWithTheReferenceInAllNumberTypes) {
     expect_no_failure(summary, 1);
     for (const check::ReferenceVariant& variant : check::reference_variants())
         expect_rare(summary, "reference, " + variant.name, 0.08);
+    // Each ill-conditioned colour has a condition number, of 10 or more.
+    for (const auto& [who, counts] : summary.counts) {
+        long with_condition = 0;
+        for (const auto& [power, count] : counts.conditions) with_condition += count;
+        EXPECT_EQ(with_condition, counts.verdicts.at(fuzz::kIllConditioned)) << who;
+        EXPECT_GE(counts.conditions.begin()->first, 1) << who;
+    }
 }
 
 TEST(Oracle, AgreesWithTheShadersInAllTiersWhichAreNeverWorseThanTheFixedFunction) {
@@ -75,6 +82,12 @@ TEST(Oracle, ShrinksWhatItFindsToASceneThatStillFails) {
     EXPECT_TRUE(text.starts_with(first_line)) << text;
     const CommandList again = read_scene(text, "failure.gl", "failure");
     EXPECT_EQ(print_scene(again), print_scene(failure.scene));
+}
+
+TEST(Oracle, ShrinksOnlyTheFirstTenFailures) {
+    EXPECT_TRUE(fuzz::RunOptions{}.shrinks_after(9));
+    EXPECT_FALSE(fuzz::RunOptions{}.shrinks_after(10));
+    EXPECT_FALSE(fuzz::RunOptions{.shrinks = false}.shrinks_after(0));
 }
 
 TEST(Oracle, StatesDoNotDependOnTheFirst) {
