@@ -595,6 +595,8 @@ TEST_F(Cli, FuzzAgainstTheOracleTellsWhatItJudged) {
 TEST_F(Cli, FuzzRefusesBadUse) {
     expect_refused(run({"fuzz", "--against", "oracel"}), "'oracel' is not one of oracle, renderers");
     expect_refused(run({"fuzz", "--against", "oracle", "--pictures-only"}), "--pictures-only");
+    expect_refused(run({"fuzz", "--baked-every", "4"}), "--baked-every goes only with --against oracle");
+    expect_refused(run({"fuzz", "--most-failures", "0"}), "--most-failures");
     expect_refused(run({"fuzz", "--count", "0"}), "--count");
     expect_refused(run({"fuzz", "--float-only", "--pictures-only"}), "--pictures-only");
     expect_refused(run({"fuzz", "--lift", "fog of a vertex whose w is not 2"}),
