@@ -76,6 +76,7 @@ constexpr const char* kWorseThanFixed = "wrong where the fixed function is right
 constexpr const char* kBorder = "a border";
 constexpr const char* kDenormals = "denormals";
 constexpr const char* kBeyond = "coordinates beyond a float";
+constexpr const char* kBeyondPowers = "a power beyond the largest float";
 constexpr const char* kNearlyAgree = "a light and a vertex that nearly agree";
 constexpr const char* kInterpolated = "a light nearer to a fragment than interpolation is exact";
 constexpr const char* kOpposite = "opposite directions to light and viewer";
@@ -299,7 +300,7 @@ class Judged {
         if (lighting.rescale_normal && !lighting.normalize) normal /= glm::length(normals[2]);
         const double shininess = std::max(lighting.front.shininess, lighting.back.shininess);
         if (limits.flushes && !lighting.normalize && !per_pixel && std::pow(normal, shininess) > 1e30)
-            return "a power beyond the largest float";
+            return kBeyondPowers;
         if (type == NumberType::kFloat && exact.position_eye[3] == 0) return "a vertex in a direction";
         if (interpolated) return kInterpolated;
         if (cancels) return kNearlyAgree;
@@ -488,8 +489,8 @@ class OracleRun {
     // Whether the driver's fixed function is right where shaders miss the bar. Where rounding decides, either may be lucky.
     bool is_worse_than_fixed(Judged& scene, std::size_t vertex, bool back, bool unit_normals,
                              const std::string& verdict) {
-        for (const char* decided_by_rounding :
-             {kBorder, kOpposite, kIllConditioned, kBeyondColors, kDenormals, kBeyond, kInterpolated, kNearlyAgree})
+        for (const char* decided_by_rounding : {kBorder, kOpposite, kIllConditioned, kBeyondColors, kDenormals, kBeyond,
+                                                kInterpolated, kNearlyAgree, kBeyondPowers})
             if (verdict == decided_by_rounding) return false;
         if (verdict == kRight || is_failure(verdict)) return false;
         if (unit_normals && !scene.draw().lighting.normalize) return false;  // another equation

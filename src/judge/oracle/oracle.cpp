@@ -88,31 +88,38 @@ class Machine {
         Number uncertainty = 0;  // of the direction, from value_rounding
     };
     static Vector3 divided(const Vector4& p) { return p[3] == 1 ? xyz(p) : times(Number(1 / p[3]), xyz(p)); }
+    static Number largest(const Vector3& v) {
+        return std::max({Number(abs(v[0])), Number(abs(v[1])), Number(abs(v[2]))});
+    }
     static double relative_to(const Vector4& p, const Number& distance) {
-        const Vector3 v = divided(p);
-        const Number size = std::max({Number(abs(v[0])), Number(abs(v[1])), Number(abs(v[2]))});
+        const Number size = largest(divided(p));
         return size > 0 ? static_cast<double>(Number(distance / size)) : HUGE_VAL;
     }
     static Towards from_vector(const Vector3& v) {
         const Measured<Number> m = measured(v);
         return {m.dir, m.length};
     }
-    static Number largest(const Vector3& v) {
-        return std::max({Number(abs(v[0])), Number(abs(v[1])), Number(abs(v[2]))});
+    // A difference of rounded numbers: where they may be equal, some are.
+    Vector3 with_losses(Vector3 difference, const Vector3& a, const Vector3& b) {
+        if (options_.value_rounding == 0) return difference;
+        const Number share = 2 * Number(options_.value_rounding);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const bool may_be_equal = abs(difference[i]) < share * std::max(Number(abs(a[i])), Number(abs(b[i])));
+            if (may_be_equal && random_() % 2 == 0) difference[i] = 0;
+        }
+        return difference;
     }
     // The vector from p1 to p2, which are homogeneous: the unit vector, and its length before.
     Towards towards(const Vector4& p1, const Vector4& p2) {
         if (p1[3] != 0 && p2[3] != 0) {
             const Vector3 from = divided(p1), to = divided(p2);
-            Vector3 v = minus(to, from);
+            const Vector3 v = minus(to, from);
             agrees_ = agrees_ || largest(v) <= kFewDigits * std::max(largest(from), largest(to));
             if (options_.value_rounding == 0) return from_vector(v);
             // What rounding may add to each end.
             const Number share = 2 * Number(options_.value_rounding),
                          slack = share * std::max(length(from), length(to));
-            for (std::size_t i = 0; i < 3 && options_.border == Border::kInside; ++i)
-                if (abs(v[i]) < share * std::max(Number(abs(from[i])), Number(abs(to[i])))) v[i] = 0;
-            Towards result = from_vector(v);
+            Towards result = from_vector(with_losses(v, from, to));
             if (slack == 0 || result.distance == 0) return result;
             result.uncertainty = std::min(Number(slack / result.distance), Number(2));
             if (options_.border == Border::kInside)
@@ -120,7 +127,7 @@ class Machine {
             if (options_.border == Border::kOutside) result.distance += slack;
             return result;
         }
-        if (p1[3] == 0 && p2[3] == 0) return {unit(minus(xyz(p2), xyz(p1))), 0, true};
+        if (p1[3] == 0 && p2[3] == 0) return {unit(with_losses(minus(xyz(p2), xyz(p1)), xyz(p1), xyz(p2))), 0, true};
         if (p2[3] == 0) return {unit(xyz(p2)), 0, true};
         return {unit(negative(xyz(p1))), 0, true};
     }
