@@ -514,9 +514,10 @@ class Builder {
     // attributes".
     std::string attributes(bool first, bool flags) {
         std::string text;
+        // So near to each other that few texels fall within a pixel: otherwise filters leave the colour open.
         for (const int unit : further_units_)
             text += fmt::format("glMultiTexCoord4f(GL_TEXTURE{}, {:.4f}, {:.4f}, 0, {:.4f});\n", unit,
-                                unit_values_.uniform(-1.5, 1.5), unit_values_.uniform(-1.5, 1.5),
+                                unit_values_.uniform(-0.5, 0.5), unit_values_.uniform(-0.5, 0.5),
                                 projective_ ? unit_values_.uniform(0.5, 2) : 1);
         if (materials_ && (first || random_.chance(0.5)))
             text += fmt::format("glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, {});\n", vector());

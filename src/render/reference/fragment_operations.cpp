@@ -154,9 +154,19 @@ double combined(Enum logic_op, double source, double stored) {
 }
 
 Interval combined(Enum logic_op, const Interval& source, const Interval& stored) {
-    const Interval s = held(source), d = held(stored);
-    if (s.low != s.high || d.low != d.high) return {0, 1};
-    return combined(logic_op, s.low, d.low);
+    const bool needs_source =
+        logic_op != kGL_CLEAR && logic_op != kGL_SET && logic_op != kGL_NOOP && logic_op != kGL_INVERT;
+    const bool needs_stored =
+        logic_op != kGL_CLEAR && logic_op != kGL_SET && logic_op != kGL_COPY && logic_op != kGL_COPY_INVERTED;
+    const Interval s = needs_source ? held(source) : Interval(0), d = needs_stored ? held(stored) : Interval(0);
+    constexpr double kMostCodes = 8;  // beyond them nearly all results are possible
+    if (std::max(s.width(), d.width()) * kColorCodes > kMostCodes && needs_source && needs_stored) return {0, 1};
+    constexpr double kCode = 1.0 / kColorCodes;
+    Interval result = combined(logic_op, s.low, d.low);
+    for (double from = s.low; from < s.high + kCode / 2; from += kCode)
+        for (double to = d.low; to < d.high + kCode / 2; to += kCode)
+            result = hull(result, Interval(combined(logic_op, from, to)));
+    return result;
 }
 
 bool overwrites_color(const FragmentState& state) {

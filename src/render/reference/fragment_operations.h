@@ -96,8 +96,8 @@ Real blended(const FragmentState& state, std::size_t i, const Channels<Real>& so
     return from_source + from_destination;
 }
 
-// 4.1.10: the codes of the new and the stored colour, combined bit by bit. An interval is every value if either code is
-// open.
+// 4.1.10: the codes of the new and the stored colour, combined bit by bit. An interval has the results of all codes in
+// both, or everything if these are many.
 double combined(Enum logic_op, double source, double stored);
 Interval combined(Enum logic_op, const Interval& source, const Interval& stored);
 
