@@ -45,11 +45,11 @@ inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; all
 
 // What `twinlight compare` needs at its peak for the vertices of a Draw, which are drawn in the order of the indices, if there are
 // any: their Vertex and StageVertex, the meshes of two renderers, and the reference's Pieces. A triangle that is drawn as lines or
-// points becomes three of these. Measured: up to 920 bytes for each vertex of a polygon, 1,630 of a strip that is drawn as lines, 570
-// of separate triangles.
+// points becomes three of these. Measured: up to 1,050 bytes for each of 150,000 points, 950 of a million vertices of a line, 690 of a
+// strip, 1,630 of one that is drawn as lines.
 constexpr std::size_t bytes_of_vertices(const RasterState& raster, std::size_t vertices, std::size_t indices = 0) {
     const bool fills = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
-    constexpr std::size_t kVertex = 500, kPiece = 500;
+    constexpr std::size_t kVertex = 600, kPiece = 600;
     return vertices * kVertex + (indices > 0 ? indices : vertices) * (fills ? 1 : 3) * kPiece;
 }
 // The same for the texture coordinates of a texture unit above 0.
