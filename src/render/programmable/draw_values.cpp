@@ -65,6 +65,15 @@ double nearest_size(const Draw& draw) {
     }
     return nearest;
 }
+// The same of the farthest vertex; 0 if there is none.
+double farthest_size(const Draw& draw) {
+    double farthest = 0;
+    for (const Vertex& vertex : draw.vertices) {
+        const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
+        if (at.w != 0) farthest = std::max(farthest, largest_component(glm::dvec3(at) / at.w));
+    }
+    return farthest;
+}
 // The unit of length under a matrix that changes w. Vertices much farther away than the nearest, as those with w near 0, need
 // none, and more distant lights come nearer.
 constexpr double kMostDistantAfterDivision = 1e15;
@@ -232,9 +241,9 @@ class DrawUniforms {
         constexpr double kMuchLarger = 0x1p20;
         const double unit_of_w = unit_for(std::max(longest, reach.w));
         const double unit_of_xyz = longest > 0 && longest * kMuchLarger < reach.w ? unit_for(longest) : unit_of_w;
-        // In eye coordinates, only tiny lengths need a unit.
+        // In eye coordinates, only scenes that are tiny as a whole need a unit: attenuation at a vertex far away would lose its factors.
         constexpr double kTiny = 1e-15;
-        double size = nearest_size(draw_);
+        double size = farthest_size(draw_);
         for (const glm::dvec3& place : places_eye(plan_)) size = std::max(size, largest_component(place));
         unit_ = size < kTiny ? power_of_two(size) : 1;
         scale_of_xyz_ = unit_of_w / unit_of_xyz;
