@@ -36,7 +36,7 @@ CommandList toggle_shade_model(const CommandList& commands);
 // A shape without them stays as it is, and so does one that would have more than kMostShapeFacets facets or
 // 10,000 slices.
 CommandList change_tessellation(const CommandList& commands, int steps);
-inline constexpr double kMostShapeFacets = 1'000'000;
+inline constexpr double kMostShapeFacets = 500'000;
 // The slices and stacks of the shapes, "48 x 24"; "32 x 16 to 96 x 48" if they differ. Empty if no shape has them.
 std::string tessellation(const CommandList& commands);
 

@@ -95,13 +95,13 @@ TEST_F(RecordCommand, CompilesRunsAndNamesAFrame) {
 
 TEST_F(RecordCommand, EndsAProgramThatDoesNotEndAndKeepsTheFirstFrames) {
     source("-1");
-    const ProgramResult result = record("-o short.trace --seconds 1 --frames 2 homework.c");
+    const ProgramResult result = record("-o short.trace --seconds 3 --frames 2 homework.c");
     // The first two frames draw nothing.
     EXPECT_EQ(result.status, 2);
     EXPECT_NE(result.err.find("recorded, but short.trace: this recording draws nothing: 2 frames; none of its "),
               std::string::npos)
         << result.err;
-    const ProgramResult more = record("homework.c --seconds 1 --frames 4");
+    const ProgramResult more = record("homework.c --seconds 3 --frames 4");
     EXPECT_EQ(more.status, 0) << more.err;
     EXPECT_NE(more.out.find("It has 4 frames, 0 to 3. Frame 2 is"), std::string::npos) << more.out;
     EXPECT_EQ(more.out.find("until the program ended"), std::string::npos) << more.out;
