@@ -56,7 +56,7 @@ double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, cons
     return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
 }
 
-// The coordinates of the vertex nearest to the eye, after the division by w; infinite if there is none.
+// The largest coordinate, after the division by w, of the vertex that is nearest to the eye. Infinite if no vertex has one.
 double nearest_size(const Draw& draw) {
     double nearest = HUGE_VAL;
     for (const Vertex& vertex : draw.vertices) {
@@ -65,7 +65,7 @@ double nearest_size(const Draw& draw) {
     }
     return nearest;
 }
-// The same of the farthest vertex; 0 if there is none.
+// The same for the farthest vertex. 0 if no vertex has one.
 double farthest_size(const Draw& draw) {
     double farthest = 0;
     for (const Vertex& vertex : draw.vertices) {

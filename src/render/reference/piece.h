@@ -57,13 +57,13 @@ class Corners {
     std::shared_ptr<const std::vector<Corner>> more_{};  // all of them, if there are more than three
 };
 
-// Of a filled polygon. Each is a function of the window position (x, y): c.x * x + c.y * y + c.z.
+// How a filled polygon's values change over the window: each value at (x, y) is c.x * x + c.y * y + c.z.
 struct Planes {
     std::array<glm::dvec3, 3> weight_over_w{};
     glm::dvec3 depth{0};
 };
 
-// Of a line. A point uses only `from`.
+// Where a line begins and ends. A point uses only `from`.
 struct Ends {
     WindowVertex from{}, to{};
 };
