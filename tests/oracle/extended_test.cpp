@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <boost/math/constants/constants.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -18,6 +17,7 @@
 #include "../unit/effort.h"
 #include "base/math/normal_matrix.h"
 #include "judge/fuzz/against_oracle.h"
+#include "judge/oracle/algebra.h"
 #include "judge/oracle/oracle.h"
 #include "lighting/equation.h"
 #include "lighting/real_cast.h"
@@ -29,14 +29,9 @@ namespace twinlight {
 
 namespace {
 
-// The exponent has 32 bits.
-template <unsigned kDigits>
-using Digits = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<kDigits, boost::multiprecision::digit_base_10, void, std::int32_t>,
-    boost::multiprecision::et_off>;
-using Extended = Digits<50>;
+using Extended = oracle::Digits<50>;
 // Coordinates from 1e-45 to 1e38, and their products with such matrices, span more digits than 60. This has all of them.
-using Whole = Digits<260>;
+using oracle::Whole;
 
 template <class Real>
 struct ExtendedLimits {

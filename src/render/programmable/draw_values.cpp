@@ -56,29 +56,20 @@ double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, cons
     return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
 }
 
-// The largest coordinate, after the division by w, of the vertex that is nearest to the eye. Infinite if no vertex has one.
-double nearest_size(const Draw& draw) {
-    double nearest = HUGE_VAL;
+// Visits the largest coordinate of each vertex in eye coordinates, after the division by w. Directions have none.
+template <class Visit>
+void for_each_size(const Draw& draw, const Visit& visit) {
     for (const Vertex& vertex : draw.vertices) {
         const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
-        if (at.w != 0) nearest = std::min(nearest, largest_component(glm::dvec3(at) / at.w));
+        if (at.w != 0) visit(largest_component(glm::dvec3(at) / at.w));
     }
-    return nearest;
-}
-// The same for the farthest vertex. 0 if no vertex has one.
-double farthest_size(const Draw& draw) {
-    double farthest = 0;
-    for (const Vertex& vertex : draw.vertices) {
-        const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
-        if (at.w != 0) farthest = std::max(farthest, largest_component(glm::dvec3(at) / at.w));
-    }
-    return farthest;
 }
 // The unit of length under a matrix that changes w. Vertices much farther away than the nearest, as those with w near 0, need
 // none, and more distant lights come nearer.
 constexpr double kMostDistantAfterDivision = 1e15;
 double unit_after_division(const Draw& draw, const Plan& plan) {
-    double size = nearest_size(draw);
+    double size = HUGE_VAL;
+    for_each_size(draw, [&](double of_vertex) { size = std::min(size, of_vertex); });
     if (!(size > 0) || !std::isfinite(size)) {
         size = HUGE_VAL;
         for (const glm::dvec3& place : places_eye(plan))
@@ -243,7 +234,8 @@ class DrawUniforms {
         const double unit_of_xyz = longest > 0 && longest * kMuchLarger < reach.w ? unit_for(longest) : unit_of_w;
         // In eye coordinates, only scenes that are tiny as a whole need a unit: attenuation at a vertex far away would lose its factors.
         constexpr double kTiny = 1e-15;
-        double size = farthest_size(draw_);
+        double size = 0;
+        for_each_size(draw_, [&](double of_vertex) { size = std::max(size, of_vertex); });
         for (const glm::dvec3& place : places_eye(plan_)) size = std::max(size, largest_component(place));
         unit_ = size < kTiny ? power_of_two(size) : 1;
         scale_of_xyz_ = unit_of_w / unit_of_xyz;
