@@ -35,12 +35,9 @@ TEST(HardCases, AreAnsweredAsExpectedAndDepartedFromAsListed) {
     EXPECT_GE(cases.size(), 240u);  // all files are embedded
     Suite suite;
     const bool is_listed = compare::is_listed(current_driver());
-    const bool is_mesa_25 = driver_name().find("Mesa 25") != std::string::npos;
     const std::vector<Result> results = suite.run(cases);
     for (std::size_t i = 0; i < cases.size(); ++i) {
         SCOPED_TRACE(cases[i].name + "\n" + words_of(results[i].findings));
-        // KNOWN FAULT (docs/testing.md): lit per pixel, this vertex is dark with Mesa 25; the cause is not known yet.
-        if (is_mesa_25 && cases[i].name == "vertex-far-2e19") continue;
         EXPECT_EQ(results[i].error, "");
         EXPECT_EQ(results[i].non_finite, 0);
         EXPECT_LE(results[i].from_long_double, 3e-5);  // also where the case has a larger tolerance

@@ -230,7 +230,10 @@ class DrawUniforms {
         const auto unit_for = [](double size) { return std::clamp(power_of_two(size), 0x1p-100, 0x1p120); };
         // x, y and z get a unit of their own beside a w that is much larger, so that their quotients need not be floats.
         constexpr double kMuchLarger = 0x1p20;
-        const double unit_of_w = unit_for(std::max(longest, reach.w));
+        // Not all scaled to 1: the driver divides what it interpolates by w of clip coordinates, which is as large as the distance.
+        // Beside a far x, y or z a small w would become a denormal, which Mesa 25 takes for 0.
+        constexpr double kLargest = 0x1p40;
+        const double unit_of_w = unit_for(std::max(longest / kLargest, reach.w));
         const double unit_of_xyz = longest > 0 && longest * kMuchLarger < reach.w ? unit_for(longest) : unit_of_w;
         // In eye coordinates, only scenes that are tiny as a whole need a unit: attenuation at a vertex far away would lose its factors.
         constexpr double kTiny = 1e-15;
