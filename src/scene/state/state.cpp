@@ -112,12 +112,12 @@ bool State::has_room(const Command& command, std::size_t bytes) {
     return false;
 }
 
-std::size_t State::vertex_bytes(std::size_t vertices, std::size_t indices) const {
+std::size_t State::vertex_bytes(Enum mode, std::size_t vertices, std::size_t indices) const {
     const auto is_in_use = [](const TextureBindings& unit) { return unit.enabled_1d || unit.enabled_2d; };
     const std::size_t further =
         open_ ? open_->further_units.size()
               : static_cast<std::size_t>(std::count_if(a_.units.begin() + 1, a_.units.end(), is_in_use));
-    return bytes_of_vertices(a_.raster, vertices, indices) + further * bytes_of_tex_coords(vertices);
+    return bytes_of_vertices(a_.raster, mode, vertices, indices) + further * bytes_of_tex_coords(vertices);
 }
 
 bool State::has_time(const Command& command, double work) {
@@ -173,7 +173,7 @@ void State::end(const Command& c) {
 
 void State::vertex(const Command& c) {
     if (!open_) return;  // 2.7: undefined outside Begin and End; ignored here, as by the driver
-    if (!has_room(c, vertex_bytes(1))) return;
+    if (!has_room(c, vertex_bytes(open_->mode, 1))) return;
     a_.current.position_object = {0, 0, 0, 1};
     for (std::size_t i = 0; i < c.arguments.size(); ++i) a_.current.position_object[static_cast<int>(i)] = c.number(i);
     sanitize(a_.current);
@@ -305,7 +305,7 @@ void State::show(FrameItem item) {
 
 // 2.10: the same as a GL_POLYGON with four vertices.
 void State::rect(const Command& c) {
-    if (!has_room(c, bytes_of_draw() + vertex_bytes(4))) return;
+    if (!has_room(c, bytes_of_draw() + vertex_bytes(kGL_POLYGON, 4))) return;
     const double x1 = c.number(0), y1 = c.number(1), x2 = c.number(2), y2 = c.number(3);
     Draw draw = new_draw(kGL_POLYGON, c.place);
     for (const auto& [x, y] : {std::pair(x1, y1), {x2, y1}, {x2, y2}, {x1, y2}}) {
@@ -436,7 +436,7 @@ void State::drop_hidden() {
     for (const FrameItem& item : items_)
         if (const Draw* draw = std::get_if<Draw>(&item))
             item_bytes_ += bytes_of_draw() +
-                           bytes_of_vertices(draw->raster, draw->vertices.size(), draw->indices.size()) +
+                           bytes_of_vertices(draw->raster, draw->mode, draw->vertices.size(), draw->indices.size()) +
                            draw->further_units.size() * bytes_of_tex_coords(draw->vertices.size());
     if (items_.size() == 1) unsupported_.clear();
 }

@@ -46,11 +46,13 @@ inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; all
 // What `twinlight compare` needs at its peak for the vertices of a Draw, which are drawn in the order of the indices, if there are
 // any: their Vertex and StageVertex, the meshes of two renderers, and the reference's Pieces. A triangle that is drawn as lines or
 // points becomes three of these. Measured: up to 1,050 bytes for each of 150,000 points, 950 of a million vertices of a line, 690 of a
-// strip, 1,630 of one that is drawn as lines.
-constexpr std::size_t bytes_of_vertices(const RasterState& raster, std::size_t vertices, std::size_t indices = 0) {
+// strip, 1,630 of one that is drawn as lines; 1,260 of a sphere's million vertices, which two million indices draw.
+inline std::size_t bytes_of_vertices(const RasterState& raster, Enum mode, std::size_t vertices,
+                                     std::size_t indices = 0) {
     const bool fills = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
-    constexpr std::size_t kVertex = 600, kPiece = 600;
-    return vertices * kVertex + (indices > 0 ? indices : vertices) * (fills ? 1 : 3) * kPiece;
+    constexpr std::size_t kVertex = 600, kPoint = 600, kTriangle = 350;
+    const std::size_t of_index = !draws_polygons(mode) ? kPoint : fills ? kTriangle : 3 * kPoint;
+    return vertices * kVertex + (indices > 0 ? indices : vertices) * of_index;
 }
 // The same for the texture coordinates of a texture unit above 0.
 constexpr std::size_t bytes_of_tex_coords(std::size_t vertices) { return 100 * vertices; }
@@ -185,7 +187,7 @@ class State {
         return sizeof(Draw) + (lights.is_shared() ? 0 : lights.size() * sizeof(LightSource));
     }
     // bytes_of_vertices(), with the texture coordinates of the units that are in use now.
-    std::size_t vertex_bytes(std::size_t vertices, std::size_t indices = 0) const;
+    std::size_t vertex_bytes(Enum mode, std::size_t vertices, std::size_t indices = 0) const;
     bool has_time(const Command& command, double work);
     // The faces that a command of the stencil sets. Raises GL_INVALID_ENUM and returns nullopt for another name.
     std::optional<std::vector<StencilFace*>> stencil_faces(const Command& command, bool names_face);
