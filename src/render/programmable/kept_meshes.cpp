@@ -78,6 +78,8 @@ bool KeptMeshes::Known::is(DrawRun run) const {
                                 return are_same(kept, unit.tex_coords);
                             }))
         return false;
+    if (!are_same(secondary_colors, run.front()->secondary_colors) || !are_same(fog_coords, run.front()->fog_coords))
+        return false;
     std::size_t first_vertex = 0, first_index = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Draw& draw = *run[i];
@@ -107,7 +109,8 @@ std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(DrawRun run) {
     if (run.size() > 1) all = joined(run);
     const Draw& draw = run.size() > 1 ? all.draw : *run.front();
     known->facts = vertex_facts(draw);
-    std::size_t bytes = bytes_of(draw.vertices) + bytes_of(draw.indices) + bytes_of(draw.materials);
+    std::size_t bytes = bytes_of(draw.vertices) + bytes_of(draw.indices) + bytes_of(draw.materials) +
+                        bytes_of(draw.secondary_colors) + bytes_of(draw.fog_coords);
     for (const FurtherUnit& unit : draw.further_units) bytes += bytes_of(unit.tex_coords);
     if (!make_room(bytes)) return known;
     known->sample = key;
@@ -115,6 +118,8 @@ std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(DrawRun run) {
     known->vertices = draw.vertices;
     known->indices = draw.indices;
     known->materials = draw.materials;
+    known->secondary_colors = draw.secondary_colors;
+    known->fog_coords = draw.fog_coords;
     for (const FurtherUnit& unit : draw.further_units) known->further_tex_coords.push_back(unit.tex_coords);
     known->bytes = bytes;
     known->first_frame = known->last_frame = frame_;

@@ -51,7 +51,7 @@ void State::send_shape(const Command& c, std::vector<ShapePart> parts, std::vect
             vertex.material = 0;
         }
         if (!part.immediate) a_.current = before;
-        add_tex_coords(draw);
+        add_further_values(draw);
         draw.indices = std::move(part.indices);
         draw.surfaces = shared;
         show(std::move(draw));

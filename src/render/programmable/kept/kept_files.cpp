@@ -483,6 +483,8 @@ std::string why_not_kept(const Frame& frame) {
     if (accumulates(frame)) return "it uses the accumulation buffer (glAccum), which core GL lacks";
     for (const Draw* draw : frame.draws()) {
         if (!draw->further_units.empty()) return "it uses more than one texture unit (glActiveTexture)";
+        if (!draw->secondary_colors.empty()) return "it adds secondary colours without lighting (glSecondaryColor)";
+        if (!draw->fog_coords.empty()) return "it uses fog coordinates (glFogCoord)";
         if (draw->combines_textures()) return "it combines textures with GL_COMBINE (glTexEnv)";
         if (!draw->lighting.enabled) continue;
         if (draw->lighting.light_model.spectrum) return "it multiplies colours as spectra (#pragma twinlight spectrum)";
