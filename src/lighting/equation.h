@@ -144,9 +144,9 @@ Real cosine_to_axis(const Light<Real>& light, Vec3<Real> vp_dir) {
 }
 
 // spot_i = (PV . s_dli)^s_rli inside the cone, 0 outside, where PV = -VP. Applies to directional lights too.
-// The cone includes its border, so the comparison allows for the rounding of a cosine (4 epsilon).
-// RULING: a cone of 90 degrees is dark behind the light. The specification compares a cosine that is clamped to 0, so
-// the points behind would count as inside, and exponent 0 would light them (0^0 = 1).
+// The cone includes its border, so the comparison allows for the rounding of a cosine (4 epsilon). The specification
+// compares a cosine that is clamped to 0. So points behind a cone of 90 degrees are inside, and exponent 0 lights them
+// (0^0 = 1).
 template <class Real>
 Real spot(const Light<Real>& light, Vec3<Real> vp_dir) {
     if (!light.is_spot && !light.has_smooth_cone) return Real(1);
@@ -155,9 +155,8 @@ Real spot(const Light<Real>& light, Vec3<Real> vp_dir) {
     const Real rounding = Real(4) * Limits<Real>::epsilon;
     const Real falloff = power(larger(cos_angle, Real(0)), light.spot_exponent);
     const Real within = ruled(Ruling::kSpotBorder, cos_angle <= light.cos_cutoff + rounding, falloff);
-    const Real as_specified = select(light.cos_cutoff <= Real(0), falloff, Real(0));
-    const Real outside = ruled(Ruling::kBehindSpot, as_specified > Real(0), Real(0));
-    return select(cos_angle >= light.cos_cutoff - rounding, within, outside);
+    const Real behind = select(light.cos_cutoff <= Real(0), falloff, Real(0));
+    return select(cos_angle >= light.cos_cutoff - rounding, within, behind);
 }
 
 // n . h for h = unit(a + b), computed without h. RULING: 0 if a + b is 0.

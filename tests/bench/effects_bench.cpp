@@ -45,7 +45,7 @@ Draw all_effects() {
         light.spot_exponent = 2.5;
         light.linear_attenuation = light.quadratic_attenuation = 0.1;
     }
-    for (Vertex& vertex : draw.vertices) vertex.normal_object *= 2;
+    for (Vertex& vertex : draw.vertices.edit()) vertex.normal_object *= 2;
     return draw;
 }
 
@@ -62,7 +62,7 @@ Draw all_effects_of_fragments() {
     texture->mag_filter = kGL_NEAREST;
     draw.texture.texture = std::move(texture);
     draw.texture.texture_matrix[0][0] = 1.5;
-    for (Vertex& vertex : draw.vertices) vertex.tex_coord.w = 1.5 + 0.5 * vertex.position_object.x;
+    for (Vertex& vertex : draw.vertices.edit()) vertex.tex_coord.w = 1.5 + 0.5 * vertex.position_object.x;
     draw.fog = {.enabled = true, .mode = kGL_EXP2, .density = 0.2};
     draw.raster.clip_planes_eye[0] = glm::dvec4(0, 0, -1, 0);  // cuts nothing off
     return draw;
@@ -110,7 +110,7 @@ constexpr Effect kOfVertices[] = {
     {"two sides", [](Draw& draw) { draw.lighting.light_model.two_side = false; }},
     {"GL_NORMALIZE",
      [](Draw& draw) {
-         for (Vertex& vertex : draw.vertices) vertex.normal_object /= 2;
+         for (Vertex& vertex : draw.vertices.edit()) vertex.normal_object /= 2;
      }},
 };
 
@@ -119,14 +119,14 @@ constexpr Effect kAdditions[] = {
     {"colour material",
      [](Draw& draw) {
          draw.lighting.color_material.enabled = true;
-         for (Vertex& vertex : draw.vertices) vertex.color = gray(0.5 + 0.4 * vertex.position_object.x);
+         for (Vertex& vertex : draw.vertices.edit()) vertex.color = gray(0.5 + 0.4 * vertex.position_object.x);
      }},
     {"materials of vertices",
      [](Draw& draw) {
          Materials other{draw.lighting.front, draw.lighting.back};
          other.front.diffuse = other.back.diffuse = gray(0.3);
          draw.materials = {{draw.lighting.front, draw.lighting.back}, other};
-         for (Vertex& vertex : draw.vertices) vertex.material = vertex.position_object.y > 0 ? 1 : 0;
+         for (Vertex& vertex : draw.vertices.edit()) vertex.material = vertex.position_object.y > 0 ? 1 : 0;
      }},
 };
 
@@ -141,7 +141,7 @@ void make_directional(Draw& draw) {
 constexpr Effect kOfFragments[] = {
     {"lighting of fragments: equal normals",
      [](Draw& draw) {
-         for (Vertex& vertex : draw.vertices) vertex.normal_object = {0, 0, 1};
+         for (Vertex& vertex : draw.vertices.edit()) vertex.normal_object = {0, 0, 1};
      },
      make_directional},
     {"two sides", [](Draw& draw) { draw.lighting.light_model.two_side = false; }},
@@ -157,7 +157,7 @@ constexpr Effect kOfFragments[] = {
     {"the texture matrix", [](Draw& draw) { draw.texture.texture_matrix = glm::dmat4(1); }},
     {"a division by q",
      [](Draw& draw) {
-         for (Vertex& vertex : draw.vertices) vertex.tex_coord.w = 1;
+         for (Vertex& vertex : draw.vertices.edit()) vertex.tex_coord.w = 1;
      }},
     {"GL_CLAMP",
      [](Draw& draw) {

@@ -37,8 +37,8 @@ Frame as_one_draw(const Frame& frame) {
     Frame result = frame;
     result.items.clear();
     Draw all = std::get<Draw>(frame.items.front());
-    all.vertices.clear();
-    all.indices.clear();
+    all.vertices.edit().clear();
+    all.indices.edit().clear();
     all.mode = kGL_TRIANGLES;
     std::map<std::array<double, 6>, std::uint32_t> numbers;  // by position and normal
     for (const auto& item : frame.items) {
@@ -48,8 +48,8 @@ Frame as_one_draw(const Frame& frame) {
             const auto &p = v.position_object, &n = glm::dvec4(v.normal_object, 0);
             const auto [known, is_new] =
                 numbers.try_emplace({p.x, p.y, p.z, n.x, n.y, n.z}, static_cast<std::uint32_t>(all.vertices.size()));
-            if (is_new) all.vertices.push_back(v);
-            all.indices.push_back(known->second);
+            if (is_new) all.vertices.edit().push_back(v);
+            all.indices.edit().push_back(known->second);
         };
         const auto add_triangle = [&](std::size_t a, std::size_t b, std::size_t c) {
             for (const std::size_t i : {a, b, c}) add(i);

@@ -80,7 +80,7 @@ Draw sphere(int slices, int stacks) {
             const double s = static_cast<double>(column) / slices, t = static_cast<double>(row) / stacks;
             const double theta = std::numbers::pi * t, phi = 2 * std::numbers::pi * s;
             const glm::dvec3 n(std::sin(theta) * std::cos(phi), std::cos(theta), -std::sin(theta) * std::sin(phi));
-            draw.vertices.push_back(
+            draw.vertices.edit().push_back(
                 {.position_object = glm::dvec4(n, 1), .normal_object = n, .tex_coord = {s, 1 - t, 0, 1}});
         }
     }
@@ -88,7 +88,7 @@ Draw sphere(int slices, int stacks) {
         for (int column = 0; column < slices; ++column) {
             const std::uint32_t a = index(row, column), b = index(row, column + 1);
             const std::uint32_t c = index(row + 1, column), d = index(row + 1, column + 1);
-            draw.indices.insert(draw.indices.end(), {a, c, b, b, c, d});
+            draw.indices.edit().insert(draw.indices.end(), {a, c, b, b, c, d});
         }
     }
     draw.eye_from_object = glm::translate(glm::dmat4(1), glm::dvec3(0, 0, -5));
@@ -100,20 +100,20 @@ Draw sphere(int slices, int stacks) {
 
 Draw on_dome(Draw draw, int side) {
     constexpr int kCells = 8;
-    draw.vertices.clear();
-    draw.indices.clear();
+    draw.vertices.edit().clear();
+    draw.indices.edit().clear();
     for (int row = 0; row <= kCells; ++row) {
         for (int column = 0; column <= kCells; ++column) {
             const double x = 2.0 * column / kCells - 1, y = 2.0 * row / kCells - 1;
-            draw.vertices.push_back({.position_object = {x, y, -0.3 * (x * x + y * y), 1},
-                                     .normal_object = glm::normalize(glm::dvec3(0.6 * x, 0.6 * y, 1)),
-                                     .tex_coord = {x, y, 0, 1}});
+            draw.vertices.edit().push_back({.position_object = {x, y, -0.3 * (x * x + y * y), 1},
+                                            .normal_object = glm::normalize(glm::dvec3(0.6 * x, 0.6 * y, 1)),
+                                            .tex_coord = {x, y, 0, 1}});
         }
     }
     for (std::uint32_t row = 0; row < kCells; ++row) {
         for (std::uint32_t column = 0; column < kCells; ++column) {
             const std::uint32_t a = row * (kCells + 1) + column, c = a + kCells + 1;
-            draw.indices.insert(draw.indices.end(), {a, a + 1, c, c, a + 1, c + 1});
+            draw.indices.edit().insert(draw.indices.end(), {a, a + 1, c, c, a + 1, c + 1});
         }
     }
     draw.eye_from_object = glm::dmat4(1);

@@ -141,7 +141,7 @@ Way live_way(std::string name, const Draw& draw, const programmable::KeptLimits&
         const double shift = 1e-3 * (++number % 7);
         moving.lighting.lights[0].position_eye.x = draw.lighting.lights[0].position_eye.x + shift;
         if (moves_vertex)
-            moving.vertices.back().position_object.x = draw.vertices.back().position_object.x + 1e-9 * number;
+            moving.vertices.edit().back().position_object.x = draw.vertices.back().position_object.x + 1e-9 * number;
         renderer->draw(*frame, options_for(programmable::Tier::kAuto, false));
         glFinish();
     };

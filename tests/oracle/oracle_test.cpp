@@ -18,6 +18,12 @@
 namespace twinlight {
 namespace {
 
+fuzz::OracleOptions only_the_reference(const fuzz::RunOptions& run) {
+    fuzz::OracleOptions options{run};
+    options.shaders = false;
+    return options;
+}
+
 void expect_no_failure(const fuzz::OracleSummary& summary, std::uint64_t seed) {
     for (const fuzz::OracleFailure& failure : summary.failures) ADD_FAILURE() << fuzz::failure_text(failure, seed);
     EXPECT_LE(summary.out_of_view, summary.states / 10);
@@ -37,15 +43,16 @@ void expect_rare(const fuzz::OracleSummary& summary, const std::string& who, dou
 }
 
 TEST(Oracle, AgreesWithTheReferenceInAllNumberTypes) {
-    const fuzz::OracleSummary summary = fuzz::run_against_oracle({.count = 2000, .shaders = false});
+    const fuzz::OracleSummary summary = fuzz::run_against_oracle(only_the_reference({.count = 2000}));
     expect_no_failure(summary, 1);
     for (const check::ReferenceVariant& variant : check::reference_variants())
         expect_rare(summary, "reference, " + variant.name, 0.08);
 }
 
 TEST(Oracle, AgreesWithTheShadersInAllTiersWhichAreNeverWorseThanTheFixedFunction) {
-    const fuzz::OracleSummary summary = fuzz::run_against_oracle(
-        {.count = static_cast<std::uint64_t>(tries_all() ? 400 : 200), .seed = 2, .reference = false});
+    fuzz::OracleOptions options{{.count = tries_all() ? 4000u : 1000u, .seed = 2}};
+    options.reference = false;
+    const fuzz::OracleSummary summary = fuzz::run_against_oracle(options);
     expect_no_failure(summary, 2);
     ASSERT_GE(summary.counts.size(), 5u);
     for (const auto& [who, counts] : summary.counts) expect_rare(summary, who, 0.08);
@@ -53,7 +60,8 @@ TEST(Oracle, AgreesWithTheShadersInAllTiersWhichAreNeverWorseThanTheFixedFunctio
 
 // With a bar that nobody can reach, everything fails.
 TEST(Oracle, ShrinksWhatItFindsToASceneThatStillFails) {
-    const fuzz::OracleOptions options{.count = 20, .most_failures = 1, .shaders = false, .strictness = 1e9};
+    fuzz::OracleOptions options = only_the_reference({.count = 20, .most_failures = 1});
+    options.strictness = 1e9;
     const fuzz::OracleSummary summary = fuzz::run_against_oracle(options);
     ASSERT_EQ(summary.failures.size(), 1u);
     const fuzz::OracleFailure& failure = summary.failures.front();

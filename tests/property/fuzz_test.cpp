@@ -25,7 +25,7 @@ Driver this_driver() {
 }
 
 TEST(Fuzz, FindsNoUnexplainedDifference) {
-    const Options options{.count = 2048, .seed = 20};
+    const Options options{{.count = 2048, .seed = 20}};
     const Summary summary = run(options, {});
     for (const Failure& failure : summary.failures) ADD_FAILURE() << failure_text(failure, options);
     EXPECT_EQ(summary.float_states + summary.picture_states, options.count);
@@ -52,7 +52,7 @@ TEST(Fuzz, LeavesLittleOfAPictureOpen) {
     double pixels = 0, interior = 0, codes = 0;
     for (std::uint64_t picture = 0; picture < 150; ++picture) {
         const std::uint64_t state = picture * kPicturesPerStructure * kPictureEvery + kPictureEvery - 1;
-        const auto scene = std::make_shared<const CommandList>(random_scene({.seed = 20}, state));
+        const auto scene = std::make_shared<const CommandList>(random_scene({{.seed = 20}}, state));
         const AllowedDifference allowed =
             reference::allowed_difference(make_frame(*scene, {.width = 64, .height = 64}));
         for (std::size_t i = 0; i < allowed.edge.size(); ++i) {
@@ -70,9 +70,9 @@ TEST(Fuzz, LeavesLittleOfAPictureOpen) {
 
 TEST(Fuzz, GivesTheSameSceneForTheSameState) {
     for (const std::uint64_t state : {5, 31, 4711}) {
-        const CommandList scene = random_scene({.seed = 3}, state);
-        EXPECT_EQ(scene.commands, random_scene({.count = 7, .seed = 3, .first = state}, state).commands);
-        EXPECT_NE(scene.commands, random_scene({.seed = 4}, state).commands);
+        const CommandList scene = random_scene({{.seed = 3}}, state);
+        EXPECT_EQ(scene.commands, random_scene({{.count = 7, .seed = 3, .first = state}}, state).commands);
+        EXPECT_NE(scene.commands, random_scene({{.seed = 4}}, state).commands);
         // Read from its file it is the same scene.
         EXPECT_EQ(read_scene(print_scene(scene), "scene.gl", "scene").commands, scene.commands);
     }
@@ -88,7 +88,7 @@ TEST(Fuzz, FindsEachDepartureThatIsLifted) {
         if (!departure.is_known_on(driver) || !is_tried(known++)) continue;
         SCOPED_TRACE(departure.name);
         // In vertices of several structures, because not every structure shows it; or in pictures.
-        Options options{.count = 64, .seed = 1, .pictures = false, .lifted = std::string(departure.name)};
+        Options options{{.count = 64, .seed = 1}, true, false, std::string(departure.name)};
         options.most_failures = 1;
         options.shrinks = false;
         Summary found;
@@ -110,8 +110,8 @@ TEST(Fuzz, FindsEachDepartureThatIsLifted) {
 
 TEST(Fuzz, ShrinksAFailureToASceneThatStillFails) {
     if (!compare::is_listed(this_driver())) GTEST_SKIP() << "another driver may not fail";
-    Options options{.count = 16, .seed = 1, .lifted = "lights after glPopAttrib of GL_ENABLE_BIT"};
-    options.most_failures = 1;
+    Options options{{.count = 16, .seed = 1, .most_failures = 1}};
+    options.lifted = "lights after glPopAttrib of GL_ENABLE_BIT";
     const Summary summary = run(options, {});
     ASSERT_EQ(summary.failures.size(), 1u);
     const Failure& failure = summary.failures[0];
@@ -167,7 +167,7 @@ TEST(Fuzz, StopsWhenItIsAsked) {
     int questions = 0;
     Progress progress;
     progress.stop = [&] { return ++questions > 3; };
-    const Summary summary = run({.count = 100000, .seed = 1}, progress);
+    const Summary summary = run({{.count = 100000, .seed = 1}}, progress);
     EXPECT_TRUE(summary.broken_off);
     EXPECT_LT(summary.float_states + summary.picture_states, 1000u);
 }

@@ -96,7 +96,7 @@ TEST(PixelHistory, EndsInThePicturesColorInRandomScenes) {
         const std::uint64_t state =
             picture * fuzz::kPicturesPerStructure * fuzz::kPictureEvery + fuzz::kPictureEvery - 1;
         SCOPED_TRACE(fmt::format("seed 20, state {}", state));
-        const CommandList scene = fuzz::random_scene({.seed = 20}, state);
+        const CommandList scene = fuzz::random_scene({{.seed = 20}}, state);
         Options options;
         if (picture % 3 == 2) options.shading = Shading::kPhong;
         expect_the_pictures(make_frame(scene, kSize), options, random, 30, seen);

@@ -117,7 +117,7 @@ class RandomScene {
             else
                 v.color = draw.vertices.front().color;
             v.material = draw.materials.empty() ? 0 : static_cast<std::uint32_t>(random_.below(2));
-            draw.vertices.push_back(v);
+            draw.vertices.edit().push_back(v);
         }
     }
 

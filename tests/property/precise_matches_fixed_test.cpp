@@ -258,7 +258,7 @@ class Comparison {
     Found found;
 
     void compare_state(std::uint64_t state, ModelviewKind kind) {
-        const auto scene = std::make_shared<const CommandList>(fuzz::random_scene({.seed = 77}, state));
+        const auto scene = std::make_shared<const CommandList>(fuzz::random_scene({{.seed = 77}}, state));
         const StateOptions size{.width = kWindow, .height = kWindow};
         const Draw drawn = std::get<Draw>(make_frame(*scene, size).items.back());
         if (drawn.vertices.size() < 3) return;

@@ -56,9 +56,9 @@ class RandomDraw {
         draw.clip_from_eye = glm::dmat4(0);  // the middle of the viewport, whatever the position
         draw.clip_from_eye[3][3] = 1;
         for (int i = 0; i < kVertices; ++i)
-            draw.vertices.push_back({.position_object = glm::dvec4(vector(1), 1),
-                                     .normal_object = glm::normalize(vector(1)),
-                                     .color = color()});
+            draw.vertices.edit().push_back({.position_object = glm::dvec4(vector(1), 1),
+                                            .normal_object = glm::normalize(vector(1)),
+                                            .color = color()});
         randomise_spectra(random_, lighting, true);
         return draw;
     }
@@ -107,7 +107,7 @@ Frame one_pixel_a_vertex(const Draw& draw) {
     frame.height = 1;
     for (int i = 0; i < kVertices; ++i) {
         Draw one = draw;
-        one.indices.assign(1, static_cast<std::uint32_t>(i));
+        one.indices.edit().assign(1, static_cast<std::uint32_t>(i));
         one.raster.viewport = {i, 0, 1, 1};
         frame.items.emplace_back(std::move(one));
     }

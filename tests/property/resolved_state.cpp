@@ -116,7 +116,7 @@ std::shared_ptr<const CommandList> resolved(const Draw& draw) { return Writer(dr
 
 Draw with_modelview(Draw draw, const glm::dmat4& eye_from_object) {
     const glm::dmat4 moved = glm::inverse(eye_from_object) * draw.eye_from_object;
-    for (Vertex& vertex : draw.vertices) vertex.position_object = moved * vertex.position_object;
+    for (Vertex& vertex : draw.vertices.edit()) vertex.position_object = moved * vertex.position_object;
     draw.eye_from_object = eye_from_object;
     return draw;
 }

@@ -94,7 +94,7 @@ TEST(Scrubbed, IsTheSameToTheReference) {
 
 TEST(Scrubbed, DrawsRandomStatesAsLiterally) {
     constexpr int kSide = 64;
-    const fuzz::Options options{.seed = 7};
+    const fuzz::Options options{{.seed = 7}};
     const auto context = make_offscreen_context(kSide, kSide);
     std::size_t compared = 0, departures = 0, pixels = 0, differing = 0;
     for (std::uint64_t i = 0; i < 96; ++i) {

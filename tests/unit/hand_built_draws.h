@@ -37,7 +37,8 @@ inline Draw square(const LightingState& lighting = dark()) {
     Draw draw;
     draw.mode = kGL_QUADS;
     for (const glm::dvec2 corner : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)})
-        draw.vertices.push_back({.position_object = {corner, 0, 1}, .normal_object = {0, 0, 1}, .color = {1, 1, 1, 1}});
+        draw.vertices.edit().push_back(
+            {.position_object = {corner, 0, 1}, .normal_object = {0, 0, 1}, .color = {1, 1, 1, 1}});
     draw.clip_from_eye[2][2] = 0;
     draw.lighting = lighting;
     return draw;

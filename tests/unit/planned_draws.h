@@ -15,9 +15,9 @@ inline const PlanOptions kGlAlone{{.shading = std::nullopt, .lecture_variants = 
 // A triangle lit by GL_LIGHT0, white and directional, in GL's initial state: diffuse alone is called for.
 inline Draw lit_triangle() {
     Draw draw;
-    draw.vertices.resize(3);
-    draw.vertices[1].position_object = {1, 0, 0, 1};
-    draw.vertices[2].position_object = {0, 1, 0, 1};
+    draw.vertices.edit().resize(3);
+    draw.vertices.edit()[1].position_object = {1, 0, 0, 1};
+    draw.vertices.edit()[2].position_object = {0, 1, 0, 1};
     draw.lighting.enabled = true;
     draw.lighting.lights[0].enabled = true;
     return draw;
@@ -35,7 +35,7 @@ inline Draw with_specular_material(Draw draw = lit_triangle()) {
 }
 
 inline Draw with_vertex_colors(Draw draw = lit_triangle()) {
-    draw.vertices[1].color = {1, 0, 0, 1};
+    draw.vertices.edit()[1].color = {1, 0, 0, 1};
     draw.lighting.color_material.enabled = true;
     return draw;
 }

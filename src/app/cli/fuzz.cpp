@@ -217,10 +217,13 @@ std::string summary_json(const FuzzArguments& arguments, const fuzz::OracleSumma
     for (const auto& [who, counts] : summary.counts) {
         nlohmann::ordered_json verdicts = nlohmann::ordered_json::object();
         for (const auto& [verdict, count] : counts.verdicts) verdicts[verdict] = count;
+        nlohmann::ordered_json conditions = nlohmann::ordered_json::object();
+        for (const auto& [power, count] : counts.conditions) conditions[fmt::format("1e{}", power)] = count;
         results.push_back({{"name", who},
                            {"compared", counts.compared()},
                            {"worst_right", counts.worst_right},
-                           {"verdicts", std::move(verdicts)}});
+                           {"verdicts", std::move(verdicts)},
+                           {"conditions", std::move(conditions)}});
     }
     auto& failures = json["failures"] = nlohmann::ordered_json::array();
     for (const fuzz::OracleFailure& failure : summary.failures)
@@ -243,9 +246,7 @@ int run_against_oracle(const FuzzArguments& arguments) {
             write_failure(arguments, failure.state, fuzz::failure_text(failure, arguments.options.seed));
         };
         progress.show = shown_on<fuzz::OracleSummary>(bar, arguments, start);
-        summary = fuzz::run_against_oracle(
-            {.count = arguments.options.count, .seed = arguments.options.seed, .first = arguments.options.first},
-            progress);
+        summary = fuzz::run_against_oracle({static_cast<const fuzz::RunOptions&>(arguments.options)}, progress);
     }
     const double seconds = seconds_since(start);
     write_result(arguments.json ? summary_json(arguments, summary, seconds)
@@ -305,6 +306,12 @@ Subcommand add_fuzz(CLI::App& app) {
         ->type_name("N")
         ->capture_default_str()
         ->check(number_from(std::uint64_t{0}, most << 20));
+    fuzz->add_option(
+            "--most-failures", options.most_failures,
+            fmt::format("stop after this many failures; only the first {} are reduced", fuzz::RunOptions::kMostShrunk))
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(number_from(std::size_t{1}, static_cast<std::size_t>(most)));
     fuzz->add_option("--against", arguments->against,
                      "compare the renderers with each other ('renderers'), or the shaders and the reference with "
                      "equations in 60 digits ('oracle')")

@@ -186,8 +186,8 @@ class OverlayWriter {
         Draw fine = draw_;
         fine.mode = kGL_TRIANGLES;
         fine.lighting.normalize = true;
-        fine.vertices.clear();
-        fine.indices.clear();
+        fine.indices = {};
+        std::vector<Vertex> vertices;
         for (const Primitive& primitive : primitives_) {
             if (primitive.shape != Shape::kTriangle) continue;
             const auto corner = [&](std::size_t i) -> const Vertex& {
@@ -212,13 +212,13 @@ class OverlayWriter {
             };
             for (int i = 0; i < parts; ++i) {
                 for (int j = 0; j < parts - i; ++j) {
-                    fine.vertices.insert(fine.vertices.end(), {vertex(i, j), vertex(i + 1, j), vertex(i, j + 1)});
+                    vertices.insert(vertices.end(), {vertex(i, j), vertex(i + 1, j), vertex(i, j + 1)});
                     if (i + j + 2 <= parts)
-                        fine.vertices.insert(fine.vertices.end(),
-                                             {vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+                        vertices.insert(vertices.end(), {vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
                 }
             }
         }
+        fine.vertices = std::move(vertices);
         return fine;
     }
     // In pixels; far away for a vertex behind the eye.

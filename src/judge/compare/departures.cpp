@@ -30,7 +30,8 @@ const std::vector<Departure>& departures() {
          .cause = Cause::kUnspecified,
          .vertex_rule = has_light_at_horizon},
         {.name = "a vertex on the edge of a spot's cone",
-         .section = "2.14.1: a vertex is lit if its angle equals the cutoff, here of 0 or 90 degrees",
+         .section =
+             "2.14.1: a vertex is lit if its angle equals the cutoff, here of 0 or 90 degrees, and behind one of 90",
          .seen_on = kBoth,
          .vertex_rule = is_at_exact_edge_of_cone},
         {.name = "vertex near the edge of a spot's cone",

@@ -50,12 +50,22 @@ bool leaves_floats(const glm::dvec3& v) {
 // Float rounding changes the cosine of unit vectors by about 1e-6. Closer to a jump than this, rounding may decide.
 constexpr double kJump = 1e-5;
 
+double cosine_to_axis(const LightSource& light, const Draw& draw, const Vertex& vertex) {
+    return glm::dot(-toward(light, eye_position(draw, vertex)), glm::normalize(light.spot_direction_eye));
+}
+
 bool is_at_edge_of_cone(const Draw& draw, const Vertex& vertex) {
     return any_light(draw, [&](const LightSource& light) {
-        const double cos_angle =
-            glm::dot(-toward(light, eye_position(draw, vertex)), glm::normalize(light.spot_direction_eye));
         return light.spot_cutoff_deg != 180 &&
-               std::abs(cos_angle - std::cos(light.spot_cutoff_deg * M_PI / 180)) < kJump;
+               std::abs(cosine_to_axis(light, draw, vertex) - std::cos(light.spot_cutoff_deg * M_PI / 180)) < kJump;
+    });
+}
+
+// There max(PV . s, 0) is cos 90.
+bool is_behind_cone_of_90(const Draw& draw, const Vertex& vertex) {
+    return any_light(draw, [&](const LightSource& light) {
+        return light.spot_cutoff_deg == 90 && light.spot_exponent == 0 &&
+               !(cosine_to_axis(light, draw, vertex) > kJump);
     });
 }
 
@@ -146,8 +156,10 @@ bool has_no_answer(const Draw& draw, const Vertex& vertex) {
     });
 }
 
-// On the axis of a cone of 0 degrees, or at 90 degrees in one of 90, floats give the specification's answer without rounding.
+// On the axis of a cone of 0 degrees, or at 90 degrees in one of 90 and behind that, floats give the specification's answer
+// without rounding.
 bool is_at_exact_edge_of_cone(const Draw& draw, const Vertex& vertex) {
+    if (is_behind_cone_of_90(draw, vertex)) return true;
     return is_at_edge_of_cone(draw, vertex) && any_light(draw, [&](const LightSource& light) {
                return light.spot_cutoff_deg == 0 || light.spot_cutoff_deg == 90;
            });

@@ -124,7 +124,7 @@ Draw as_points(const VertexScene& scene, const Viewport& tile) {
     Draw draw = scene.draw();
     if (!draws_polygons(draw.mode)) {
         draw.mode = kGL_POINTS;
-        draw.indices.clear();
+        draw.indices = {};
     }
     RasterState raster;  // keeps only the facing
     raster.front_face = draw.raster.front_face;

@@ -144,7 +144,9 @@ Lines spot_lines(const LightAt& light, bool whole) {
         const bool inside = angle <= s.spot_cutoff_deg;
         how = fmt::format("{:.2f} degrees from the axis, {} the cutoff of {:.5g}", angle, inside ? "inside" : "outside",
                           s.spot_cutoff_deg);
-        if (light.terms.spot > 0)
+        if (!inside && light.terms.spot > 0)
+            how += ", but 2.14.1 compares max(cos, 0) with cos 90, and 0^0 = 1";
+        else if (light.terms.spot > 0)
             how += fmt::format(": (cos)^exponent = {:.5f}^{:.5g}", cosine, s.spot_exponent);
         else if (!inside)
             missed = note("the cone misses this point, so the light adds nothing here");

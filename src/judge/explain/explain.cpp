@@ -31,26 +31,27 @@ VertexExplanation explain_vertex(const Frame& frame, const Look& look, const Ver
 Frame picture_of(const Draw& draw, std::uint32_t vertex, Face face) {
     Draw point;
     point.mode = kGL_POINTS;
-    point.vertices = {draw.vertices[vertex]};
+    Vertex sent = draw.vertices[vertex];
     point.lighting = draw.lighting;
     point.lighting.shade_model = kGL_SMOOTH;
     point.lighting.light_model.two_side = false;
-    const Materials materials = draw.materials.empty() ? Materials{draw.lighting.front, draw.lighting.back}
-                                                       : draw.materials[point.vertices[0].material];
-    point.vertices[0].material = 0;
+    const Materials materials =
+        draw.materials.empty() ? Materials{draw.lighting.front, draw.lighting.back} : draw.materials[sent.material];
+    sent.material = 0;
     point.lighting.front = face == Face::kFront ? materials.front : materials.back;
     if (face == Face::kBack) {
         ColorMaterial& tracking = point.lighting.color_material;
         tracking.enabled = tracking.enabled && tracking.face != kGL_FRONT;
         tracking.face = kGL_FRONT_AND_BACK;
-        point.vertices[0].normal_object = -point.vertices[0].normal_object;
+        sent.normal_object = -sent.normal_object;
     }
     point.raster.viewport = {0, 0, 1, 1};
     point.eye_from_object = draw.eye_from_object;
-    const double w_eye = (draw.eye_from_object * point.vertices[0].position_object).w;
+    const double w_eye = (draw.eye_from_object * sent.position_object).w;
     point.clip_from_eye = glm::dmat4(0);
     point.clip_from_eye[3][3] = w_eye < 0 ? -1 : 1;
     point.place = draw.place;
+    point.vertices = {sent};
     Frame frame{.width = 1, .height = 1};
     frame.items.emplace_back(std::move(point));
     return frame;

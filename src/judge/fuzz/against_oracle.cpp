@@ -64,6 +64,12 @@ constexpr double kOfMatrices = 0x1p-53;  // all renderers multiply matrices in d
 
 // ---- Verdicts ----
 
+struct Verdict {
+    std::string name;  // kRight, why the colour misses the bar, or one of the failures
+    double error = 0;
+    double condition = 0;  // if it is ill-conditioned: see OracleCounts::conditions
+};
+
 constexpr const char* kWrong = "wrong";
 constexpr const char* kNotFinite = "not finite";
 constexpr const char* kWorseThanFixed = "wrong where the fixed function is right";
@@ -71,6 +77,7 @@ constexpr const char* kBorder = "a border";
 constexpr const char* kIllConditioned = "ill-conditioned";
 constexpr const char* kDenormals = "denormals";
 constexpr const char* kBeyond = "coordinates beyond a float";
+constexpr const char* kInterpolated = "a light nearer to a fragment than interpolation is exact";
 constexpr const char* kOpposite = "opposite directions to light and viewer";
 // 2.1.1 asks for colours up to 1024; a double's largest may be infinite when a long double is not.
 constexpr const char* kBeyondColors = "a colour beyond the largest float";
@@ -148,27 +155,27 @@ class Judged {
         return colors_of(evaluated({.unit_normals = unit_normals}).at(vertex), back);
     }
 
-    // kRight, why the colour misses the bar, or one of the failures. Sets `error` to the difference.
-    std::string verdict(const Shown& shown, std::size_t vertex, bool back, NumberType type, bool unit_normals,
-                        double& error) {
+    Verdict verdict(const Shown& shown, std::size_t vertex, bool back, NumberType type, bool unit_normals) {
         const Limits limits = limits_of(type, strictness_);
         const oracle::Colors& exact = right(vertex, back, unit_normals);
-        error = error_of(shown, exact);
-        if (error <= limits.bar) return kRight;
-        if (is_beyond_colors(exact)) return kBeyondColors;
-        if (std::isinf(error)) return kNotFinite;
+        const double error = error_of(shown, exact);
+        if (error <= limits.bar) return {kRight, error};
+        if (is_beyond_colors(exact)) return {kBeyondColors, error};
+        if (std::isinf(error)) return {kNotFinite, error};
         for (const oracle::Border border : kBorders) {
             const std::vector<oracle::Vertex>& other = evaluated({border, limits.cosines, 0, 0, 0, unit_normals});
             const oracle::Colors& moved = colors_of(other.at(vertex), back);
-            if (error_of(shown, moved) <= limits.bar) return kBorder;
-            if (is_beyond_colors(moved)) return kBeyondColors;
+            if (error_of(shown, moved) <= limits.bar) return {kBorder, error};
+            if (is_beyond_colors(moved)) return {kBeyondColors, error};
+            // A light on the horizon may have a half vector or none.
+            if (other.at(vertex).shortest_half_vector < shortest_exact_half_vector(limits)) return {kOpposite, error};
         }
-        if (evaluated({}).at(vertex).shortest_half_vector < 8 * limits.cosines) return kOpposite;
         constexpr double kOperations = 2, kLost = 0.01;  // beyond kLost no digit of the colour is known
         const double enough = std::min(error / kOperations, kLost);
-        if (rounding_moves(vertex, back, limits, unit_normals, enough)) return kIllConditioned;
-        const std::string why = reason(vertex, type);
-        return why.empty() ? kWrong : why;
+        const double moved = moved_by_rounding(vertex, back, limits, unit_normals, enough);
+        if (moved >= enough) return {kIllConditioned, error, moved / (kRoundings * limits.value_rounding)};
+        const std::string why = reason(vertex, type, unit_normals);
+        return {why.empty() ? kWrong : why, error};
     }
 
     // Empty if the driver does not show the vertex.
@@ -192,29 +199,42 @@ class Judged {
         return evaluations_.back().second;
     }
 
-    // Whether rounding moves the exact result by at least `enough`. Asks often, because a border may need one sign of many.
-    bool rounding_moves(std::size_t vertex, bool back, const Limits& limits, bool unit_normals, double enough) {
-        constexpr double kRoundings = 4;  // each value passes through some operations before it is used
+    // The cosine with a half vector of this length is off by `cosines` over the length, and its power by the exponent times that.
+    double shortest_exact_half_vector(const Limits& limits) const {
+        const LightingState& lighting = draw().lighting;
+        const double exponent = std::max({lighting.front.shininess, lighting.back.shininess, 1.0});
+        return std::max(8 * limits.cosines, limits.value_rounding * exponent / limits.bar);
+    }
+
+    static constexpr double kRoundings = 4;  // each value passes through some operations before it is used
+
+    // How far rounding moves the exact result, relative to the larger of 1 and the magnitude. Asks often, because a border may need
+    // one sign of many, until the move is `enough`.
+    double moved_by_rounding(std::size_t vertex, bool back, const Limits& limits, bool unit_normals, double enough) {
         constexpr std::uint64_t kTries = 96;
-        const oracle::Colors exact = right(vertex, back, unit_normals);
+        const oracle::Colors& exact = right(vertex, back, unit_normals);
+        double most = 0;
         for (std::uint64_t seed = 1; seed <= kTries; ++seed) {
             const std::vector<oracle::Vertex>& other =
                 evaluated({kBorders.at(seed % kBorders.size()), limits.cosines, kRoundings * kOfMatrices,
                            kRoundings * limits.value_rounding, seed, unit_normals});
             const oracle::Colors& moved = colors_of(other.at(vertex), back);
-            for (std::size_t i = 0; i < 3; ++i)
-                if (std::abs(moved.primary[i] - exact.primary[i]) + std::abs(moved.secondary[i] - exact.secondary[i]) >=
-                    enough * std::max(1.0, exact.magnitude[i]))
-                    return true;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const double move =
+                    std::abs(moved.primary[i] - exact.primary[i]) + std::abs(moved.secondary[i] - exact.secondary[i]);
+                most = std::max(most, move / std::max(1.0, exact.magnitude[i]));
+            }
+            if (most >= enough) return most;
         }
-        return false;
+        return most;
     }
 
     // Why floats or doubles cannot give the answer, seen from the state; empty if they can.
-    std::string reason(std::size_t vertex, NumberType type) {
+    // `per_pixel`: coordinates were interpolated, so that not even equal ones agree.
+    std::string reason(std::size_t vertex, NumberType type, bool per_pixel) {
         const Limits limits = limits_of(type, strictness_);
         const oracle::Vertex& exact = evaluated({}).at(vertex);
-        bool beyond = false, denormal = false, wide = false, cancels = false;
+        bool beyond = false, denormal = false, wide = false, cancels = false, interpolated = false;
         const auto look_at = [&](const auto& v, double w) {
             for (int i = 0; i < 3; ++i) {
                 const double x = v[static_cast<std::size_t>(i)];
@@ -223,10 +243,15 @@ class Judged {
             }
             denormal |= is_denormal(w);
         };
+        const auto look_at_normal = [&](const glm::dvec3& n) {
+            for (int i = 0; i < 3; ++i) denormal |= is_denormal(n[i]);
+        };
         look_at(exact.position_eye, exact.position_eye[3]);
         const glm::dvec4& object = draw().vertices.at(vertex).position_object;
         look_at(std::array{object.x, object.y, object.z}, 1);
         denormal |= is_denormal(object.w);
+        look_at_normal(draw().vertices.at(vertex).normal_object);
+        look_at_normal(normal_matrix(glm::dmat3(draw().eye_from_object)) * draw().vertices.at(vertex).normal_object);
         for (int column = 0; column < 4; ++column)
             for (int row = 0; row < 3; ++row) {
                 const double element = draw().eye_from_object[column][row];
@@ -251,6 +276,7 @@ class Judged {
             }
             // The reference in floats starts from eye coordinates; all others take the difference in doubles, or of object coordinates.
             cancels |= distance > 0 && distance < (type == NumberType::kFloat ? 0x1p-16 : 0x1p-45) * size;
+            interpolated |= per_pixel && distance < 0x1p-18 * size;
             wide |= !(distance > 0x1p-8 * size) || !(size < 1e9) || !(size > 1e-9);
         }
         const LightingState& lighting = draw().lighting;
@@ -260,6 +286,7 @@ class Judged {
         if (type == NumberType::kFloat && !lighting.normalize && std::pow(normal, shininess) > 1e30)
             return "a power beyond the largest float";
         if (type == NumberType::kFloat && exact.position_eye[3] == 0) return "a vertex in a direction";
+        if (interpolated) return kInterpolated;
         if (cancels) return "a light and a vertex that nearly agree";
         if (beyond) return kBeyond;
         if (limits.flushes && denormal) return kDenormals;
@@ -365,19 +392,23 @@ class OracleRun {
             if (!misses[i].empty()) fail(numbers[i], scenes[i], misses[i].front());
     }
 
-    void note(const std::string& who, const std::string& verdict, double error, const Shown& shown,
-              const oracle::Colors& right, std::vector<Miss>& misses) {
+    void note(const std::string& who, const Verdict& verdict, const Shown& shown, const oracle::Colors& right,
+              std::vector<Miss>& misses) {
+        constexpr double kInfinite = 1e99;
         OracleCounts& counts = summary_.counts[who];
+        const auto& [name, error, condition] = verdict;
         if (!is_shrinking_) {
-            ++counts.verdicts[verdict];
-            if (verdict == kRight) counts.worst_right = std::max(counts.worst_right, error);
+            ++counts.verdicts[name];
+            if (name == kRight) counts.worst_right = std::max(counts.worst_right, error);
+            if (condition > 0)
+                ++counts.conditions[static_cast<int>(std::floor(std::log10(std::min(condition, kInfinite))))];
         }
-        if (!is_failure(verdict)) return;
+        if (!is_failure(name)) return;
         std::string both = in_words(right.primary);
         if (right.secondary != std::array<double, 3>{}) both += " + " + in_words(right.secondary);
         misses.push_back(
-            {who, verdict,
-             fmt::format("{} is {}: {} for {}, off by {:.1e}", who, verdict, in_words(shown.primary), both, error),
+            {who, name,
+             fmt::format("{} is {}: {} for {}, off by {:.1e}", who, name, in_words(shown.primary), both, error),
              error});
     }
 
@@ -399,9 +430,8 @@ class OracleRun {
                 const reference::LitVertex& v = lit[vertex];
                 const Shown shown{colors(back ? v.back_primary : v.front_primary),
                                   colors(back ? v.back_secondary : v.front_secondary)};
-                double error = 0;
-                const std::string verdict = scene.verdict(shown, vertex, back, type, false, error);
-                note(kReference + variant.name, verdict, error, shown, scene.right(vertex, back, false), misses);
+                const Verdict verdict = scene.verdict(shown, vertex, back, type, false);
+                note(kReference + variant.name, verdict, shown, scene.right(vertex, back, false), misses);
             }
         }
     }
@@ -431,11 +461,10 @@ class OracleRun {
                 const bool flat = options.shading == Shading::kFlat && knows_faces;
                 if (!color || (flat && vertex + 1 < scene.vertex_count())) continue;
                 const Shown shown{rgb_of(*color), {}, true};
-                double error = 0;
-                std::string verdict = scene.verdict(shown, vertex, back, NumberType::kShaderFloat, unit_normals, error);
-                if (knows_faces && is_worse_than_fixed(scene, vertex, back, unit_normals, verdict))
-                    verdict = kWorseThanFixed;
-                note(kShaders + variant.name, verdict, error, shown, scene.right(vertex, back, unit_normals),
+                Verdict verdict = scene.verdict(shown, vertex, back, NumberType::kShaderFloat, unit_normals);
+                if (knows_faces && is_worse_than_fixed(scene, vertex, back, unit_normals, verdict.name))
+                    verdict.name = kWorseThanFixed;
+                note(kShaders + variant.name, verdict, shown, scene.right(vertex, back, unit_normals),
                      misses[drawn[d]]);
             }
         }
@@ -445,7 +474,7 @@ class OracleRun {
     bool is_worse_than_fixed(Judged& scene, std::size_t vertex, bool back, bool unit_normals,
                              const std::string& verdict) {
         for (const char* decided_by_rounding :
-             {kBorder, kOpposite, kIllConditioned, kBeyondColors, kDenormals, kBeyond})
+             {kBorder, kOpposite, kIllConditioned, kBeyondColors, kDenormals, kBeyond, kInterpolated})
             if (verdict == decided_by_rounding) return false;
         if (verdict == kRight || is_failure(verdict)) return false;
         if (unit_normals && !scene.draw().lighting.normalize) return false;  // another equation
@@ -487,7 +516,7 @@ class OracleRun {
         failure.driver = summary_.driver;
         failure.commands_before = scene.commands().commands.size();
         failure.scene = scene.commands();
-        if (options_.shrinks) {
+        if (options_.shrinks_after(summary_.failures.size())) {
             show(state - options_.first, "shrinking");
             is_shrinking_ = true;
             constexpr double kAlike = 8;  // a difference of a very different size has another cause

@@ -6,22 +6,15 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "scene/command/command.h"
+#include "judge/fuzz/run.h"
 
 namespace twinlight::fuzz {
 
-// Scene i of a seed is always the same.
-struct OracleOptions {
-    std::uint64_t count = 1000;
-    std::uint64_t seed = 1;
-    std::uint64_t first = 0;  // number of the first scene
-    std::size_t most_failures = 10;
-    bool shrinks = true;
+struct OracleOptions : RunOptions {
     // Shaders with constants are compiled for each scene, which takes much longer than all else. So only one of this many scenes has
     // them.
     std::uint64_t baked_every = 16;
@@ -37,18 +30,17 @@ inline constexpr const char* kRight = "right";
 // vertex.
 struct OracleCounts {
     std::map<std::string, long> verdicts;  // kRight, and each reason
+    // The ill-conditioned ones, by the power of ten of the condition number: how far the exact colour moves, relative to the larger
+    // of 1 and the terms' sum, divided by the relative change of the inputs. At least so: the search ends when a move explains the
+    // difference.
+    std::map<int, long> conditions;
     double worst_right = 0;
 
     long compared() const;
 };
 
-struct OracleFailure {
-    std::uint64_t state = 0;
-    std::string who;    // a key of OracleSummary::counts
-    std::string what;   // the difference in the smallest scene
-    CommandList scene;  // the smallest scene that fails
-    std::string driver;
-    std::size_t commands_before = 0;
+struct OracleFailure : Finding {
+    std::string who;  // a key of OracleSummary::counts
 };
 // The scene as text; a comment says how to repeat it and what differs.
 std::string failure_text(const OracleFailure& failure, std::uint64_t seed);
@@ -62,12 +54,7 @@ struct OracleSummary {
     std::vector<OracleFailure> failures;
 };
 
-struct OracleProgress {
-    // Called often, with the number of scenes done. `doing` is another activity than comparing, or null.
-    std::function<void(std::uint64_t done, const OracleSummary& so_far, const char* doing)> show = {};
-    std::function<bool()> stop = [] { return false; };  // true ends the run; it keeps the failures found so far
-    std::function<void(const OracleFailure&)> found = {};
-};
+using OracleProgress = RunProgress<OracleSummary, OracleFailure>;
 
 OracleSummary run_against_oracle(const OracleOptions& options, const OracleProgress& progress = {});
 

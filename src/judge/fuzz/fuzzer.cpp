@@ -174,10 +174,12 @@ class Run {
             if (found.pairs[1].fails && failure.pair == 0) failure.pair = 1;
             const PairDifferences& first = found.pairs[failure.pair];
             show(state - options_.first, "shrinking");
-            failure.scene = !options_.shrinks ? *scene : shrink(*scene, [&](const CommandList& smaller) {
-                const StateDifferences again = compare_one(failure.is_picture, shared(smaller));
-                return again.error.empty() && is_same(first, again.pairs[failure.pair]);
-            });
+            failure.scene = !options_.shrinks_after(summary_.failures.size())
+                                ? *scene
+                                : shrink(*scene, [&](const CommandList& smaller) {
+                                      const StateDifferences again = compare_one(failure.is_picture, shared(smaller));
+                                      return again.error.empty() && is_same(first, again.pairs[failure.pair]);
+                                  });
             const StateDifferences smallest = compare_one(failure.is_picture, shared(failure.scene));
             failure.what = smallest.pairs[failure.pair].what;
         }

@@ -162,7 +162,7 @@ double largest_spot(const LightSource& light, double cosine) {
 }
 
 void find_spot(const LightSource& light, const Cone& to_light, LightFactors& factors) {
-    const bool is_spot = light.spot_cutoff_deg != 180 || light.smooth_cone;
+    const bool is_spot = light.has_cone() || light.smooth_cone;
     if (!is_spot) return;
     const double cutoff = (light.smooth_cone ? light.smooth_cone->outer_deg : light.spot_cutoff_deg) * kPi / 180;
     const glm::dvec3 axis_dir = unit(light.spot_direction_eye);

@@ -82,7 +82,7 @@ class LightsPlanner {
             light.position_eye.w != 0 &&
             (light.constant_attenuation != 1 || light.linear_attenuation != 0 || light.quadratic_attenuation != 0);
         effects.smooth_cone = light.smooth_cone.has_value();
-        effects.spot = light.spot_cutoff_deg != 180 && !effects.smooth_cone;
+        effects.spot = light.has_cone() && !effects.smooth_cone;
         if (effects.spot) effects.spot_exponent = power_of(light.spot_exponent);
         const bool ambient = given_.primary && meets(ambient_of(light), &FaceRange::ambient);
         effects.ambient = ambient && !is_unattenuated();
@@ -113,7 +113,7 @@ class LightsPlanner {
         LightEffects& effects = candidate.effects;
         effects.meets_directions = meets_directions(source(number));
         double& constant_reach = candidate.planned.constant_reach;
-        const bool is_spot = light.spot_cutoff_deg != 180 || light.smooth_cone;
+        const bool is_spot = light.has_cone() || light.smooth_cone;
         effects.directional = light.position_eye.w == 0;
         if (effects.directional) {
             constant_reach = directional_spot(light);

@@ -109,9 +109,9 @@ SurfaceDraw surface_draw(const Surface& surface, const Draw& shape) {
     draw.lighting.rescale_normal = false;
     draw.mode = kGL_TRIANGLE_STRIP;
     for (int corner = 0; corner < 4; ++corner) {
-        draw.vertices.push_back(shape.vertices.front());
-        draw.vertices.back().position_object = {corner & 1, corner >> 1, 0, 1};
-        draw.vertices.back().normal_object = result.facts.normal_axis_dir_object;
+        Vertex& vertex = draw.vertices.edit().emplace_back(shape.vertices.front());
+        vertex.position_object = {corner & 1, corner >> 1, 0, 1};
+        vertex.normal_object = result.facts.normal_axis_dir_object;
     }
     return result;
 }

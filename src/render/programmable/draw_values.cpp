@@ -9,6 +9,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -47,13 +48,40 @@ double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std
 // on the unit of length (attenuation does, so its factors are converted), nor on the length of normals that are scaled to 1.
 // So lengths far from 1 are measured in another unit: a power of two, which rounds nothing.
 
-constexpr double kMostDistant = 1e37;
-
 bool needs_no_unit(double size) { return size > 1e-12 && size < 1e12; }
 
 double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, const Plan& plan) {
     double size = reach_eye(eye_from_object, reach);
     for (const glm::dvec3& place : places_eye(plan)) size = std::max(size, largest_component(place));
+    return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
+}
+
+// The coordinates of the vertex nearest to the eye, after the division by w; infinite if there is none.
+double nearest_size(const Draw& draw) {
+    double nearest = HUGE_VAL;
+    for (const Vertex& vertex : draw.vertices) {
+        const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
+        if (at.w != 0) nearest = std::min(nearest, largest_component(glm::dvec3(at) / at.w));
+    }
+    return nearest;
+}
+// The unit of length under a matrix that changes w. Vertices much farther away than the nearest, as those with w near 0, need
+// none, and more distant lights come nearer.
+constexpr double kMostDistantAfterDivision = 1e15;
+double unit_after_division(const Draw& draw, const Plan& plan) {
+    double size = nearest_size(draw);
+    if (!(size > 0) || !std::isfinite(size)) {
+        size = HUGE_VAL;
+        for (const glm::dvec3& place : places_eye(plan))
+            if (place != glm::dvec3(0)) size = std::min(size, largest_component(place));
+    }
+    return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
+}
+// What to divide homogeneous eye coordinates by, so that their squares are floats.
+double homogeneous_scale(const glm::dmat4& eye_from_object, const glm::dvec4& reach) {
+    double size = reach_eye(eye_from_object, reach), w = 0;
+    for (int column = 0; column < 4; ++column) w += std::abs(eye_from_object[column][3]) * reach[column];
+    size = std::max(size, w);
     return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
 }
 
@@ -157,13 +185,33 @@ class DrawUniforms {
     }
 
     void eye_space() {
-        unit_ = effects_.needs_position_eye() ? eye_unit(eye_from_object_, reach_object(), plan_) : 1;
-        unit_of_directions_ = unit_;
+        const bool divides = effects_.vertex_w && effects_.needs_position_eye() && !keeps_w(eye_from_object_);
+        if (divides) most_distant_ = kMostDistantAfterDivision;
+        if (divides)
+            unit_ = unit_after_division(draw_, plan_);
+        else
+            unit_ = effects_.needs_position_eye() ? eye_unit(eye_from_object_, reach_object(), plan_) : 1;
         glm::dmat4 eye_from_object = eye_from_object_;
         for (int column = 0; column < 4; ++column)
             for (int row = 0; row < 3; ++row) eye_from_object[column][row] /= unit_;
+        // The scale of homogeneous coordinates does not matter.
+        const double scale = divides ? homogeneous_scale(eye_from_object, reach_object()) : 1;
+        if (scale != 1) eye_from_object /= scale;
+        unit_of_directions_ = unit_ * scale;
         matrix("u_eye_from_object", eye_from_object);
-        if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix_of(draw_, plan_));
+        normals();
+    }
+
+    void normals() {
+        if (!effects_.needs_normal()) return;
+        glm::dmat3 normals = normal_matrix_of(draw_, plan_);
+        if (form_.sized_normals) {
+            const double unit = power_of_two(std::max(
+                {largest_component(normals[0]), largest_component(normals[1]), largest_component(normals[2])}));
+            normals /= unit;
+            number("u_normal_unit", unit);
+        }
+        matrix("u_eye_from_object_normal", normals);
     }
 
     // Brings the viewer and the lights to object coordinates.
@@ -172,24 +220,58 @@ class DrawUniforms {
         object_from_eye_ = glm::inverse(eye_from_object_);
         vector("u_viewer_object", point(glm::dvec3(0)));
         vector("u_viewer_dir_object", direction(glm::dvec3(0, 0, 1)));
+        if (form_.sized_normals) number("u_normal_unit", 1);
     }
 
     void wide_range() {
         const glm::dvec4 reach = reach_object();
-        const double largest = std::max({reach.x, reach.y, reach.z, reach.w});
-        const double object_unit = power_of_two(largest);
-        unit_of_directions_ = object_unit * eye_from_object_[3][3];  // keeping_w()
-        number("u_object_scale", 1 / object_unit);
-        matrix("u_eye_from_object_turned", glm::dmat3(keeping_w(eye_from_object_)));
-        vector("u_viewer_object", point(glm::dvec3(0)));
-        if (effects_.needs_normal()) matrix("u_eye_from_object_normal", normal_matrix_of(draw_, plan_));
+        const double longest = largest_component(glm::dvec3(reach));
+        // Neither a unit nor its inverse is a denormal, and products with it do not overflow.
+        const auto unit_for = [](double size) { return std::clamp(power_of_two(size), 0x1p-100, 0x1p120); };
+        // x, y and z get a unit of their own beside a w that is much larger, so that their quotients need not be floats.
+        constexpr double kMuchLarger = 0x1p20;
+        const double unit_of_w = unit_for(std::max(longest, reach.w));
+        const double unit_of_xyz = longest > 0 && longest * kMuchLarger < reach.w ? unit_for(longest) : unit_of_w;
+        // In eye coordinates, only tiny lengths need a unit.
+        constexpr double kTiny = 1e-15;
+        double size = nearest_size(draw_);
+        for (const glm::dvec3& place : places_eye(plan_)) size = std::max(size, largest_component(place));
+        unit_ = size < kTiny ? power_of_two(size) : 1;
+        scale_of_xyz_ = unit_of_w / unit_of_xyz;
+        unit_of_directions_ = unit_of_w * unit_ * eye_from_object_[3][3];  // keeping_w()
+        vector("u_object_scale", glm::dvec4(glm::dvec3(1 / unit_of_xyz), 1 / unit_of_w));
+        matrix("u_eye_from_object_turned", glm::dmat3(keeping_w(eye_from_object_)) / scale_of_xyz_ / unit_);
+        const NearestVertex viewer = nearest_vertex(draw_, glm::dvec3(0));
+        near_vertex("u_viewer_near_object", viewer);
+        vector("u_viewer_way_eye", viewer.way_eye / unit_);
+        normals();
+    }
+
+    // A vertex in the floats of the vertex array, so that nothing is left of its difference with itself. Its w is 1, or between 1
+    // and 2 after a scale that rounds nothing.
+    glm::dvec4 near_vertex(const NearestVertex& nearest) const {
+        const glm::dvec3 origin = origin_object_.value_or(glm::dvec3(0));
+        const glm::dvec4 p = nearest.vertex_object;
+        glm::dvec4 uploaded = without_denormals(p - glm::dvec4(origin * p.w, 0));
+        for (int i = 0; i < 4; ++i) uploaded[i] = to_float(uploaded[i]);
+        uploaded /= power_of_two(std::abs(uploaded.w));
+        return {scale_of_xyz_ * glm::dvec3(uploaded), uploaded.w};
+    }
+    // It is asked for more than once, and a mesh has many vertices.
+    NearestVertex nearest_to(const LightSource& light, const glm::dvec3& place_eye) {
+        const auto known = nearest_.find(&light);
+        return known != nearest_.end() ? known->second
+                                       : nearest_.emplace(&light, nearest_vertex(draw_, place_eye)).first->second;
+    }
+    void near_vertex(std::string_view name, const NearestVertex& nearest) {
+        if (form_.position_w)
+            vector(name, near_vertex(nearest));
+        else
+            vector(name, glm::dvec3(near_vertex(nearest)));
     }
 
     // From eye coordinates to the coordinates that the shader lights in.
     glm::dvec3 point(const glm::dvec3& eye) const {
-        const glm::dvec3 origin = origin_object_.value_or(glm::dvec3(0));
-        if (form_.flattened) return nearest_vertex(draw_, eye).vertex_object - origin;
-        if (form_.wide_range) return place_object(draw_, eye) - origin;
         return form_.object_space ? glm::dvec3(object_from_eye_ * glm::dvec4(eye, 1)) : eye / unit_;
     }
     glm::dvec3 direction(const glm::dvec3& eye) const {
@@ -355,24 +437,35 @@ class DrawUniforms {
             });
         // A place that floats cannot hold comes nearer, in the same direction; then its distance has another unit.
         struct Placed {
-            glm::dvec3 place, way_eye{0};
-            double length_unit;
+            glm::dvec3 place;
+            NearestVertex nearest{};
+            double length_unit = 1;
         };
         const auto placed = [&](const LightSource& light) {
             if (light.position_eye.w == 0)  // only "toward" counts
-                return Placed{.place = glm::dvec3(0), .length_unit = unit_};
+                return Placed{.place = glm::dvec3(0), .nearest = {}, .length_unit = unit_};
             const glm::dvec3 eye = rgb(light.position_eye) / light.position_eye.w;
-            Placed result{.place = point(eye), .length_unit = unit_};
-            if (form_.flattened) result.way_eye = nearest_vertex(draw_, eye).way_eye;
-            glm::dvec3& far = form_.flattened ? result.way_eye : result.place;
+            Placed result{.place = point(eye), .nearest = {}, .length_unit = unit_};
+            if (form_.wide_range) result.nearest = nearest_to(light, eye);
+            glm::dvec3& far = form_.wide_range ? result.nearest.way_eye : result.place;
+            if (form_.wide_range) far /= unit_;
             const double largest = largest_component(far);
-            if (largest > kMostDistant) result.length_unit = largest / kMostDistant;
-            if (result.length_unit != unit_) far /= result.length_unit;
+            if (largest > most_distant_) {
+                result.length_unit *= largest / most_distant_;
+                far *= most_distant_ / largest;
+            }
             return result;
         };
-        each({"position", form_.wide_range || form_.object_space ? "_object" : "_eye"},
-             [&](const LightSource& light) { return placed(light).place; });
-        if (form_.flattened) each({"way_eye"}, [&](const LightSource& light) { return placed(light).way_eye; });
+        if (!form_.wide_range) {
+            each({"position", space}, [&](const LightSource& light) { return placed(light).place; });
+        } else {
+            const auto vertex = [&](const LightSource& light) { return near_vertex(placed(light).nearest); };
+            if (form_.position_w)
+                each({"near_object"}, vertex);
+            else
+                each({"near_object"}, [&](const LightSource& light) { return glm::dvec3(vertex(light)); });
+            each({"way_eye"}, [&](const LightSource& light) { return placed(light).nearest.way_eye; });
+        }
         each({"attenuation"}, [&](const LightSource& light) {
             const double length_unit = placed(light).length_unit;
             return attenuation_scale(light) * glm::dvec3(light.constant_attenuation,
@@ -415,8 +508,11 @@ class DrawUniforms {
     const std::optional<glm::dvec3> origin_object_;
     glm::dmat4 eye_from_object_ = draw_.eye_from_object;  // from positions relative to origin_object_
     double unit_of_directions_ = 1;                       // the shader's unit of vertices with w = 0
-    double unit_ = 1;                                     // the shader's unit of length, in eye coordinates
-    glm::dmat4 object_from_eye_{1};                       // used if form_.object_space
+    double scale_of_xyz_ = 1;             // of form_.wide_range: what the shader multiplies object coordinates by
+    double most_distant_ = kMostDistant;  // lights beyond come nearer
+    double unit_ = 1;                     // the shader's unit of length, in eye coordinates
+    glm::dmat4 object_from_eye_{1};       // used if form_.object_space
+    std::map<const LightSource*, NearestVertex> nearest_;  // used if form_.wide_range
     Uniforms uniforms_;
 };
 

@@ -58,7 +58,34 @@ bool has_wide_normals(const Draw& draw, const EffectSet& effects) {
     return longest > kMostDifferent * shortest;
 }
 
+// The root of the sum of the squares of all elements: at least the largest stretch.
+double norm(const glm::dmat3& m) {
+    return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
+}
+
 }  // namespace
+
+bool has_sized_normals(const Draw& draw, const Plan& plan) {
+    const EffectSet& effects = plan.effects;
+    const double shortest = plan.vertices.shortest_normal, longest = plan.vertices.longest_normal;
+    if (!effects.lighting || !effects.any_light(&LightEffects::specular) || longest == 0) return false;
+    if (effects.normalize || effects.shading == Shading::kPhong || effects.highlight == Highlight::kReflection)
+        return false;
+    const glm::dmat3 m(draw.eye_from_object);
+    // With rows and columns about as long as 1, an invertible matrix scales normals by less than 1e9 (normal_matrix.h).
+    const auto is_near_1 = [](double size) { return size > 1e-2 && size < 1e2; };
+    const glm::dmat3 rows = glm::transpose(m);
+    bool all_near_1 = is_near_1(shortest) && is_near_1(longest);
+    for (int i = 0; i < 3; ++i)
+        all_near_1 = all_near_1 && is_near_1(largest_component(m[i])) && is_near_1(largest_component(rows[i]));
+    if (all_near_1) return false;
+    const glm::dmat3 normals = normal_matrix(m);
+    const double largest_stretch = norm(normals), third = glm::length(normals[2]);
+    if (!(largest_stretch > 0)) return false;
+    const double factor = plan.lighting.rescale_normal && third > 0 ? 1 / third : 1;
+    constexpr double kShort = 1e-9, kLong = 1e9;  // their squares, and those of small cosines with them, are floats
+    return !(factor * shortest / norm(m) > kShort && factor * longest * largest_stretch < kLong);
+}
 
 double similarity_scale(const glm::dmat4& eye_from_object) {
     const glm::dmat4& m = eye_from_object;
@@ -93,8 +120,8 @@ Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface) {
     Code code{.effects = plan.effects,
               .form = {.object_space = !wide_range && lit_in_object_space(draw, plan, is_surface),
                        .wide_range = wide_range,
-                       .flattened = wide_range && is_singular(glm::dmat3(draw.eye_from_object)),
                        .wide_normals = !is_surface && has_wide_normals(draw, plan.effects),
+                       .sized_normals = !is_surface && has_sized_normals(draw, plan),
                        .position_w = !plan.vertices.w_is_1,
                        .loops = {},
                        .surface = surface},

@@ -52,14 +52,14 @@ struct Form {
     bool object_space = false;
     // Every sum in the order of --precise (precise.h). Then object_space follows the driver's choice.
     bool precise = false;
-    // Vectors from a vertex to lights and viewer are differences of object coordinates, turned to eye coordinates afterwards, and
-    // any length of theirs is squared safely (wide_range.h).
+    // Vectors from a vertex to lights and viewer lead by way of the nearest vertex, and any length of theirs is squared safely
+    // (wide_range.h).
     bool wide_range = false;
-    // wide_range only: the matrix flattens space, so that a place has no object coordinates. Uniforms say where a vertex near it is,
-    // and how far the place is from there in eye coordinates.
-    bool flattened = false;
     // Normals are made unit, and the matrix's columns differ so much that the square of a normal's length may leave the floats.
     bool wide_normals = false;
+    // Normals are not made unit, and are so short or long that the square of their cosine with the half vector may leave the floats.
+    // Then their size is taken out first, and multiplied in again where the equation needs it.
+    bool sized_normals = false;
     bool rescale = false;    // precise and kept only: multiplies normals by GL_RESCALE_NORMAL's factor
     bool position_w = true;  // a position's w may differ from 1
     // Each of the last loops.size() lights of the effects represents many lights that differ only in numbers. The
@@ -85,6 +85,8 @@ struct Code {
 std::optional<glm::dvec3> upload_origin(const Draw& draw, const VertexFacts& facts);
 
 Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface = {});
+// Form::sized_normals of a Draw that is a mesh.
+bool has_sized_normals(const Draw& draw, const Plan& plan);
 
 // If more than this many lights have equal facts, the shader loops over them, so that its text stays short. On llvmpipe
 // a light in the loop takes four times as long as an unrolled one, but each unrolled light takes about 4 ms to compile.

@@ -49,11 +49,13 @@ bool have_one_state(const Draw& a, const Draw& b) {
 JoinedDraws joined(DrawRun run) {
     JoinedDraws all{.draw = *run.front(), .parts = {}};
     all.parts.push_back(part_of(*run.front()));
+    std::vector<Vertex>& vertices = all.draw.vertices.edit();
+    std::vector<std::uint32_t>& indices = all.draw.indices.edit();
     for (const Draw* draw : run.subspan(1)) {
         all.parts.push_back(part_of(*draw));
-        const auto first = static_cast<std::uint32_t>(all.draw.vertices.size());
-        all.draw.vertices.insert(all.draw.vertices.end(), draw->vertices.begin(), draw->vertices.end());
-        for (const std::uint32_t index : draw->indices) all.draw.indices.push_back(first + index);
+        const auto first = static_cast<std::uint32_t>(vertices.size());
+        vertices.insert(vertices.end(), draw->vertices.begin(), draw->vertices.end());
+        for (const std::uint32_t index : draw->indices) indices.push_back(first + index);
     }
     return all;
 }

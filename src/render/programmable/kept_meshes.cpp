@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
-#include <span>
 #include <type_traits>
 
 namespace twinlight::programmable {
@@ -23,23 +22,22 @@ static_assert(sizeof(Materials) == 2 * ((4 * 4 + 1 + 3) * sizeof(double) + 3 * s
               std::is_trivially_copyable_v<Materials>);
 
 // Compares bits: 0 and -0 differ, and a NaN equals itself.
-bool are_same(std::span<const Vertex> a, std::span<const Vertex> b) {
-    if (a.size() != b.size()) return false;
+template <class Values>
+bool are_same_bits(const Values& a, const Values& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
+}
+
+bool are_same(const SharedVector<Vertex>& a, const SharedVector<Vertex>& b) {
     // With the padding at the end of each vertex, which mostly is the same too.
-    if (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0) return true;
+    if (a.shares_memory_with(b) || are_same_bits(a, b)) return true;
     return std::ranges::equal(a, b, [](const Vertex& x, const Vertex& y) {
         return std::memcmp(&x, &y, kVertexNumbers) == 0 && x.edge_flag == y.edge_flag && x.material == y.material;
     });
 }
 
-template <class Value>
-bool are_same(const std::vector<Value>& a, const std::vector<Value>& b) {
-    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
-}
-
-template <class Value>
-std::size_t bytes_of(const std::vector<Value>& values) {
-    return values.size() * sizeof(Value);
+template <class Values>
+std::size_t bytes_of(const Values& values) {
+    return values.size() * sizeof(values[0]);
 }
 
 // A hash of a few vertices, evenly spread: equal for equal vertices, usually different for others.
@@ -71,52 +69,80 @@ std::size_t sample(DrawRun run) {
 
 }  // namespace
 
-bool KeptMeshes::Known::is(DrawRun run) const {
-    if (parts.size() != run.size() || !are_same(materials, run.front()->materials)) return false;
-    if (!std::ranges::equal(further_tex_coords, run.front()->further_units,
-                            [](const std::vector<glm::dvec4>& kept, const FurtherUnit& unit) {
-                                return are_same(kept, unit.tex_coords);
-                            }))
-        return false;
-    if (!are_same(secondary_colors, run.front()->secondary_colors) || !are_same(fog_coords, run.front()->fog_coords))
-        return false;
-    std::size_t first_vertex = 0, first_index = 0;
+std::vector<KeptMeshes::Part> KeptMeshes::parts_of(DrawRun run) {
+    std::vector<Part> parts;
+    parts.reserve(run.size());
+    for (const Draw* draw : run) parts.push_back({draw->mode, draw->vertices, draw->indices});
+    return parts;
+}
+
+// Draws that are drawn as one have the same materials, and no values of vertices besides Draw::vertices.
+bool KeptMeshes::Known::has_same_rest(const Draw& draw) const {
+    const auto is_same = [](const std::vector<glm::dvec4>& kept, const FurtherUnit& unit) {
+        return are_same_bits(kept, unit.tex_coords);
+    };
+    return are_same_bits(materials, draw.materials) && are_same_bits(secondary_colors, draw.secondary_colors) &&
+           are_same_bits(fog_coords, draw.fog_coords) &&
+           std::ranges::equal(further_tex_coords, draw.further_units, is_same);
+}
+
+bool KeptMeshes::Known::is(DrawRun run) {
+    if (parts.size() != run.size() || !has_same_rest(*run.front())) return false;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Draw& draw = *run[i];
-        if (parts[i] != part_of(draw)) return false;
-        if (!are_same(std::span(vertices).subspan(first_vertex, parts[i].vertices), draw.vertices)) return false;
-        for (std::size_t k = 0; k < draw.indices.size(); ++k)
-            if (indices[first_index + k] != first_vertex + draw.indices[k]) return false;
-        first_vertex += parts[i].vertices;
-        first_index += parts[i].indices;
+        if (parts[i].mode != draw.mode || parts[i].indices != draw.indices ||
+            !are_same(parts[i].vertices, draw.vertices))
+            return false;
     }
+    parts = parts_of(run);  // the memory of the frame before can go
     return true;
 }
 
 // ---- Kept ----
 
+// If these very Draws were drawn before.
+std::shared_ptr<KeptMeshes::Known> KeptMeshes::seen(DrawRun run) {
+    const auto is_same = [](const Part& part, const Draw* draw) {
+        return part.mode == draw->mode && part.vertices.shares_memory_with(draw->vertices) &&
+               part.indices.shares_memory_with(draw->indices);
+    };
+    const auto [begin, end] = seen_.equal_range(run.front()->vertices.data());
+    for (auto entry = begin; entry != end; ++entry) {
+        Seen& seen = entry->second;
+        const std::shared_ptr<Known> known = seen.known.lock();
+        if (!known || !std::ranges::equal(seen.parts, run, is_same) || !known->has_same_rest(*run.front())) continue;
+        seen.last_frame = frame_;
+        return note_use(seen.place);
+    }
+    return nullptr;
+}
+
+std::shared_ptr<KeptMeshes::Known> KeptMeshes::note_use(Order::iterator place) {
+    order_.splice(order_.begin(), order_, place);
+    (*place)->last_frame = frame_;
+    return *place;
+}
+
 std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(DrawRun run) {
+    if (std::shared_ptr<Known> same = seen(run)) return same;
     const std::size_t key = sample(run);
     const auto [begin, end] = index_.equal_range(key);
     const auto found = std::find_if(begin, end, [&](const auto& entry) { return (*entry.second)->is(run); });
     if (found != end) {
-        order_.splice(order_.begin(), order_, found->second);
-        order_.front()->last_frame = frame_;
-        return order_.front();
+        seen_.emplace(run.front()->vertices.data(), Seen{parts_of(run), *found->second, found->second, frame_});
+        return note_use(found->second);
     }
     auto known = std::make_shared<Known>();
     JoinedDraws all;
     if (run.size() > 1) all = joined(run);
     const Draw& draw = run.size() > 1 ? all.draw : *run.front();
     known->facts = vertex_facts(draw);
-    std::size_t bytes = bytes_of(draw.vertices) + bytes_of(draw.indices) + bytes_of(draw.materials) +
-                        bytes_of(draw.secondary_colors) + bytes_of(draw.fog_coords);
+    std::size_t bytes = bytes_of(draw.materials) + bytes_of(draw.secondary_colors) + bytes_of(draw.fog_coords);
+    for (const Draw* part : run) bytes += bytes_of(part->vertices) + bytes_of(part->indices);
     for (const FurtherUnit& unit : draw.further_units) bytes += bytes_of(unit.tex_coords);
     if (!make_room(bytes)) return known;
     known->sample = key;
-    for (const Draw* part : run) known->parts.push_back(part_of(*part));
-    known->vertices = draw.vertices;
-    known->indices = draw.indices;
+    known->parts = parts_of(run);
     known->materials = draw.materials;
     known->secondary_colors = draw.secondary_colors;
     known->fog_coords = draw.fog_coords;
@@ -125,6 +151,7 @@ std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(DrawRun run) {
     known->first_frame = known->last_frame = frame_;
     order_.push_front(known);
     index_.emplace(key, order_.begin());
+    seen_.emplace(run.front()->vertices.data(), Seen{known->parts, known, order_.begin(), frame_});
     counters_.bytes += bytes;
     return known;
 }
@@ -164,6 +191,7 @@ KeptMeshes::Order::iterator KeptMeshes::drop(Order::iterator known) {
 }
 
 void KeptMeshes::end_frame() {
+    std::erase_if(seen_, [this](const auto& entry) { return entry.second.last_frame != frame_; });
     auto known = std::ranges::find_if(order_, [this](const auto& kept) { return kept->last_frame != frame_; });
     while (known != order_.end() && (*known)->last_frame + 1 == frame_)
         known = (*known)->first_frame == (*known)->last_frame ? drop(known) : std::next(known);

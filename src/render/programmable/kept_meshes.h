@@ -1,8 +1,8 @@
 // KeptMeshes: keeps the planner's facts and the driver's buffers of vertices from earlier frames, for Draws with the
 // same vertices under other lights and matrices.
 //
-// A Frame has no names for its vertices: State creates them for each picture. So they are compared bit by bit with a
-// copy. A hash of a few vertices only finds the copy.
+// A Frame that is drawn again shares its vertices with those that are kept, which shows at once. State creates new
+// vertices for each picture: those are compared bit by bit. A hash of a few vertices only finds what to compare with.
 #pragma once
 
 #include <cstdint>
@@ -21,22 +21,29 @@ namespace twinlight::programmable {
 // Owns buffers: dies before their context does.
 class KeptMeshes {
   public:
-    // The limit counts the copies and their buffers. Beyond it, the least recently drawn go first; those drawn in the
+    // The limit counts the vertices and their buffers. Beyond it, the least recently drawn go first; those drawn in the
     // current frame never go, and what does not fit next to them is not kept. Vertices drawn in only one frame go after
     // the next frame, because moving vertices never come again.
     explicit KeptMeshes(std::size_t limit_bytes) : limit_bytes_(limit_bytes) {}
+
+    // One of the Draws that are drawn as one.
+    struct Part {
+        Enum mode = kGL_TRIANGLES;
+        SharedVector<Vertex> vertices;
+        SharedVector<std::uint32_t> indices;
+    };
+    static std::vector<Part> parts_of(DrawRun run);
 
     struct Known {
         VertexFacts facts;
 
       private:
         friend class KeptMeshes;
-        bool is(DrawRun run) const;
+        bool is(DrawRun run);
+        bool has_same_rest(const Draw& draw) const;
 
         std::size_t sample = 0;  // its key in index_
-        std::vector<ElementsPart> parts;
-        std::vector<Vertex> vertices;
-        std::vector<std::uint32_t> indices;
+        std::vector<Part> parts;
         std::vector<Materials> materials;
         std::vector<std::vector<glm::dvec4>> further_tex_coords;  // of Draw::further_units; only of a single Draw
         std::vector<glm::dvec3> secondary_colors;
@@ -61,6 +68,15 @@ class KeptMeshes {
 
   private:
     using Order = std::list<std::shared_ptr<Known>>;  // most recently drawn first
+    // Draws of this frame or the last. They keep their memory, so that no others can have it.
+    struct Seen {
+        std::vector<Part> parts;
+        std::weak_ptr<Known> known;
+        Order::iterator place;  // unless `known` is gone
+        std::uint64_t last_frame = 0;
+    };
+    std::shared_ptr<Known> seen(DrawRun run);
+    std::shared_ptr<Known> note_use(Order::iterator place);
     bool make_room(std::size_t bytes);
     Order::iterator drop(Order::iterator known);  // returns the next
 
@@ -68,6 +84,7 @@ class KeptMeshes {
     std::uint64_t frame_ = 1;
     Order order_;
     std::unordered_multimap<std::size_t, Order::iterator> index_;  // by sample()
+    std::unordered_multimap<const Vertex*, Seen> seen_;            // by the memory of the first Draw's vertices
     MeshCounters counters_;
 };
 

@@ -19,7 +19,8 @@ class Writer : LightingWriter {
         text.vertex_position = form_.wide_range     ? "u_object_scale * position"
                                : form_.object_space ? "position"
                                                     : "u_eye_from_object * position";
-        text.vertex_normal = form_.object_space ? "a_normal" : "u_eye_from_object_normal * a_normal";
+        const std::string normal = form_.sized_normals ? "(a_normal / size_of(a_normal))" : "a_normal";
+        text.vertex_normal = form_.object_space ? normal : "u_eye_from_object_normal * " + normal;
         if (form_.rescale) text.vertex_normal = fmt::format("u_normal_scale * ({})", text.vertex_normal);
         if (effects_.normalize)
             text.vertex_normal =
@@ -56,7 +57,13 @@ class Writer : LightingWriter {
             add("    lit.primary.a = {};\n", names_.alpha(name, varying));
         }
         if (effects_.separate_specular) add("    lit.secondary = vec3(0.0);\n");
-        if (effects_.needs_normal()) add("    vec3 n = {};\n", names_.normal());
+        if (effects_.needs_normal() && form_.sized_normals)
+            add("    vec3 n = {0} / size_of({0});\n"
+                "    // n is very short or long: its size comes later.\n"
+                "    float n_size = min(size_of({0}) * size_of(a_normal) * u_normal_unit, 1e37);\n",
+                names_.normal());
+        else if (effects_.needs_normal())
+            add("    vec3 n = {};\n", names_.normal());
         if (needs_vpe_dir()) add("    vec3 vpe_dir = {}\n", vpe_dir());
         if (effects_.spectral_groups > 0) start_samples();
         for (std::size_t i = 0; i < effects_.lights.size(); ++i) light(i, name, varying);
@@ -83,7 +90,8 @@ class Writer : LightingWriter {
     }
     std::string vpe_dir() const {
         if (effects_.local_viewer && form_.wide_range)
-            return fmt::format("unit_of_any({});  // GL_LIGHT_MODEL_LOCAL_VIEWER", vector_to("u_viewer_object"));
+            return fmt::format("unit_of_any({});  // GL_LIGHT_MODEL_LOCAL_VIEWER",
+                               vector_to("u_viewer_near_object", "u_viewer_way_eye"));
         if (effects_.local_viewer)
             return fmt::format("unit({}{});  // GL_LIGHT_MODEL_LOCAL_VIEWER",
                                form_.object_space ? "u_viewer_object - " : "-", names_.position());
@@ -91,9 +99,10 @@ class Writer : LightingWriter {
                                   : "vec3(0.0, 0.0, 1.0);  // the infinite viewer";
     }
 
-    // In a wide range: the vector from the vertex to a place, times the vertex's w.
-    std::string vector_to(const std::string& place_object) const {
-        return fmt::format("vector_to({}, {})", place_object, names_.position());
+    // In a wide range: the vector from the vertex to a place, times the vertex's |w|, by way of the nearest vertex.
+    std::string vector_to(const std::string& near_object, const std::string& way_eye) const {
+        return fmt::format("vector_to{0}({1}, {3}) + abs({3}.w) * {2}", form_.position_w ? "_vertex" : "", near_object,
+                           way_eye, names_.position());
     }
 
     // ---- A light ----
@@ -139,7 +148,8 @@ class Writer : LightingWriter {
                 same_half_dir ? fmt::format("positive_dot(n, {})", names_.light(i, "vec3", "half_dir_" + names_.space(),
                                                                                 "h_i, the same at every vertex"))
                               : "cosine_to_half(n, vp_dir, vpe_dir)";
-            highlight = fmt::format("highlight(n_dot_vp, {}, {})", n_dot_h, shininess);
+            highlight = fmt::format("highlight(n_dot_vp, {}{}, {})", n_dot_h, form_.sized_normals ? " * n_size" : "",
+                                    shininess);
         }
         const bool unit_normals = effects_.normalize || effects_.shading == Shading::kPhong;
         return unit_normals ? highlight : fmt::format("bounded({})", highlight);
@@ -157,12 +167,10 @@ class Writer : LightingWriter {
                                  : names_.homogeneous() + ".xyz",
                 form_.wide_range ? names_.position() : names_.homogeneous());
         else if (!light.directional && form_.wide_range) {
-            const std::string position = names_.light(i, "vec3", "position_object", "P_pli");
-            const std::string way = form_.flattened
-                                        ? fmt::format(" + abs({}.w) * {}", names_.position(),
-                                                      names_.light(i, "vec3", "way_eye", "from there to P_pli"))
-                                        : "";
-            add("        vec3 vp = {}{};\n", vector_to(position), way);
+            const std::string near = names_.light(i, form_.position_w ? "vec4" : "vec3", "near_object",
+                                                  "the vertex that is nearest to P_pli");
+            const std::string way = names_.light(i, "vec3", "way_eye", "from there to P_pli");
+            add("        vec3 vp = {};\n", vector_to(near, way));
         } else if (!light.directional)
             add("        vec3 vp = {} - {};\n", names_.light(i, "vec3", "position_" + names_.space(), "P_pli"),
                 names_.position());
@@ -176,7 +184,9 @@ class Writer : LightingWriter {
         if (!reach_value.empty()) add("        float reach = {};\n", reach_value);
 
         if (light.ambient) term(i, face, "ambient", reach_times, ambient_of(varying));
-        if (light.diffuse) term(i, face, "diffuse", reach_times + "n_dot_vp * ", diffuse_of(varying));
+        if (light.diffuse)
+            term(i, face, "diffuse", reach_times + (form_.sized_normals ? "n_dot_vp * n_size * " : "n_dot_vp * "),
+                 diffuse_of(varying));
         if (light.specular)
             term(i, face, "specular", reach_times + highlight(i, face, varying) + " * ", specular_of(varying));
         text_ += "    }\n";

@@ -569,6 +569,7 @@ class Assembler {
                         {"texture_lookups", texture_lookups()},
                         {"texture_environments", texture_environments()}},
             .words = {{"POSITION", form_.position_w ? "a_position" : "vec4(a_position.xyz, 1.0)"},
+                      {"NEAR_VERTEX", form_.position_w ? "vec4" : "vec3"},
                       {"FOG_FACTOR", fog_factor()},
                       {"LIGHT_COUNT", form_.kept ? fmt::format("{}", form_.kept->light_count) : ""}}};
         scope.switches.merge(texture_switches(texture));

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "base/math/directions.h"
-#include "base/math/normal_matrix.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -90,28 +89,17 @@ bool has_wide_range(std::span<const Draw* const> draws, const Plan& plan) {
     });
 }
 
-glm::dvec3 place_object(const Draw& draw, const glm::dvec3& place_eye) {
-    for (const Vertex& vertex : draw.vertices) {
-        const glm::dvec4& p = vertex.position_object;
-        const glm::dvec4 at = draw.eye_from_object * p;
-        if (p.w != 0 && glm::dvec3(at) / at.w == place_eye) return glm::dvec3(p) / p.w;
-    }
-    const glm::dmat4 m = keeping_w(draw.eye_from_object);
-    const glm::dmat3 object_from_eye = glm::transpose(normal_matrix(glm::dmat3(m)));
-    return object_from_eye * (place_eye - glm::dvec3(m[3]));
-}
-
 NearestVertex nearest_vertex(const Draw& draw, const glm::dvec3& place_eye) {
     const glm::dmat4 m = keeping_w(draw.eye_from_object);
-    NearestVertex nearest{glm::dvec3(0), place_eye - glm::dvec3(m[3])};
+    NearestVertex nearest{.way_eye = place_eye - glm::dvec3(m[3])};
     bool found = false;
     for (const Vertex& vertex : draw.vertices) {
         const glm::dvec4& p = vertex.position_object;
-        if (p.w == 0) continue;
+        if (p.w == 0 || !(largest_component(glm::dvec3(p) / p.w) < kMostDistant)) continue;
         const glm::dvec4 at = draw.eye_from_object * p;  // as the light's, so that nothing is left where they agree
         const glm::dvec3 way = place_eye - glm::dvec3(at) / at.w;
         if (found && !(largest_component(way) < largest_component(nearest.way_eye))) continue;
-        nearest = {glm::dvec3(p) / p.w, way};
+        nearest = {p, way};
         found = true;
     }
     return nearest;

@@ -2,9 +2,10 @@
 //
 // A shader usually gets the vector from a vertex to a light as the difference of their eye coordinates. That loses the vector if
 // both are far away and close together, and squares of its length overflow or vanish if lengths have very different sizes. In a
-// wide range the difference is taken in object coordinates, where a vertex is exactly the float that the program gave, and is then
-// multiplied with the matrix's upper 3x3. A light has no object coordinates if that matrix flattens space. Then the nearest vertex
-// replaces it, and the rest of the way from there is added in eye coordinates.
+// wide range the way has two parts. The first leads to the vertex that is nearest to the light. It is taken in object coordinates,
+// where vertices are exactly the floats that the program gave, and is then multiplied with the matrix's upper 3x3. The second leads
+// from there to the light, in eye coordinates; double precision computes it once per Draw. No vertex is nearer to the light, so
+// neither part is much longer than the whole, and their sum loses no digits.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -32,13 +33,13 @@ double reach_eye(const glm::dmat4& eye_from_object, const glm::dvec4& reach_obje
 // The places that lighting measures distances to: positional lights, and the eye with a local viewer.
 std::vector<glm::dvec3> places_eye(const Plan& plan);
 
-// A point of eye coordinates in object coordinates: exactly the vertex's if one is there. The matrix must be invertible and keep w.
-glm::dvec3 place_object(const Draw& draw, const glm::dvec3& place_eye);
+// Beyond this, sums of squares of a few float components, scaled down, could leave the floats.
+inline constexpr double kMostDistant = 1e37;
 
-// For a matrix that flattens space and keeps w: the vertex that is nearest to a place, and the rest of the way, in eye coordinates.
+// For a matrix that keeps w: the vertex that is nearest to a place, and the rest of the way, in eye coordinates.
 struct NearestVertex {
-    glm::dvec3 vertex_object{0};  // divided by its w; the origin if all vertices are directions
-    glm::dvec3 way_eye{0};        // from the vertex to the place
+    glm::dvec4 vertex_object{0, 0, 0, 1};  // the origin if all vertices are directions, or more than kMostDistant away
+    glm::dvec3 way_eye{0};                 // from the vertex to the place
 };
 NearestVertex nearest_vertex(const Draw& draw, const glm::dvec3& place_eye);
 

@@ -14,12 +14,12 @@ inline const void* buffer_offset(std::size_t bytes) {
 
 // Creates a buffer with the values and binds it to the target, GL_ARRAY_BUFFER or GL_ELEMENT_ARRAY_BUFFER. The caller
 // deletes it.
-template <class Value>
-GLuint filled_buffer(GLenum target, const std::vector<Value>& values) {
+template <class Values>
+GLuint filled_buffer(GLenum target, const Values& values) {
     GLuint name = 0;
     glGenBuffers(1, &name);
     glBindBuffer(target, name);
-    glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(Value)), values.data(), GL_STATIC_DRAW);
+    glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(values[0])), values.data(), GL_STATIC_DRAW);
     return name;
 }
 

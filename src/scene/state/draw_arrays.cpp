@@ -56,9 +56,11 @@ void State::draw(const Command& c, const ArrayVertices& read) {
     const std::size_t bytes = bytes_of_draw() + vertex_bytes(read.vertices.size(), read.indices.size());
     if (!has_room(c, bytes)) return;
     Draw draw = new_draw(read.mode, c.place);
-    draw.vertices.reserve(read.vertices.size());
-    for (const Vertex& v : read.vertices) draw.vertices.push_back(complete(v, read, a_.current));
-    for (Vertex& v : draw.vertices) v.material = 0;
+    std::vector<Vertex> vertices;
+    vertices.reserve(read.vertices.size());
+    for (const Vertex& v : read.vertices) vertices.push_back(complete(v, read, a_.current));
+    for (Vertex& v : vertices) v.material = 0;
+    draw.vertices = std::move(vertices);
     draw.indices = read.indices;
     for (FurtherUnit& further : draw.further_units)
         if (const auto found = read.further_tex_coords.find(further.number); found != read.further_tex_coords.end())
@@ -82,7 +84,7 @@ void State::send_element(const Command& c, const ArrayVertices& element) {
     if (element.has_color) track_color();
     if (!element.has_position || !open_ || !has_room(c, vertex_bytes(1))) return;
     a_.current.position_object = values.position_object;
-    open_->vertices.push_back(a_.current);
+    open_->vertices.edit().push_back(a_.current);
     add_further_values(*open_);
 }
 

@@ -235,7 +235,7 @@ void State::send_evaluated(const Command& c, double u, std::optional<double> v) 
     if (!open_) return;  // as glVertex
     const std::optional<Vertex> vertex = evaluated(u, v);
     if (!vertex || !has_time(c, 1) || !has_room(c, vertex_bytes(1))) return;
-    open_->vertices.push_back(*vertex);
+    open_->vertices.edit().push_back(*vertex);
     add_further_values(*open_);
 }
 
@@ -270,10 +270,11 @@ void State::eval_mesh(const Command& c) {
         if (line.empty()) continue;
         if (!has_room(c, bytes_of_draw() + vertex_bytes(line.size()))) return;
         Draw draw = new_draw(primitive, c.place);
-        draw.vertices.reserve(line.size());
-        for (const GridPoint& at : line)
-            draw.vertices.push_back(*evaluated(at.u, two ? std::optional(at.v) : std::nullopt));
-        for (Vertex& vertex : draw.vertices) vertex.material = 0;
+        std::vector<Vertex> vertices;
+        vertices.reserve(line.size());
+        for (const GridPoint& at : line) vertices.push_back(*evaluated(at.u, two ? std::optional(at.v) : std::nullopt));
+        for (Vertex& vertex : vertices) vertex.material = 0;
+        draw.vertices = std::move(vertices);
         add_further_values(draw);
         show(std::move(draw));
     }

@@ -22,6 +22,7 @@
 #include "scene/command/command.h"
 #include "scene/shape/surface.h"
 #include "scene/spectrum/samples.h"
+#include "scene/state/shared_vector.h"
 
 namespace twinlight {
 
@@ -87,6 +88,8 @@ struct LightSource {  // 2.14.2, table 2.10; GL_LIGHT0 has white diffuse and spe
     Illuminant diffuse_illuminant, specular_illuminant;
 
     friend bool operator==(const LightSource&, const LightSource&) = default;
+    // Whether spot_i (2.14.1) is less than 1 anywhere. A cosine that is clamped to 0 is never less than cos 90, and 0^0 is 1.
+    bool has_cone() const { return spot_cutoff_deg != 180 && (spot_cutoff_deg != 90 || spot_exponent != 0); }
     bool has_initial_attenuation() const {
         return constant_attenuation == 1 && linear_attenuation == 0 && quadratic_attenuation == 0;
     }
@@ -446,8 +449,8 @@ struct FurtherUnit {
 // One batch of primitives with all state that affects it.
 struct Draw {
     Enum mode = kGL_TRIANGLES;  // glBegin's primitive type
-    std::vector<Vertex> vertices;
-    std::vector<std::uint32_t> indices;  // into vertices, in drawing order; empty: 0, 1, 2, ...
+    SharedVector<Vertex> vertices;
+    SharedVector<std::uint32_t> indices;  // into vertices, in drawing order; empty: 0, 1, 2, ...
 
     LightingState lighting;
     RasterState raster;

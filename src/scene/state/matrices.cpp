@@ -5,7 +5,10 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <tuple>
+#include <utility>
 
 #include "base/math/directions.h"
 #include "base/math/normal_matrix.h"
@@ -26,6 +29,20 @@ constexpr double kMaxViewportSize = 16384;
 constexpr double kMinViewportPosition = -32768, kMaxViewportPosition = 32767;
 
 double radians(double degrees) { return degrees * (M_PI / 180); }
+
+// Rotate (2.11.2); the axis has a length. Sine and cosine are of the angle beyond a multiple of 90 degrees, so that those of a right
+// angle are exact and small ones keep their digits: pi is rounded, so sin(pi) is not 0.
+glm::dmat4 rotation(double angle_deg, const glm::dvec3& axis) {
+    const double turn_deg = std::remainder(angle_deg, 360), rest_deg = std::remainder(turn_deg, 90);
+    const double quarter_turns = (turn_deg - rest_deg) / 90;  // -2 to 2
+    double c = std::cos(radians(rest_deg)), s = std::sin(radians(rest_deg));
+    if (std::abs(quarter_turns) == 2) c = -c, s = -s;
+    if (quarter_turns == 1) std::tie(c, s) = std::pair(-s, c);
+    if (quarter_turns == -1) std::tie(c, s) = std::pair(s, -c);
+    const glm::dvec3 u = glm::normalize(axis);
+    const glm::dmat3 cross({0, u.z, -u.y}, {-u.z, 0, u.x}, {u.y, -u.x, 0});
+    return glm::dmat4(c * glm::dmat3(1) + (1 - c) * glm::outerProduct(u, u) + s * cross);
+}
 
 // 2.11.2: the matrices of Frustum and Ortho.
 glm::dmat4 frustum_matrix(double l, double r, double b, double t, double n, double f) {
@@ -126,7 +143,7 @@ void State::clip_plane(const Command& c) {
 void State::rotate(const Command& c) {
     const glm::dvec3 axis(c.number(1), c.number(2), c.number(3));
     if (glm::length(axis) == 0) return;  // RULING: no axis, no rotation (2.11.2 leaves it open; Mesa does the same)
-    multiply(c, glm::rotate(glm::dmat4(1), radians(c.number(0)), axis));
+    multiply(c, rotation(c.number(0), axis));
 }
 
 void State::scale(const Command& c) {

@@ -40,17 +40,19 @@ void State::send_shape(const Command& c, std::vector<ShapePart> parts, std::vect
         const std::size_t bytes = bytes_of_draw() + vertex_bytes(part.vertices.size(), part.indices.size());
         if (!has_room(c, bytes)) return;
         Draw draw = new_draw(part.mode, c.place);
-        draw.vertices.reserve(part.vertices.size());
+        std::vector<Vertex> vertices;
+        vertices.reserve(part.vertices.size());
         const Vertex before = a_.current;
         for (std::size_t i = 0; i < part.vertices.size(); ++i) {
             const ShapeVertex& sent = part.vertices[i];
             if (i >= part.first_normal) a_.current.normal_object = sent.normal_object;
             if (part.sends_tex_coords) a_.current.tex_coord = glm::dvec4(sent.tex_coord, 0, 1);
-            Vertex& vertex = draw.vertices.emplace_back(a_.current);
+            Vertex& vertex = vertices.emplace_back(a_.current);
             vertex.position_object = glm::dvec4(sent.position_object, 1);
             vertex.material = 0;
         }
         if (!part.immediate) a_.current = before;
+        draw.vertices = std::move(vertices);
         add_further_values(draw);
         draw.indices = std::move(part.indices);
         draw.surfaces = shared;

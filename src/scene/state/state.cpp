@@ -150,7 +150,8 @@ void State::end(const Command& c) {
         item_bytes_ -= std::min(item_bytes_, open_bytes_);
     } else {
         // What the vector has grown by in vain stays as long as the frame.
-        if (open_->vertices.capacity() - open_->vertices.size() > kMuchRoom) open_->vertices.shrink_to_fit();
+        std::vector<Vertex>& vertices = open_->vertices.edit();
+        if (vertices.capacity() - vertices.size() > kMuchRoom) vertices.shrink_to_fit();
         show(std::move(*open_));
     }
     open_.reset();
@@ -163,7 +164,7 @@ void State::vertex(const Command& c) {
     a_.current.position_object = {0, 0, 0, 1};
     for (std::size_t i = 0; i < c.arguments.size(); ++i) a_.current.position_object[static_cast<int>(i)] = c.number(i);
     sanitize(a_.current);
-    open_->vertices.push_back(a_.current);
+    open_->vertices.edit().push_back(a_.current);
     add_further_values(*open_);
 }
 
@@ -307,7 +308,7 @@ void State::rect(const Command& c) {
     Draw draw = new_draw(kGL_POLYGON, c.place);
     for (const auto& [x, y] : {std::pair(x1, y1), {x2, y1}, {x2, y2}, {x1, y2}}) {
         a_.current.position_object = {x, y, 0, 1};
-        draw.vertices.push_back(a_.current);
+        draw.vertices.edit().push_back(a_.current);
     }
     add_further_values(draw);
     show(std::move(draw));

@@ -284,7 +284,7 @@ TEST(Verdict, LeavesPicturesThatAreMeantToDifferOutOfItsLargestDifference) {
 TEST(Verdict, NamesWhatTheDriverIsKnownToGetWrongWhereItIsBeyond) {
     Draw line;
     line.mode = kGL_LINES;
-    line.vertices.resize(2);
+    line.vertices.edit().resize(2);
     line.raster.line_width = 5;
     Scene scene = empty_scene();
     scene.frame.items.emplace_back(line);
@@ -679,7 +679,7 @@ TEST(Words, GroupDigitsAndRoundShares) {
 TEST(Comparison, TakesTheBoundOfThePlansForAllowed) {
     Draw draw;  // a point that GL_LIGHT1 may light by 0.4 / 255
     draw.mode = kGL_POINTS;
-    draw.vertices.resize(1);
+    draw.vertices.edit().resize(1);
     draw.lighting.enabled = true;
     draw.lighting.lights[1].enabled = true;
     draw.lighting.lights[1].diffuse = glm::dvec4(0.5 / 255);

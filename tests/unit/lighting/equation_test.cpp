@@ -183,6 +183,18 @@ TEST(Spotlight, OfCutoff90LightsWhatIsSquareToItsAxis) {
     EXPECT_EQ(c.red(), 0);
 }
 
+TEST(Spotlight, OfCutoff90AndExponent0LightsWhatIsBehindIt) {  // max(PV . s, 0) = 0 = cos 90, and 0^0 = 1
+    Case c;
+    c.place_light({0, 0, 1});
+    c.aim_spot({0, 0, 1}, 90);  // away from the surface
+    EXPECT_EQ(c.red(), 1);
+    c.light().spot_exponent = 1e-9;
+    EXPECT_EQ(c.red(), 0);
+    c.light().spot_exponent = 0;
+    c.aim_spot({0, 0, 1}, 89.999999);
+    EXPECT_EQ(c.red(), 0);
+}
+
 TEST(Spotlight, FallsOffByThePowerOfTheCosine) {
     Case c;
     c.place_light({0, 0, 1});

@@ -58,16 +58,16 @@ TEST(EdgePixels, AreNotWhereHiddenThingsHaveTheirBorders) {
 
 TEST(EdgePixels, AreWhereSurfacesCutEachOther) {
     Draw rising = without_diagonal(deep_quad(kRed, 0)), falling = without_diagonal(deep_quad(kGreen, 0));
-    for (Vertex& v : rising.vertices) v.position_object.z = -(v.position_object.x + 100) / 400 + 0.1;
-    for (Vertex& v : falling.vertices) v.position_object.z = (v.position_object.x + 100) / 400 - 0.48;
+    for (Vertex& v : rising.vertices.edit()) v.position_object.z = -(v.position_object.x + 100) / 400 + 0.1;
+    for (Vertex& v : falling.vertices.edit()) v.position_object.z = (v.position_object.x + 100) / 400 - 0.48;
     // Their depths are equal at x = 16 (0.19 = 0.48 - 0.29): move that to x = 8.2.
-    for (Vertex& v : falling.vertices) v.position_object.z += 2 * 7.8 / 400;
+    for (Vertex& v : falling.vertices.edit()) v.position_object.z += 2 * 7.8 / 400;
     EXPECT_EQ(marked(edges({rising, falling})), rectangle(8, 0, 9, 16));
 }
 
 TEST(EdgePixels, AreAllOfTwoSurfacesThatLieInEachOther) {
     Draw other = without_diagonal(deep_quad(kGreen, 0.5, kGL_LEQUAL));
-    other.vertices[1].position_object.x += 10;  // another triangle in the same plane
+    other.vertices.edit()[1].position_object.x += 10;  // another triangle in the same plane
     EXPECT_EQ(marked(edges({without_diagonal(deep_quad(kRed, 0.5)), other})), rectangle(0, 0, 16, 16));
 }
 

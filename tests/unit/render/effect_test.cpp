@@ -23,13 +23,13 @@ TEST(Plan, CallsForNothingButTheColorWhenLightingIsOff) {
     EXPECT_EQ(facts(draw), EffectSet{});
     EXPECT_EQ(facts(draw, {{.shading = Shading::kPhong}}), EffectSet{});
     EXPECT_NE(reason(draw, "lighting"), "");
-    draw.vertices[0].color = {2, 0, 0, 1};
+    draw.vertices.edit()[0].color = {2, 0, 0, 1};
     EXPECT_TRUE(facts(draw).clamp);
 }
 
 TEST(Plan, TakesTheShadingFromTheOptionsOrElseFromTheShadeModel) {
     Draw draw = lit_triangle();
-    draw.vertices[1].normal_object = {1, 0, 0};
+    draw.vertices.edit()[1].normal_object = {1, 0, 0};
     EXPECT_EQ(facts(draw).shading, Shading::kGouraud);
     draw.lighting.shade_model = kGL_FLAT;
     EXPECT_EQ(facts(draw).shading, Shading::kFlat);
@@ -45,14 +45,14 @@ TEST(Plan, LetsADirectionalLightsDirectionDependOnVerticesThatAreDirections) {
     draw.lighting.lights[0].spot_cutoff_deg = 45;          // and the light is outside its own cone
     draw.lighting.lights[0].spot_direction_eye = {0, 0, -1};
     EXPECT_TRUE(facts(draw).lights.empty());
-    draw.vertices[1].position_object = {0, 0, -2, 0};  // P - V = (0, 0, 1)
+    draw.vertices.edit()[1].position_object = {0, 0, -2, 0};  // P - V = (0, 0, 1)
     const EffectSet effects = facts(draw);
     ASSERT_EQ(effects.lights.size(), 1u);
     EXPECT_TRUE(effects.lights[0].meets_directions && effects.lights[0].spot && effects.vertex_w);
     EXPECT_FALSE(effects.lights[0].directional || effects.lights[0].attenuated);
-    draw.vertices[1].position_object.w = 1e-30;
+    draw.vertices.edit()[1].position_object.w = 1e-30;
     EXPECT_TRUE(facts(draw).lights.empty());
-    draw.vertices[1].position_object.w = 1;
+    draw.vertices.edit()[1].position_object.w = 1;
     draw.eye_from_object[2] = {0, 0, 1, 0.5};  // gives it w = 0
     EXPECT_EQ(facts(draw).lights.size(), 1u);
 }
@@ -204,7 +204,7 @@ TEST(Plan, CallsForColorMaterialOnlyIfTheColorsDiffer) {
     EXPECT_EQ(facts(draw).front, (FaceEffects{.tracks_ambient = true, .tracks_diffuse = true}));
     EXPECT_EQ(facts(draw).back, FaceEffects{});
 
-    draw.vertices[0].color = draw.vertices[2].color = draw.vertices[1].color;
+    draw.vertices.edit()[0].color = draw.vertices.edit()[2].color = draw.vertices.edit()[1].color;
     EXPECT_EQ(facts(draw).front, FaceEffects{});
     EXPECT_EQ(plan_effects(draw, {}).lighting.front.diffuse, glm::dvec4(1, 0, 0, 1));
     EXPECT_EQ(reason(draw, "colour material"), "all vertices have the same colour, so the material is set once");
@@ -251,11 +251,11 @@ TEST(Plan, NormalizesOnlyWhatOneFactorDoesNotMakeUnit) {
     EXPECT_TRUE(facts(draw).normalize);
 
     draw.eye_from_object = glm::dmat4(1);
-    draw.vertices[1].normal_object = {0, 0, 2};
+    draw.vertices.edit()[1].normal_object = {0, 0, 2};
     EXPECT_TRUE(facts(draw).normalize);
 
     // An error of a float's rounding needs a budget.
-    draw.vertices[1].normal_object = {0, 0, 1 + 1e-7};
+    draw.vertices.edit()[1].normal_object = {0, 0, 1 + 1e-7};
     EXPECT_TRUE(facts(draw, {{.shading = {}}, 0}).normalize);
     EXPECT_FALSE(facts(draw).normalize);
     EXPECT_GT(plan_effects(draw, {}).error_bound, 0.8e-7);
@@ -277,7 +277,7 @@ TEST(Plan, ClampsOnlyWhatMayLeaveZeroToOne) {
     draw.lighting.lights[0].diffuse.b = -0.1;
     EXPECT_TRUE(facts(draw).clamp);
     draw = lit_triangle();
-    draw.vertices[0].normal_object = {0, 0, 1.3};  // not a unit vector
+    draw.vertices.edit()[0].normal_object = {0, 0, 1.3};  // not a unit vector
     EXPECT_TRUE(facts(draw).clamp);
     draw.lighting.normalize = true;
     EXPECT_FALSE(facts(draw).clamp);
@@ -286,7 +286,7 @@ TEST(Plan, ClampsOnlyWhatMayLeaveZeroToOne) {
 TEST(Plan, CallsForTheDivisionByWOnlyIfWMayDiffer) {
     Draw draw = with_positional_light();
     EXPECT_FALSE(facts(draw).vertex_w);
-    draw.vertices[2].position_object.w = 2;
+    draw.vertices.edit()[2].position_object.w = 2;
     EXPECT_TRUE(facts(draw).vertex_w);
     draw.lighting.lights[0].position_eye.w = 0;
     EXPECT_FALSE(facts(draw).vertex_w);
@@ -298,7 +298,7 @@ TEST(Plan, LightsPerFragmentOnlyWhatVaries) {
     EXPECT_EQ(facts(draw, kPhong).shading, Shading::kGouraud);
     EXPECT_EQ(facts(with_specular_material(draw), kPhong).shading, Shading::kGouraud);
     Draw varying = draw;
-    varying.vertices[1].normal_object = {0, 0.6, 0.8};
+    varying.vertices.edit()[1].normal_object = {0, 0.6, 0.8};
     EXPECT_EQ(facts(varying, kPhong).shading, Shading::kPhong);
     EXPECT_EQ(facts(with_positional_light(draw), kPhong).shading, Shading::kPhong);
     EXPECT_EQ(facts(with_vertex_colors(draw), kPhong).shading, Shading::kPhong);
@@ -314,7 +314,7 @@ TEST(Plan, CallsForMaterialsOfVerticesOnlyIfTheyDiffer) {
     draw.materials.resize(3, {draw.lighting.front, draw.lighting.back});
     draw.materials[2].front.diffuse = {1, 0, 0, 1};
     EXPECT_EQ(facts(draw).front, FaceEffects{});  // no vertex has it
-    draw.vertices[0].material = 2;
+    draw.vertices.edit()[0].material = 2;
     EXPECT_EQ(facts(draw).front, FaceEffects{.varies_diffuse = true});
     draw.lighting.color_material.enabled = true;  // the diffuse colour now comes from glColor
     EXPECT_EQ(facts(draw).front, FaceEffects{});

@@ -33,7 +33,7 @@ TEST(Plan, CallsForTheTextureMatrixAndTheDivisionByQOnlyIfTheyMatter) {
     draw.texture.texture_matrix[3][0] = 0.5;
     EXPECT_TRUE(facts(draw).texture.matrix);
     EXPECT_FALSE(facts(draw).texture.q);
-    draw.vertices[0].tex_coord.q = 2;
+    draw.vertices.edit()[0].tex_coord.q = 2;
     EXPECT_TRUE(facts(draw).texture.q);
 }
 
@@ -72,7 +72,7 @@ TEST(Plan, CallsForFogAndClipPlanesThatAreThere) {
     draw.fog.mode = kGL_LINEAR;
     EXPECT_EQ(facts(draw).fog, FogEffect::kLinear);
     EXPECT_FALSE(facts(draw).vertex_w);
-    draw.vertices[0].position_object.w = 2;
+    draw.vertices.edit()[0].position_object.w = 2;
     EXPECT_TRUE(facts(draw).vertex_w);
     EXPECT_EQ(facts(draw).clip_plane_count, 0);
     draw.raster.clip_planes_eye[5] = glm::dvec4(1);

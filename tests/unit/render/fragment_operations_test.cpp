@@ -135,7 +135,7 @@ TEST(PolygonOffset, AddsSlopeAndUnits) {
         Draw first = deep_quad(kRed, 0.5), second = deep_quad(kGreen, 0.5);
         if (sloped)
             for (Draw* draw : {&first, &second})
-                for (Vertex& v : draw->vertices) v.position_object.z -= v.position_object.x / 64;
+                for (Vertex& v : draw->vertices.edit()) v.position_object.z -= v.position_object.x / 64;
         second.raster.polygon_offset = {.factor = factor, .units = units, .fill = enabled};
         return middle({first, second}) == kGreen;
     };
@@ -168,7 +168,7 @@ TEST(VertexMaterials, LightTheirOwnVertices) {
     draw.materials[1].front.emission = {0, 0, 1, 1};
     draw.lighting.front = draw.materials[0].front;
     for (std::size_t i = 0; i < draw.vertices.size(); ++i)
-        draw.vertices[i].material = draw.vertices[i].position_object.x > 0;
+        draw.vertices.edit()[i].material = draw.vertices.edit()[i].position_object.x > 0;
     const Image image = draw_window({draw});
     // Along x from red to blue, at the pixels' centres. The scene's ambient light adds 0.2 * 0.2 everywhere; values
     // above 1 at the vertices are clamped there (2.14.6).

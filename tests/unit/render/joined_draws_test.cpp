@@ -23,7 +23,7 @@ LightingState lit() {
 TEST(JoinedDraws, DifferInTheirVerticesOnly) {
     const Draw draw = square(lit());
     Draw other = draw;
-    other.vertices[0].color = {0, 1, 0, 1};
+    other.vertices.edit()[0].color = {0, 1, 0, 1};
     other.mode = kGL_TRIANGLE_FAN;
     other.place.line = 7;
     EXPECT_TRUE(have_one_state(draw, other));
@@ -120,16 +120,16 @@ Frame row_of_polygons(bool with_indices) {
         draw.raster.viewport = {0, 0, kSize, kSize};
         draw.lighting.lights[0].position_eye = {0.3, 0.5, 2, 1};
         draw.mode = kind.mode;
-        draw.vertices.resize(static_cast<std::size_t>(kind.vertices));
+        draw.vertices.edit().resize(static_cast<std::size_t>(kind.vertices));
         const bool zigzag = kind.mode == kGL_TRIANGLE_STRIP || kind.mode == kGL_QUAD_STRIP;
         for (int i = 0; i < kind.vertices; ++i) {
             const int corner = i % 4;
             const double x = zigzag ? corner / 2 : (corner == 1 || corner == 2);
             const double y = zigzag ? corner % 2 : corner / 2;
-            Vertex& vertex = draw.vertices[static_cast<std::size_t>(i)];
+            Vertex& vertex = draw.vertices.edit()[static_cast<std::size_t>(i)];
             vertex.position_object = {left + 0.15 * x + 0.01 * i, 1.6 * y - 0.8, 0, 1};
             vertex.normal_object = {0.1 * i, 0, 1};
-            if (with_indices) draw.indices.push_back(static_cast<std::uint32_t>(i));
+            if (with_indices) draw.indices.edit().push_back(static_cast<std::uint32_t>(i));
         }
         left += 0.18;
         frame.items.emplace_back(std::move(draw));
@@ -173,7 +173,7 @@ TEST(JoinedDraws, WithPlansThatDifferAreDrawnOneByOneInFramesThatAreDrawnOnce) {
     const auto context = make_offscreen_context(kSize, kSize, ColorBuffer::kFloat);
     Frame frame = row_of_polygons(false);
     frame.items.resize(3);
-    for (Vertex& vertex : std::get<Draw>(frame.items[1]).vertices) vertex.normal_object = {0, 0, -1};  // unlit
+    for (Vertex& vertex : std::get<Draw>(frame.items[1]).vertices.edit()) vertex.normal_object = {0, 0, -1};  // unlit
     Renderer once;
     EXPECT_EQ(once.render(frame, {}).image.pixels, once.render(one_by_one(frame), {}).image.pixels);
     EXPECT_EQ(once.counters().made + once.counters().hits, 6u);
@@ -194,7 +194,7 @@ TEST(JoinedDraws, EndWhereTheyGetLong) {
     const auto context = make_offscreen_context(kSize, kSize);
     Frame frame = row_of_polygons(false);
     Draw large = std::get<Draw>(frame.items.front());
-    large.vertices.resize(kMostJoinedVertices, large.vertices.front());
+    large.vertices.edit().resize(kMostJoinedVertices, large.vertices.front());
     frame.items = {large, frame.items[0], frame.items[2]};
     Renderer joins;
     joins.draw(frame, kLive);

@@ -20,12 +20,12 @@ constexpr Options kLive = {{{.shading = {}}}, Tier::kAuto};
 Draw strip() {
     Draw draw = square({});
     draw.mode = kGL_TRIANGLE_STRIP;
-    draw.vertices.clear();
+    draw.vertices.edit().clear();
     for (std::uint32_t i = 0; i < 100; ++i) {
         Vertex vertex;
         vertex.position_object = {i % 2 == 0 ? -1 : 1, i / 99.0 * 2 - 1, 0, 1};
-        draw.vertices.push_back(vertex);
-        draw.indices.push_back(i);
+        draw.vertices.edit().push_back(vertex);
+        draw.indices.edit().push_back(i);
     }
     draw.materials.resize(2);
     return draw;
@@ -106,9 +106,9 @@ TEST_F(Kept, TexturesAreSentOnceUntilATexelChanges) {
     Texture texture = *changed.texture.texture;
     texture.levels[0].texels[10].r = 0.6F;  // the third texel of the third row
     changed.texture.texture = std::make_shared<const Texture>(texture);
-    changed.vertices[1].tex_coord = {1, 0, 0, 1};
-    changed.vertices[2].tex_coord = {1, 1, 0, 1};
-    changed.vertices[3].tex_coord = {0, 1, 0, 1};
+    changed.vertices.edit()[1].tex_coord = {1, 0, 0, 1};
+    changed.vertices.edit()[2].tex_coord = {1, 1, 0, 1};
+    changed.vertices.edit()[3].tex_coord = {0, 1, 0, 1};
     renderer_.draw(frame_of({textured(1), changed}), kLive);
     EXPECT_EQ(renderer_.counters().textures, 3u);
     EXPECT_FLOAT_EQ(read_pixels(4, 4).at(2, 1)[0], 0.6F);
@@ -142,12 +142,12 @@ TEST_F(Kept, OfEachVertexNoNumberChangesUnseen) {
     for (std::size_t i = 0; i < draw.vertices.size(); ++i)
         for (std::size_t change = 0; change < changes.size(); ++change) {
             Draw changed = draw;
-            changes[change](changed.vertices[i]);
+            changes[change](changed.vertices.edit()[i]);
             EXPECT_NE(kept.known(changed), known) << "vertex " << i << ", change " << change;
         }
     for (std::size_t i = 0; i < draw.indices.size(); ++i) {
         Draw changed = draw;
-        changed.indices[i] ^= 1;
+        changed.indices.edit()[i] ^= 1;
         EXPECT_NE(kept.known(changed), known) << "index " << i;
     }
     EXPECT_EQ(kept.known(draw), known);
@@ -166,19 +166,20 @@ TEST_F(Kept, NeitherTheModeNorTheMaterialsOfVerticesChangeUnseen) {
     draw.materials.pop_back();
     EXPECT_NE(kept.known(draw), known);
     draw = strip();
-    draw.indices.clear();
+    draw.indices.edit().clear();
     EXPECT_NE(kept.known(draw), known);
 }
 
 TEST_F(Kept, AVertexThatChangesIsDrawnAsItIs) {
     Draw draw = strip();
-    for (Vertex& vertex : draw.vertices) vertex.color = {0, 1, 0, 1};
+    for (Vertex& vertex : draw.vertices.edit()) vertex.color = {0, 1, 0, 1};
     for (int i = 0; i < 10; ++i) renderer_.draw(frame_of({draw}), kLive);
     const auto green_of_the_top = [&] { return read_pixels(4, 4).at(2, 0)[1]; };
     ASSERT_EQ(green_of_the_top(), 1);
-    draw.vertices.back().color = {0, 0, 0, 1};
-    draw.vertices[98].color = {0, 0, 0, 1};
-    for (std::size_t i = 70; i < 98; ++i) draw.vertices[i].position_object.y = draw.vertices[70].position_object.y;
+    draw.vertices.edit().back().color = {0, 0, 0, 1};
+    draw.vertices.edit()[98].color = {0, 0, 0, 1};
+    for (std::size_t i = 70; i < 98; ++i)
+        draw.vertices.edit()[i].position_object.y = draw.vertices.edit()[70].position_object.y;
     renderer_.draw(frame_of({draw}), kLive);
     EXPECT_LT(green_of_the_top(), 0.5);
 }
@@ -189,7 +190,7 @@ TEST_F(Kept, AVertexThatChangesIsDrawnAsItIs) {
 Draw square_at(double x) {
     Draw draw = square({});
     draw.eye_from_object[3].y = x;
-    for (Vertex& vertex : draw.vertices) vertex.position_object.x += x;
+    for (Vertex& vertex : draw.vertices.edit()) vertex.position_object.x += x;
     return draw;
 }
 

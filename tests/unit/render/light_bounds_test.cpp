@@ -44,9 +44,9 @@ TEST(Plan, LeavesOutALightBehindEveryNormal) {
     draw.lighting.lights[0].position_eye = {1, 0, -1, 0};
     EXPECT_EQ(reason(draw, "GL_LIGHT0", {{.shading = {}}, 0}),
               "every normal faces away from it, by at least 45 degrees");
-    draw.vertices[1].normal_object = {1, 0, 0};
+    draw.vertices.edit()[1].normal_object = {1, 0, 0};
     EXPECT_TRUE(bound(draw, 0).in());
-    draw.vertices[1].normal_object = {0, 0, 1};
+    draw.vertices.edit()[1].normal_object = {0, 0, 1};
     draw.lighting.light_model.two_side = true;
     EXPECT_TRUE(bound(draw, 0).in());
 }

@@ -69,7 +69,7 @@ TEST(Pictures, OfRandomScenesAreDrawnAgainOnlyWhereTheyChange) {
     for (std::uint64_t state = 0; pictures < 60; ++state) {
         if (!fuzz::is_picture(state)) continue;
         ++pictures;
-        const CommandList commands = fuzz::random_scene({.seed = 7}, state);
+        const CommandList commands = fuzz::random_scene({{.seed = 7}}, state);
         expect_same(make_frame(commands, {.width = kWidth, .height = kHeight}), "state " + std::to_string(state));
     }
 }
@@ -85,7 +85,7 @@ TEST(Pictures, KeepPixelsThatOtherOptionsDoNotChange) {
     Pictures pictures(frame);
     const Image first = pictures.render({kAsInGl});
     // What was drawn is taken from the first picture, not from the frame: the red triangle stays.
-    std::get<Draw>(frame.items[1]).vertices.clear();
+    std::get<Draw>(frame.items[1]).vertices.edit().clear();
     const Image again = pictures.render({kPerPixel});
     EXPECT_EQ(again.at(2, kHeight - 3), first.at(2, kHeight - 3));
     EXPECT_EQ(again.at(2, kHeight - 3)[0], 1);

@@ -27,7 +27,7 @@ std::shared_ptr<Texture> texture_of(Enum format, std::vector<glm::vec4> texels, 
 
 Draw textured_point(Enum mode, Enum format) {
     Draw draw = point({0, 0, 0}, {});
-    draw.vertices[0].color = kFragment;
+    draw.vertices.edit()[0].color = kFragment;
     draw.texture.env_mode = mode;
     draw.texture.env_color = kEnvColor;
     glm::vec4 texel(kTexel);
@@ -86,9 +86,9 @@ TEST(ProgrammableTextures, DivideByQAfterTheMatrix) {
     Draw draw = textured_point(kGL_REPLACE, kGL_RGBA);
     const glm::vec4 left(0, 0, 0, 1), right(1, 1, 1, 1);
     draw.texture.texture = texture_of(kGL_RGBA, {left, right});
-    draw.vertices[0].tex_coord = {0.75, 0, 0, 1};
+    draw.vertices.edit()[0].tex_coord = {0.75, 0, 0, 1};
     expect_color(color(draw), {1, 1, 1, 1});
-    draw.vertices[0].tex_coord.q = 2;
+    draw.vertices.edit()[0].tex_coord.q = 2;
     expect_color(color(draw), {0, 0, 0, 1});
     draw.texture.texture_matrix[3][3] = 0.5;  // q is 1 again
     expect_color(color(draw), {1, 1, 1, 1});
@@ -103,23 +103,23 @@ TEST(ProgrammableTextures, ClampToHalfOfTheBorderWhereTheFilterIsLinear) {
     draw.texture.texture = texture;
     const double kWeight = 1.0 / 255;  // the filter's weights have 8 bits, and so has the texture
     for (const double s : {0.0, -3.0}) {
-        draw.vertices[0].tex_coord.s = s;
+        draw.vertices.edit()[0].tex_coord.s = s;
         EXPECT_NEAR(color(draw).r, 0.5, kWeight) << s;
         EXPECT_NEAR(color(draw).b, 0, kWeight) << s;
     }
     for (const double s : {1.0, 4.0}) {
-        draw.vertices[0].tex_coord.s = s;
+        draw.vertices.edit()[0].tex_coord.s = s;
         EXPECT_NEAR(color(draw).r, 0.5, kWeight) << s;
         EXPECT_NEAR(color(draw).b, 0.5, kWeight) << s;
     }
     // A point is magnified, and only the other filter is linear.
     texture->mag_filter = kGL_NEAREST;
     for (const double s : {-3.0, 0.0}) {
-        draw.vertices[0].tex_coord.s = s;
+        draw.vertices.edit()[0].tex_coord.s = s;
         expect_color(color(draw), {0, 0, 0, 1});
     }
     for (const double s : {1.0, 4.0}) {
-        draw.vertices[0].tex_coord.s = s;
+        draw.vertices.edit()[0].tex_coord.s = s;
         expect_color(color(draw), {0, 0, 1, 1});
     }
 }
@@ -149,8 +149,8 @@ TEST(ProgrammableTextures, AreNotDrawnWhereTheDriverRefusesThem) {
 
 Draw fogged_point(Enum mode, double z, double w = 1) {
     Draw draw = point({0, 0, z}, {});
-    draw.vertices[0].position_object.w = w;
-    draw.vertices[0].color = {1, 0, 0, 0.5};
+    draw.vertices.edit()[0].position_object.w = w;
+    draw.vertices.edit()[0].color = {1, 0, 0, 0.5};
     draw.clip_from_eye[3][3] = 1 / w;
     draw.fog = {.enabled = true, .mode = mode, .density = 0.5, .start = 1, .end = 5, .color = {0, 0, 1, 1}};
     return draw;
@@ -206,7 +206,7 @@ TEST(ProgrammableMaterials, AreInterpolatedWhereVerticesHaveTheirOwn) {
     draw.materials.resize(2, {draw.lighting.front, draw.lighting.back});
     draw.materials[1].front.emission = {1, 0.5, 0, 1};
     draw.materials[1].front.diffuse.a = 0;
-    for (std::size_t i : {1, 2}) draw.vertices[i].material = 1;  // on the right
+    for (std::size_t i : {1, 2}) draw.vertices.edit()[i].material = 1;  // on the right
     for (const Options& options : {Options{}, kPhong}) {
         const Image image = picture(draw, 4, options);
         for (int x = 0; x < 4; ++x) {

@@ -35,7 +35,7 @@ TEST(ProgrammableHardCases, ZeroNormalIsDark) {
     for (const bool normalize : {false, true}) {
         lighting.normalize = normalize;
         Draw draw = point({0, 0, 0}, lighting);
-        draw.vertices[0].normal_object = {0, 0, 0};
+        draw.vertices.edit()[0].normal_object = {0, 0, 0};
         expect_color(color(draw), grey(0));
         expect_color(color(draw, kPhong), grey(0));
     }
@@ -51,13 +51,13 @@ TEST(ProgrammableHardCases, HalfVectorOfNoLengthHasNoHighlight) {
     LightingState lighting = shiny(5);
     lighting.lights[0].position_eye = {0, 0, -1, 0};
     Draw draw = point({0, 0, 0}, lighting);
-    draw.vertices[0].normal_object = {0, 0, -1};
+    draw.vertices.edit()[0].normal_object = {0, 0, -1};
     expect_color(color(draw), grey(0));
 }
 
 TEST(ProgrammableHardCases, EyeWOfZeroIsFarAway) {
     Draw draw = point({0, 0, 0}, everything());
-    draw.vertices[0].position_object = {1, 2, -3, 0};
+    draw.vertices.edit()[0].position_object = {1, 2, -3, 0};
     draw.clip_from_eye[2][3] = -1;  // clip w is -z
     expect_finite(draw);
 }
@@ -65,7 +65,7 @@ TEST(ProgrammableHardCases, EyeWOfZeroIsFarAway) {
 TEST(ProgrammableHardCases, LongNormalsGiveNoNaN) {
     LightingState lighting = shiny(128);
     Draw draw = point({0, 0, 0}, lighting);
-    draw.vertices[0].normal_object = {0, 0, 1e25};
+    draw.vertices.edit()[0].normal_object = {0, 0, 1e25};
     expect_color(color(draw), {1, 1, 0, 1});
 }
 
@@ -76,10 +76,10 @@ TEST(ProgrammableHardCases, VeryLongAndVeryShortVectorsHaveTheirDirection) {
         lighting.normalize = true;
         lighting.lights[0].position_eye = glm::dvec4(0, 0.6 * scale, 0.8 * scale, 0);
         Draw draw = point({0, 0, 0}, lighting);
-        draw.vertices[0].normal_object = {0, 0, scale};
+        draw.vertices.edit()[0].normal_object = {0, 0, scale};
         expect_color(color(draw), grey(0.8));
         expect_color(color(draw, kPhong), grey(0.8));
-        draw.vertices[0].normal_object = {0, 0, 1};
+        draw.vertices.edit()[0].normal_object = {0, 0, 1};
         draw.eye_from_object = glm::scale(glm::dmat4(1), glm::dvec3(scale));
         expect_color(color(draw), grey(0.8));
         // A positional light, at a distance of the scene's size, attenuated by 1 / (1 + d / scale).

@@ -19,7 +19,7 @@ Draw ramp() {
     LightingState lighting = dark();
     lighting.color_material = {.enabled = true, .face = kGL_FRONT_AND_BACK, .mode = kGL_EMISSION};
     Draw draw = square(lighting);
-    for (Vertex& v : draw.vertices) v.color = v.position_object.x < 0 ? grey(2) : grey(0);
+    for (Vertex& v : draw.vertices.edit()) v.color = v.position_object.x < 0 ? grey(2) : grey(0);
     return draw;
 }
 
@@ -51,7 +51,8 @@ TEST(Programmable, MakesInterpolatedNormalsUnitInPhongShading) {
     LightingState lighting = dark();
     lighting.front.diffuse = grey(1);
     Draw draw = square(lighting);
-    for (Vertex& v : draw.vertices) v.normal_object = {v.position_object.x * kHalfRoot3, 0, 0.5};  // +-60 degrees
+    for (Vertex& v : draw.vertices.edit())
+        v.normal_object = {v.position_object.x * kHalfRoot3, 0, 0.5};  // +-60 degrees
     EXPECT_NEAR(picture(draw, 9, kPhong).at(4, 4)[0], 1, kFloatArithmetic);
     EXPECT_NEAR(picture(draw, 9).at(4, 4)[0], 0.5, kFloatArithmetic);
 }
@@ -86,9 +87,9 @@ Draw primitives(Enum mode) {
         glm::dvec2 p = ring ? 0.9 * glm::dvec2(std::cos(angle), std::sin(angle))
                             : glm::dvec2(-0.9 + 0.25 * (i - i % 2) + 0.07 * (i % 2), i % 2 ? 0.83 : -0.77);
         if (mode == kGL_QUADS && i % 4 >= 2) p.y = -p.y;
-        draw.vertices.push_back({.position_object = {p, 0, 1},
-                                 .normal_object = {0, 0, 1},
-                                 .color = {(i & 1) ? 1 : 0.2, (i & 2) ? 1 : 0.2, (i & 4) ? 1 : 0.2, 1}});
+        draw.vertices.edit().push_back({.position_object = {p, 0, 1},
+                                        .normal_object = {0, 0, 1},
+                                        .color = {(i & 1) ? 1 : 0.2, (i & 2) ? 1 : 0.2, (i & 4) ? 1 : 0.2, 1}});
     }
     return draw;
 }
@@ -124,11 +125,11 @@ TEST(Programmable, FollowsTable212sProvokingVertexOfPolygonsQuadsAndStrips) {
                           Case{kGL_TRIANGLE_STRIP, 2}, Case{kGL_TRIANGLE_FAN, 2}}) {
         Draw draw = square();
         draw.mode = c.mode;
-        if (c.mode == kGL_QUAD_STRIP) std::swap(draw.vertices[2], draw.vertices[3]);
-        if (c.mode == kGL_TRIANGLES) draw.vertices.pop_back();
+        if (c.mode == kGL_QUAD_STRIP) std::swap(draw.vertices.edit()[2], draw.vertices.edit()[3]);
+        if (c.mode == kGL_TRIANGLES) draw.vertices.edit().pop_back();
         draw.lighting.enabled = false;
-        for (Vertex& v : draw.vertices) v.color = grey(0.25);
-        draw.vertices[c.provoking].color = grey(0.75);
+        for (Vertex& v : draw.vertices.edit()) v.color = grey(0.25);
+        draw.vertices.edit()[c.provoking].color = grey(0.75);
         const Image image = picture(draw, 8, {{{.shading = Shading::kFlat}}});
         EXPECT_EQ(image.at(5, 6)[0], 0.75f) << "mode " << c.mode;  // near (1, -1), which is in each first primitive
     }

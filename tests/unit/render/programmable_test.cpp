@@ -38,7 +38,7 @@ TEST(ShaderText, LightsInTheStageThatTheShadingAsksFor) {
     LightingState lighting = dark();
     lighting.front.diffuse = {1, 1, 1, 1};
     Draw draw = square(lighting);
-    draw.vertices[0].normal_object = {1, 0, 0};  // equal normals would always be lit per vertex
+    draw.vertices.edit()[0].normal_object = {1, 0, 0};  // equal normals would always be lit per vertex
     const ShaderSource gouraud = assemble(plan_effects(draw, {}).effects);
     const ShaderSource phong = assemble(plan_effects(draw, kPhong).effects);
     EXPECT_NE(gouraud.vertex.find("n_dot_vp"), std::string::npos);
@@ -61,7 +61,7 @@ TEST(ShaderText, IsGivenForAFrameWithoutAContext) {
 TEST(Programmable, ShowsTheColorWhenLightingIsOff) {
     LightingState lighting;
     Draw draw = point({0, 0, 0}, lighting);
-    draw.vertices[0].color = {0.25, 0.5, 1.5, 0.75};
+    draw.vertices.edit()[0].color = {0.25, 0.5, 1.5, 0.75};
     expect_color(color(draw), {0.25, 0.5, 1, 0.75});
 }
 
@@ -192,6 +192,25 @@ TEST(Programmable, LightsTheAxisOfAConeOfNoWidthAndTheBorderOfOneOf90Degrees) {
     }
 }
 
+// 2.14.1 compares max(PV . s, 0) with cos 90.
+TEST(Programmable, LightsWhatIsBehindAConeOf90DegreesIfTheExponentIs0) {
+    for (const double w : {1, 0}) {
+        for (const double exponent : {0.0, 1.0}) {
+            LightingState lighting = spotlight(w);
+            LightSource& light = lighting.lights[0];
+            light.position_eye = {0.3, 0.7, 2, w};
+            light.spot_direction_eye = glm::dvec3(light.position_eye);
+            light.spot_cutoff_deg = 90;
+            light.spot_exponent = exponent;
+            const double green = color(point({0, 0, 0}, lighting)).g;
+            if (exponent == 0)
+                EXPECT_GT(green, 0.5);
+            else
+                EXPECT_EQ(green, 0);
+        }
+    }
+}
+
 TEST(Programmable, SoftensTheConeWhereThePragmaSaysSo) {
     for (const double w : {1, 0}) {
         LightingState lighting = spotlight(w);
@@ -275,10 +294,10 @@ TEST(Programmable, TracksTheVertexColorByFaceAndMode) {
                     light.linear_attenuation = attenuated ? 0.5 : 0;
                     lighting.color_material = {.enabled = true, .face = kGL_FRONT, .mode = c.mode};
                     Draw draw = point({0, 0, 0}, lighting);
-                    draw.vertices[0].color = {0.5, 0, 0, 0.75};
+                    draw.vertices.edit()[0].color = {0.5, 0, 0, 0.75};
                     draw.indices = {0};
-                    draw.vertices.push_back(draw.vertices[0]);
-                    if (!same_color) draw.vertices[1].color = {1, 1, 1, 1};
+                    draw.vertices.edit().push_back(draw.vertices[0]);
+                    if (!same_color) draw.vertices.edit()[1].color = {1, 1, 1, 1};
                     // Each of the material's own terms is 1/4 * 1/2.
                     expect_color(color(draw, options), c.expected);
                     draw.lighting.color_material.face = kGL_BACK;
@@ -298,7 +317,7 @@ TEST(Programmable, NormalizesAndRescalesUnderAScale) {
     draw.lighting.normalize = true;
     expect_color(color(draw), grey(1));
     draw.eye_from_object = glm::scale(glm::dmat4(1), glm::dvec3(1, 1, 2));
-    draw.vertices[0].normal_object = {0, 3, 6};  // becomes (0, 3, 3)
+    draw.vertices.edit()[0].normal_object = {0, 3, 6};  // becomes (0, 3, 3)
     expect_color(color(draw), grey(std::sqrt(0.5)));
 }
 
@@ -309,7 +328,7 @@ TEST(Programmable, DividesTheVertexByItsW) {
     lighting.lights[0].constant_attenuation = 0;
     lighting.lights[0].linear_attenuation = 1;
     Draw draw = point({0, 0, 0}, lighting);
-    draw.vertices[0].position_object = {0, 0, -2, 2};  // at distance 2
+    draw.vertices.edit()[0].position_object = {0, 0, -2, 2};  // at distance 2
     for (const Options& options : {Options{}, kPhong}) expect_color(color(draw, options), grey(0.5));
 }
 

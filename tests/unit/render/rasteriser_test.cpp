@@ -27,7 +27,7 @@ TEST(Coverage, GivesCentresOnTheLeftAndBottomEdgesToThePolygon) {  // as in llvm
 
 TEST(Coverage, DoesNotDependOnTheDirectionOfTheVertices) {
     Draw clockwise = quad(2.5, 3.5, 6.5, 8.5);
-    std::swap(clockwise.vertices[1], clockwise.vertices[3]);
+    std::swap(clockwise.vertices.edit()[1], clockwise.vertices.edit()[3]);
     EXPECT_EQ(drawn(draw_window({clockwise})), rectangle(2, 3, 6, 8));
 }
 
@@ -132,7 +132,7 @@ Draw slanted_wall() {
     wall.raster.viewport = {0, 0, kSize, kSize};
     wall.clip_from_eye = glm::frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 10.0);
     for (const auto& [x, y, z] : {std::array{-1.0, -1.0, -1.0}, {3.0, -3.0, -3.0}, {3.0, 3.0, -3.0}, {-1.0, 1.0, -1.0}})
-        wall.vertices.push_back({.position_object = {x, y, z, 1}, .color = z == -1 ? kRed : kGreen});
+        wall.vertices.edit().push_back({.position_object = {x, y, z, 1}, .color = z == -1 ? kRed : kGreen});
     return wall;
 }
 
@@ -149,7 +149,7 @@ TEST(Interpolation, OfALineIsPerspectiveCorrect) {
     Draw wall = slanted_wall();
     wall.mode = kGL_LINES;
     wall.vertices = {wall.vertices[0], wall.vertices[1]};
-    for (Vertex& v : wall.vertices) v.position_object.y = 0;
+    for (Vertex& v : wall.vertices.edit()) v.position_object.y = 0;
     const Image image = draw_window({wall});
     const double s = 6.5 / kSize, t = s / 3 / (1 - s + s / 3);
     EXPECT_NEAR(pixel(image, 6, 7).g, t, kFloat);  // y is 8 exactly: the line is moved down by e (3.4.1)
@@ -159,7 +159,7 @@ TEST(Interpolation, IsNotChangedByClipping) {
     // The same wall with its left part behind the eye: the visible part keeps its colours.
     const Draw wall = slanted_wall();
     Draw longer = slanted_wall();
-    for (Vertex& v : longer.vertices)  // from t = 0 back to t = -2: depth -3
+    for (Vertex& v : longer.vertices.edit())  // from t = 0 back to t = -2: depth -3
         if (v.color == kRed) v.position_object = {-9, v.position_object.y < 0 ? 3 : -3, 3, 1};
     // Vertex colours are clamped before clipping (2.14.6): compare the depth, which is not.
     const reference::StagedFrame a = reference::run_stages(frame_of(kSize, kSize, {wall}), {});
@@ -176,13 +176,13 @@ TEST(Interpolation, IsNotChangedByClipping) {
 TEST(Clipping, CutsAtTheNearAndFarPlanes) {
     // Depth runs from -0.5 at x = 0 to 1.5 at x = 16: inside between x = 4 and x = 12.
     Draw slope = quad(0, 0, 16, 16);
-    for (Vertex& v : slope.vertices) v.position_object.z = 0.5 - 2 * v.position_object.x / 16;
+    for (Vertex& v : slope.vertices.edit()) v.position_object.z = 0.5 - 2 * v.position_object.x / 16;
     EXPECT_EQ(drawn(draw_window({slope})), rectangle(4, 0, 12, 16));
 }
 
 TEST(Clipping, KeepsColoursLinear) {
     Draw slope = quad(0, 0, 16, 16);
-    for (Vertex& v : slope.vertices) {
+    for (Vertex& v : slope.vertices.edit()) {
         v.color = v.position_object.x == 0 ? kRed : kGreen;
         v.position_object.z = 0.5 - 2 * v.position_object.x / 16;
     }
@@ -193,13 +193,13 @@ TEST(Clipping, KeepsColoursLinear) {
 
 TEST(Clipping, LeavesNothingOfWhatIsBehindTheEye) {
     Draw wall = slanted_wall();
-    for (Vertex& v : wall.vertices) v.position_object.z = -v.position_object.z;
+    for (Vertex& v : wall.vertices.edit()) v.position_object.z = -v.position_object.z;
     EXPECT_TRUE(drawn(draw_window({wall})).empty());
 }
 
 TEST(Clipping, OfPositionsWithoutAWindowPlaceIsQuiet) {
     Draw draw = quad(0, 0, 16, 16);
-    for (Vertex& v : draw.vertices) v.position_object = {0, 0, 0, 0};
+    for (Vertex& v : draw.vertices.edit()) v.position_object = {0, 0, 0, 0};
     EXPECT_TRUE(drawn(draw_window({draw})).empty());
 }
 
@@ -241,9 +241,9 @@ TEST(TwoSide, LightsTheBackWithItsMaterialAndTheNormalReversed) {
         const reference::Options options{{.shading = shading}};
         EXPECT_EQ(pixel(draw_window({draw}, options), 5, 5), kRed);
         Draw back = draw;
-        std::swap(back.vertices[1], back.vertices[3]);
+        std::swap(back.vertices.edit()[1], back.vertices.edit()[3]);
         EXPECT_EQ(pixel(draw_window({back}, options), 5, 5), (glm::dvec4{0, 0, 0, 1}));  // -n faces away
-        for (Vertex& v : back.vertices) v.normal_object = {0, 0, -1};
+        for (Vertex& v : back.vertices.edit()) v.normal_object = {0, 0, -1};
         EXPECT_EQ(pixel(draw_window({back}, options), 5, 5), kGreen);
         back.lighting.light_model.two_side = false;  // both faces then have the front's colour
         EXPECT_EQ(pixel(draw_window({back}, options), 5, 5), (glm::dvec4{0, 0, 0, 1}));
@@ -263,7 +263,7 @@ TEST(PolygonMode, LineDrawsTheBorderWithoutInnerDiagonals) {
 
 TEST(PolygonMode, LineDrawsTheEdgesThatClippingAdds) {  // 2.12: they are boundary edges
     Draw draw = quad(2.3, 3.3, 10.3, 13.3);
-    for (Vertex& v : draw.vertices)
+    for (Vertex& v : draw.vertices.edit())
         v.position_object.z = v.position_object.y > 5 ? -2 : 0;  // the far plane cuts it in half
     draw.raster.polygon_mode_front = kGL_LINE;
     EXPECT_EQ(drawn(draw_window({draw})).count({6, 8}), 1u);
@@ -344,8 +344,8 @@ TEST(Depth, MaskKeepsTheStoredValue) {
 
 TEST(Depth, OfTwoPlanesThatCutEachOtherChangesOverWhereTheyMeet) {
     Draw rising = deep_quad(kRed, 0), falling = deep_quad(kGreen, 0);
-    for (Vertex& v : rising.vertices) v.position_object.z = -v.position_object.x / 16;
-    for (Vertex& v : falling.vertices) v.position_object.z = v.position_object.x / 16 - 1;
+    for (Vertex& v : rising.vertices.edit()) v.position_object.z = -v.position_object.x / 16;
+    for (Vertex& v : falling.vertices.edit()) v.position_object.z = v.position_object.x / 16 - 1;
     const Image image = draw_window({rising, falling});
     EXPECT_EQ(pixel(image, 7, 4), kRed);
     EXPECT_EQ(pixel(image, 8, 4), kGreen);

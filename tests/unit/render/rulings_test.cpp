@@ -47,7 +47,6 @@ TEST(DecidingRulings, AreToldOfHardCases) {
         {{Ruling::kOppositeHalfVector}, {"highlight-opposite", "viewer-local-opposite"}},
         {{Ruling::kSquares}, {"light-far-1e30", "light-near-1e-30", "normal-1e30-normalized", "spot-direction-1e-30"}},
         {{Ruling::kSpotBorder}, {"spot-0-on-axis", "spot-90-at-edge"}},
-        {{Ruling::kBehindSpot}, {"spot-90-outside", "spot-cutoff-90-behind"}},
         {{Ruling::kRescaled}, {"rescale-uneven", "normal-length-2-rescaled"}},
         {{Ruling::kZeroSpotDirection}, {"spot-direction-zero"}},
         {{Ruling::kVertexAtEye}, {"viewer-local-at-vertex"}},

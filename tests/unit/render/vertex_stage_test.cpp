@@ -39,7 +39,7 @@ void scale(Draw& draw, const glm::dvec3& factors) { draw.eye_from_object = glm::
 
 TEST(VertexStage, GoesFromObjectToEyeToClip) {
     Draw draw = lit_vertex();
-    draw.vertices[0].position_object = {1, 2, 3, 1};
+    draw.vertices.edit()[0].position_object = {1, 2, 3, 1};
     draw.eye_from_object = glm::translate(glm::dmat4(1), glm::dvec3(10, 0, 0));
     draw.clip_from_eye = glm::scale(glm::dmat4(1), glm::dvec3(2, 2, 2));
     EXPECT_EQ(reference::vertex_stage(draw)[0].position_eye, (glm::dvec4{11, 2, 3, 1}));
@@ -50,22 +50,22 @@ TEST(VertexStage, LightsAVertexOfW2WhereItsQuotientIs) {
     Draw draw = lit_vertex();
     LightSource& source = draw.lighting.lights[0];
     source.position_eye = {0, 3, 4, 1};
-    draw.vertices[0].position_object = {0, 0, 0, 2};
+    draw.vertices.edit()[0].position_object = {0, 0, 0, 2};
     EXPECT_NEAR(red(draw), 0.8 * 0.5, kArithmetic);
-    draw.vertices[0].position_object = {0, 6, 0, 2};  // (0, 3, 0): the light is straight above it
+    draw.vertices.edit()[0].position_object = {0, 6, 0, 2};  // (0, 3, 0): the light is straight above it
     EXPECT_NEAR(red(draw), 0.5, kArithmetic);
-    draw.vertices[0].position_object = {0, -3, 0, -1};  // the same point
+    draw.vertices.edit()[0].position_object = {0, -3, 0, -1};  // the same point
     EXPECT_NEAR(red(draw), 0.5, kArithmetic);
 }
 
 TEST(VertexStage, LightsAVertexOfW0AsOneFarAway) {  // RULING: the limit
     Draw draw = lit_vertex();
     draw.lighting.lights[0].position_eye = {5, 5, 5, 1};
-    draw.vertices[0].position_object = {0, -3, -4, 0};  // the light is along (0, 3, 4)
+    draw.vertices.edit()[0].position_object = {0, -3, -4, 0};  // the light is along (0, 3, 4)
     EXPECT_NEAR(red(draw), 0.8 * 0.5, kArithmetic);
     draw.lighting.lights[0].linear_attenuation = 1e-3;
     EXPECT_NEAR(red(draw), 0, 1e-90);  // 1 / (1e-3 * 1e100)
-    draw.vertices[0].position_object = {0, 0, 0, 0};
+    draw.vertices.edit()[0].position_object = {0, 0, 0, 0};
     EXPECT_TRUE(std::isfinite(red(draw)));
 }
 
@@ -73,7 +73,7 @@ TEST(VertexStage, LightsAVertexOfW0AsOneFarAway) {  // RULING: the limit
 
 TEST(Normals, FollowTheInverseTransposeOfTheModelview) {
     Draw draw = lit_vertex();
-    draw.vertices[0].normal_object = {1, 0, 1};
+    draw.vertices.edit()[0].normal_object = {1, 0, 1};
     scale(draw, {2, 1, 4});  // (1 / 2, 0, 1 / 4)
     EXPECT_EQ(reference::vertex_stage(draw)[0].normal_eye, (glm::dvec3{0.5, 0, 0.25}));
 }
@@ -83,7 +83,7 @@ TEST(Normals, StaySquareToTheirSurface) {
     draw.eye_from_object = glm::rotate(glm::dmat4(1), 0.7, glm::dvec3(1, 2, 3));
     draw.eye_from_object[1][0] += 0.8;  // a shear
     const glm::dvec3 a(1, 2, -1), b(0, 1, 3);
-    draw.vertices[0].normal_object = glm::cross(a, b);
+    draw.vertices.edit()[0].normal_object = glm::cross(a, b);
     const glm::dvec3 normal_eye = reference::vertex_stage(draw)[0].normal_eye;
     for (const glm::dvec3& tangent : {a, b})
         EXPECT_NEAR(glm::dot(normal_eye, glm::dvec3(draw.eye_from_object * glm::dvec4(tangent, 0))), 0,
@@ -103,7 +103,7 @@ TEST(Normals, AreRescaledByTheModelviewAlone) {
     draw.lighting.rescale_normal = true;
     scale(draw, {2, 2, 2});
     EXPECT_EQ(red(draw), 0.5);
-    draw.vertices[0].normal_object = {0, 0, 3};
+    draw.vertices.edit()[0].normal_object = {0, 0, 3};
     EXPECT_EQ(red(draw), 1.5);  // keeps its own length
     draw.lighting.normalize = true;
     EXPECT_EQ(red(draw), 0.5);
@@ -139,7 +139,7 @@ TEST(Normals, OfASingularModelviewAreReachedByNoLight) {  // RULING
 TEST(Colours, WithoutLightingAreTheCurrentColour) {
     Draw draw = lit_vertex();
     draw.lighting.enabled = false;
-    draw.vertices[0].color = {0.1, 0.2, 2, 0.4};
+    draw.vertices.edit()[0].color = {0.1, 0.2, 2, 0.4};
     EXPECT_EQ(light(draw).front_primary, (glm::dvec4{0.1, 0.2, 2, 0.4}));
     EXPECT_EQ(light(draw).back_primary, light(draw).front_primary);
     EXPECT_EQ(light(draw, {}, true).front_primary, (glm::dvec4{0.1, 0.2, 1, 0.4}));
@@ -172,7 +172,7 @@ TEST(ColorMaterial, ReplacesWhatItTracksAndNothingElse) {
     };
     const glm::dvec4 color = {0.5, 0.25, 0.125, 0.75};
     Draw draw = lit_vertex();
-    draw.vertices[0].color = color;
+    draw.vertices.edit()[0].color = color;
     draw.lighting.light_model.ambient = {1, 1, 1, 1};
     draw.lighting.front.emission = {0.0625, 0.0625, 0.0625, 1};
     draw.lighting.front.ambient = {0.25, 0.25, 0.25, 1};
@@ -192,8 +192,8 @@ TEST(ColorMaterial, ReplacesWhatItTracksAndNothingElse) {
 
 TEST(ColorMaterial, FollowsTheNamedFaceOnly) {
     Draw draw = lit_vertex();
-    draw.vertices[0].color = kRed;
-    draw.vertices[0].normal_object = {0, 0, 1};
+    draw.vertices.edit()[0].color = kRed;
+    draw.vertices.edit()[0].normal_object = {0, 0, 1};
     draw.lighting.light_model.two_side = true;
     draw.lighting.color_material = {.enabled = true, .face = kGL_BACK, .mode = kGL_EMISSION};
     EXPECT_EQ(light(draw).front_primary, (glm::dvec4{0.5, 0.5, 0.5, 0.25}));
@@ -233,7 +233,7 @@ TEST(Pictures, AddTheSecondaryColourAfterInterpolation) {  // 3.9: both are clam
 TEST(Pictures, InPhongLightEveryPixelByItsOwnNormal) {
     Draw draw = lit_quad();
     draw.lighting.front.diffuse = kWhite;
-    for (Vertex& v : draw.vertices)
+    for (Vertex& v : draw.vertices.edit())
         v.normal_object = v.position_object.x == 0 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
     const double s = 4.5 / 16;                  // from (1, 0, 0) to (0, 0, 1), scaled to length 1
     constexpr double kFloat = 1.0 / (1 << 23);  // an Image stores floats

@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "base/math/normal_matrix.h"
 #include "render/context/gl.h"
@@ -67,7 +68,7 @@ void set_all_effects(EffectSet& effects, const Draw& draw, const LightingState& 
     const bool rgb = effects.needs_primary_rgb();
     effects.lights.clear();
     for_each_light(lighting, [&](std::size_t, const LightSource& light) {
-        const bool spot = light.spot_cutoff_deg != 180;
+        const bool spot = light.has_cone();
         effects.lights.push_back({.directional = light.position_eye.w == 0,
                                   .attenuated = is_attenuated(light),
                                   .spot = spot,
@@ -153,7 +154,21 @@ void check_has_precise() {
 bool floats_suffice(const Draw& draw, const Plan& plan) {
     if (upload_origin(draw, plan.vertices)) return false;
     if (!draw.lighting.enabled) return true;
-    if (has_wide_range(draw, plan) || (plan.effects.vertex_w && !keeps_w(draw.eye_from_object))) return false;
+    // The driver's program computes all lights, those too that the plan leaves out.
+    Plan all;
+    all.lighting = plan.lighting;
+    all.vertices = plan.vertices;
+    all.effects = plan.effects;
+    set_all_effects(all.effects, draw, plan.lighting);
+    for (std::size_t i = 0; i < plan.lighting.lights.size(); ++i)
+        if (plan.lighting.lights[i].enabled) all.lights.push_back({.number = static_cast<int>(i)});
+    for (const Plan* each : {&plan, &std::as_const(all)}) {
+        if (has_wide_range(draw, *each) || has_sized_normals(draw, *each)) return false;
+        if (each->effects.vertex_w && !keeps_w(draw.eye_from_object)) return false;
+    }
+    // Where a matrix projects, the driver takes normals from the inverse of all of it, and not of its upper 3x3 (2.11.3).
+    const glm::dmat4& all_of_it = draw.eye_from_object;
+    if (all_of_it[0][3] != 0 || all_of_it[1][3] != 0 || all_of_it[2][3] != 0) return false;
     // The squares of vectors and the determinants of matrices must be floats, which go from 1e-45 to 3e38.
     const auto fits = [](const glm::dvec3& v, double most) {
         const double length = glm::length(v);

@@ -21,6 +21,19 @@ vec3 vector_to(vec3 place_object, vec4 vertex_object) {
     return vertex_object.w < 0.0 ? -way : way;
 }
 
+// The same to a vertex whose w is between 1 and 2, or -2 and -1. Nothing is left of the difference of a vertex with itself.
+vec3 vector_to_vertex(vec4 place_object, vec4 vertex_object) {
+    vec3 way = u_eye_from_object_turned *
+        (place_object.xyz * vertex_object.w - vertex_object.xyz * place_object.w) / place_object.w;
+    return vertex_object.w < 0.0 ? -way : way;
+}
+
+// The largest component of a normal, so that the rest of it is neither short nor long.
+float size_of(vec3 v) {
+    vec3 size = abs(v);
+    return max(max(max(size.x, size.y), size.z), 1e-37);
+}
+
 // The vector from a vertex to a light in a direction (w = 0). If the vertex is a direction too, it is the difference of
 // the two (section 2.14.1).
 vec3 between_directions(vec3 toward_light, vec3 vertex, float vertex_w) {

@@ -5,8 +5,11 @@ uniform mat4 u_eye_from_object;  // the modelview matrix
 uniform mat3 u_eye_from_object_normal;  // the transposed inverse of the modelview matrix's upper 3x3 (section 2.11.3)
 uniform float u_normal_scale;  // GL_RESCALE_NORMAL's factor (section 2.11.3)
 uniform mat3 u_eye_from_object_turned;  // the modelview matrix's upper 3x3, for vectors
-uniform float u_object_scale;  // a power of two: scaled positions (x, y, z, w) are at most 1
+uniform vec4 u_object_scale;  // powers of two: scaled positions (x, y, z, w) are at most 1
+uniform float u_normal_unit;  // what u_eye_from_object_normal is divided by
 uniform vec3 u_viewer_object;  // the eye, in object coordinates
+uniform NEAR_VERTEX u_viewer_near_object;  // the vertex that is nearest to the eye, in object coordinates
+uniform vec3 u_viewer_way_eye;  // from there to the eye
 uniform vec3 u_viewer_dir_object;  // the direction to the eye, for a viewer at infinity
 uniform mat4 u_texture_matrix;
 // Generated texture coordinates (section 2.11.4): factors of the object coordinates x, y, z and w, for each coordinate.
