@@ -496,7 +496,7 @@ class Builder {
         if (secondary_)
             text += fmt::format("glSecondaryColor3f({:.4f}, {:.4f}, {:.4f});\n", more_values_.uniform(0, 1),
                                 more_values_.uniform(0, 1), more_values_.uniform(0, 1));
-        if (fog_coords_) text += fmt::format("glFogCoordf({:.4f});\n", more_values_.uniform(-1, 14));
+        if (fog_coords_) text += fmt::format("glFogCoordf({:.4f});\n", more_values_.uniform(0, 14));
         for (const int unit : further_units_)
             text += fmt::format("glMultiTexCoord4f(GL_TEXTURE{}, {:.4f}, {:.4f}, 0, {:.4f});\n", unit,
                                 unit_values_.uniform(-1.5, 1.5), unit_values_.uniform(-1.5, 1.5),
