@@ -169,7 +169,7 @@ double random_name(fuzz::Random& random, Enum pname) {
         case kGL_TEXTURE_GEN_MODE:
             return one_of(random,
                           {kGL_OBJECT_LINEAR, kGL_EYE_LINEAR, kGL_SPHERE_MAP, kGL_REFLECTION_MAP, kGL_NORMAL_MAP});
-        case kGL_FOG_COORD_SRC: return kGL_FRAGMENT_DEPTH;
+        case kGL_FOG_COORD_SRC: return one_of(random, {kGL_FRAGMENT_DEPTH, kGL_FOG_COORD});
         default: return one_of(random, {kGL_REPEAT, kGL_CLAMP, kGL_CLAMP_TO_EDGE, kGL_MIRRORED_REPEAT, kGL_LINEAR});
     }
 }

@@ -132,8 +132,7 @@ Editing editing_of(const Command& command, std::size_t argument) {
 bool is_color(const Command& command, std::size_t argument) {
     const ParameterInfo* const set = parameter_set(command);
     if (set && is_parameter_value(command, argument)) return set->meaning == Meaning::kColor;
-    constexpr CommandSet kColors =
-        CommandSet::of({"color", "clear_color", "blend_color", "driver_only_secondary_color"});
+    constexpr CommandSet kColors = CommandSet::of({"color", "clear_color", "blend_color", "secondary_color"});
     return kColors.contains(command.id);
 }
 

@@ -22,6 +22,8 @@ class Builder {
           units_(seed.structure + 2),
           unit_values_(~seed.values),
           fragments_(~seed.values),
+          more_(seed.structure + 3),
+          more_values_(~seed.values + 1),
           departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
@@ -38,6 +40,8 @@ class Builder {
                                  shows("GL_GENERATE_MIPMAP after glPopAttrib");
         if (of_textures || (structure_.chance(0.7) && !shows("the colour sum in fog"))) texture();
         if (departure_.empty() && units_.chance(0.25)) further_units();
+        secondary_ = departure_.empty() && more_.chance(0.12);
+        if (secondary_) add("glEnable(GL_COLOR_SUM);");
         add("glMatrixMode(GL_MODELVIEW);");
         if (shows("the colour sum in fog") || shows("fog of a vertex whose w is not 1") || reaches_behind() ||
             structure_.chance(0.4))
@@ -261,6 +265,8 @@ class Builder {
             reaches_behind() ? "GL_EXP" : one_of({"GL_LINEAR", "GL_EXP", "GL_EXP2"}));
         add("glFogf(GL_FOG_DENSITY, {:.4f}); glFogfv(GL_FOG_COLOR, {});", random_.uniform(0, 0.3), vector());
         add("glFogf(GL_FOG_START, {:.3f}); glFogf(GL_FOG_END, {:.3f});", random_.uniform(1, 6), random_.uniform(6, 12));
+        fog_coords_ = departure_.empty() && more_.chance(0.3);
+        if (fog_coords_) add("glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);");
     }
 
     void fragment_operations() {
@@ -514,6 +520,10 @@ class Builder {
     // attributes".
     std::string attributes(bool first, bool flags) {
         std::string text;
+        if (secondary_)
+            text += fmt::format("glSecondaryColor3f({:.4f}, {:.4f}, {:.4f});\n", more_values_.uniform(0, 1),
+                                more_values_.uniform(0, 1), more_values_.uniform(0, 1));
+        if (fog_coords_) text += fmt::format("glFogCoordf({:.4f});\n", more_values_.uniform(0, 14));
         // So near to each other that few texels fall within a pixel: otherwise filters leave the colour open.
         for (const int unit : further_units_)
             text += fmt::format("glMultiTexCoord4f(GL_TEXTURE{}, {:.4f}, {:.4f}, 0, {:.4f});\n", unit,
@@ -602,8 +612,9 @@ class Builder {
 
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
-    Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_;
-    std::vector<int> further_units_;  // the numbers of those with a texture
+    Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_, more_, more_values_;
+    bool secondary_ = false, fog_coords_ = false;  // vertices have secondary colours, fog coordinates
+    std::vector<int> further_units_;               // the numbers of those with a texture
     std::string_view departure_;
     bool lit_ = false;
     std::string text_;

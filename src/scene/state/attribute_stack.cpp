@@ -86,6 +86,7 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
         now.current = saved.current;
         now.further_tex_coords = saved.further_tex_coords;
         now.secondary_color = saved.secondary_color;
+        now.fog_coord = saved.fog_coord;
     }
     if (bit(kGL_POINT_BIT)) {
         now.raster.point_size = saved.raster.point_size;
@@ -98,7 +99,6 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
     if (bit(kGL_LIGHTING_BIT)) restore_lighting(now.lighting, saved.lighting);
     if (bit(kGL_FOG_BIT)) {
         now.fog = saved.fog;
-        now.fog_coordinates = saved.fog_coordinates;
         now.fragment.color_sum = saved.fragment.color_sum;
     }
     if (bit(kGL_DEPTH_BUFFER_BIT)) depth(now) = depth(saved);

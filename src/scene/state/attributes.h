@@ -125,13 +125,13 @@ struct Attributes {
     std::array<TextureBindings, kMaxTextureUnits> units;
     std::size_t active_unit = 0;  // glActiveTexture's
     std::array<ClipPlane, kMaxClipPlanes> clip_planes;
-    Vertex current;  // colour, normal, texture coordinates of unit 0, edge flag
+    Vertex current;                 // colour, normal, texture coordinates of unit 0, edge flag
+    glm::dvec3 secondary_color{0};  // the current one
+    double fog_coord = 0;           // the current one
     std::array<glm::dvec4, kMaxTextureUnits - 1> further_tex_coords = initial_tex_coords();  // of units 1, 2, ...
     Clear clear;                                                                             // the values to clear with
     bool draws_color = true;  // false: glDrawBuffer(GL_NONE)
     // Places where values were set that only the driver supports; a picture that is drawn with them is partial.
-    std::optional<Place> secondary_color;    // not black
-    std::optional<Place> fog_coordinates;    // GL_FOG_COORD_SRC is GL_FOG_COORD
     std::map<Enum, Place> point_parameters;  // those that differ from GL's initial values
     Hints hints{{kGL_PERSPECTIVE_CORRECTION_HINT, kGL_DONT_CARE},
                 {kGL_POINT_SMOOTH_HINT, kGL_DONT_CARE},

@@ -363,9 +363,10 @@ struct TextureUnit {
     friend bool operator==(const TextureUnit&, const TextureUnit&) = default;
 };
 
-struct Fog {  // 3.10; the factor f depends on the distance |z_eye|
+struct Fog {  // 3.10; the factor f depends on the distance |z_eye|, or on the vertices' fog coordinates
     bool enabled = false;
-    Enum mode = kGL_EXP;  // or GL_LINEAR, GL_EXP2
+    bool by_coordinates = false;  // GL_FOG_COORD_SRC is GL_FOG_COORD
+    Enum mode = kGL_EXP;          // or GL_LINEAR, GL_EXP2
     double density = 1;
     double start = 0;
     double end = 1;
@@ -461,6 +462,10 @@ struct Draw {
     RasterState raster;
     TextureUnit texture;                     // unit 0
     std::vector<FurtherUnit> further_units;  // those with a texture, in ascending order
+    // One for each vertex. The first are added after texturing, without lighting (3.9); empty: all are black, or
+    // GL_COLOR_SUM is off. The second are empty unless fog asks for them.
+    std::vector<glm::dvec3> secondary_colors;
+    std::vector<double> fog_coords;
     Fog fog;
     FragmentState fragment;
     // The materials of the vertices, if glMaterial is called between glBegin and glEnd. Then materials[0] equals
@@ -502,12 +507,13 @@ struct Draw {
 
     // Whether Shading::kExact draws surfaces instead of the mesh. It does so only for filled polygons whose texture
     // coordinates are not generated (GL generates them for vertices), that have at most one texture and no GL_COMBINE,
+    // no secondary colours without lighting and no fog coordinates,
     // and only if both faces have the same stencil test: shaders draw a surface as a rectangle, whose face is not the
     // surface's.
     bool has_exact_surfaces() const {
         return surfaces && !draws_borders() && !combines_textures() && texture.generated.empty() &&
-               raster.viewport.width > 0 && raster.viewport.height > 0 &&
-               (!fragment.stencil || fragment.stencil->front == fragment.stencil->back);
+               secondary_colors.empty() && fog_coords.empty() && raster.viewport.width > 0 &&
+               raster.viewport.height > 0 && (!fragment.stencil || fragment.stencil->front == fragment.stencil->back);
     }
 
     std::size_t count() const { return indices.empty() ? vertices.size() : indices.size(); }
