@@ -315,6 +315,9 @@ bool is_departure(const Command& command, const State& state) {
     // Of EXT_direct_state_access, which the driver has.
     const auto is_unit = [](Enum mode) { return mode >= kGL_TEXTURE0 && mode <= kGL_TEXTURE0 + 31; };
     if (command.id == CommandId::glMatrixMode && is_unit(command.enumerant(0))) return true;
+    // The driver would read beyond its images, so fixed::Driver gives it no level that large.
+    const bool is_base_level = owner == Owner::kTexture && command.enumerant(1) == kGL_TEXTURE_BASE_LEVEL;
+    if (is_base_level && command.arguments.size() > 2 && command.number(2) >= kMaxTextureLevels) return true;
     const bool is_eye_plane = name.starts_with("glTexGen") && command.enumerant(1) == kGL_EYE_PLANE;
     if ((command.id == CommandId::glClipPlane || is_eye_plane) && is_inaccurate_plane(state)) return true;
     return name.starts_with("glColor3") && state.attributes().current.color.a != 1;

@@ -5,12 +5,15 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <memory>
+#include <string>
 
 #include "judge/fuzz/random.h"
 #include "render/context/context.h"
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
 #include "scene/command/text.h"
+#include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -222,6 +225,28 @@ TEST(TexturesMatchDriver, GluMipmapsOfEverySize) {
         glDeleteTextures(1, &name);
     }
     EXPECT_LE(total / images, 0.1);
+}
+
+// Mesa reads beyond its images if GL_TEXTURE_BASE_LEVEL is large, and may crash: such a level does not reach it.
+TEST(TexturesMatchDriver, ABaseLevelBeyondAllImagesDrawsWithoutTexture) {
+    const auto context = make_offscreen_context(16, 16);
+    const auto red_at_center = [](double level) {
+        const std::string text = fmt::format(
+            "GLubyte t[64] = {{0}}; glEnable(GL_TEXTURE_2D); glColor3f(1, 0, 0);\n"
+            "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);\n"
+            "glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, t);\n"
+            "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, {:.0f});\n"
+            "glRectf(-1, -1, 1, 1);\n",
+            level);
+        const auto list = std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene"));
+        const float red = fixed::render(make_scene(list, {.width = 16, .height = 16})).at(8, 8)[0];
+        GLint given = 0;
+        glGetTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, &given);
+        EXPECT_LT(given, kMaxTextureLevels) << level;
+        return red;
+    };
+    EXPECT_EQ(red_at_center(0), 0);
+    for (const double level : {1, 14, 15, 115, 1000, 2147483647}) EXPECT_EQ(red_at_center(level), 1) << level;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // Driver: object names and execution. driver_reads.cpp decides which commands may be sent.
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "render/fixed/fixed.h"
 #include "scene/command/command_set.h"
 #include "scene/shape/written_out.h"
+#include "scene/state/pixel_unpacking.h"
 
 namespace twinlight::fixed {
 
@@ -219,6 +221,11 @@ Command Driver::translated(const Command& command) {
         result.arguments[1] = range.first;
         result.arguments[2] = range.second;
     }
+    // Mesa looks for the image of this level beyond the end of its list of images. The last level has none either: a
+    // texture large enough for one is beyond the budget of memory.
+    const bool is_base_level = owner_of(command.id) == Owner::kTexture && command.arguments.size() == 3 &&
+                               command.enumerant(1) == kGL_TEXTURE_BASE_LEVEL;
+    if (is_base_level) result.arguments[2] = std::min<double>(command.number(2), kMaxTextureLevels - 1);
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const auto type = named_objects(parameters[i]);
         if (!type || *type == ObjectType::kList) continue;
