@@ -11,11 +11,30 @@
 
 namespace twinlight::fuzz {
 
+namespace {
+
+// The departure with the greatest number for this seed. So a new departure changes only the states that are about it.
+std::string_view chosen_departure(std::uint64_t seed) {
+    std::string_view chosen;
+    std::uint64_t greatest = 0;
+    for (const compare::Departure& departure : compare::departures()) {
+        std::uint64_t number = seed;
+        for (const char c : departure.name) number = (number ^ static_cast<unsigned char>(c)) * 0x9E3779B97F4A7C15ULL;
+        number ^= number >> 32;
+        if (number < greatest) continue;
+        greatest = number;
+        chosen = departure.name;
+    }
+    return chosen;
+}
+
+}  // namespace
+
 std::string_view departure_of(const Seed& seed, Random& structure) {
     const bool about_one = structure.chance(0.1);
-    const int which = structure.below(static_cast<int>(compare::departures().size()));
+    const std::uint64_t which = structure.next();
     if (!seed.departure.empty()) return seed.departure;
-    return about_one ? compare::departures()[static_cast<std::size_t>(which)].name : std::string_view();
+    return about_one ? chosen_departure(which) : std::string_view();
 }
 
 namespace {
