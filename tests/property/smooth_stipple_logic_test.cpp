@@ -1,4 +1,4 @@
-// Smooth lines and points (3.3, 3.4.2, 3.11), the polygon stipple (3.5.2), logical operations (4.1.10): the reference by
+// Smooth lines and points (3.3, 3.4.2, 3.11), the stipples of lines (3.4.2) and polygons (3.5.2), logical operations (4.1.10): the reference by
 // hand calculation, and the driver with the same colours.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -78,6 +78,37 @@ TEST(SmoothPoints, AreDiscs) {
     EXPECT_EQ(red(image, 12, 11), 0) << "a corner of the square";
 }
 
+// Which pixels of a row are drawn, from pixel 4 on.
+std::string dashes(const std::string& text) {
+    const Image image = reference_of("glEnable(GL_LINE_STIPPLE); " + text);
+    std::string row;
+    for (int x = 4; x < 24; ++x) row += red(image, x, 8) > 0 ? '#' : '.';
+    return row;
+}
+
+TEST(LineStipple, CountsFragments) {
+    const std::string line = "glBegin(GL_LINES); glVertex2f(4, 8.5); glVertex2f(24, 8.5); glEnd();";
+    EXPECT_EQ(dashes(line), "####################") << "the initial pattern";
+    EXPECT_EQ(dashes("glLineStipple(1, 0x3F0D);" + line), "#.##....######..#.##");
+    EXPECT_EQ(dashes("glLineStipple(3, 5);" + line), "###...###...........");
+    EXPECT_EQ(dashes("glLineStipple(0, 0x3F0D);" + line), "#.##....######..#.##") << "the factor is at least 1";
+    EXPECT_EQ(dashes("glLineStipple(1, 0x3F0D); glBegin(GL_LINES); glVertex2f(24, 8.5); glVertex2f(4, 8.5); glEnd();"),
+              "##.#..######....##.#")
+        << "from the first vertex";
+    EXPECT_EQ(dashes("glLineStipple(1, 7); glLineWidth(3);" + line), "###.............###.");
+}
+
+TEST(LineStipple, GoesOnInStripsAndBeginsWithEachLine) {
+    const auto lines = [](const char* mode) {
+        return dashes(
+            fmt::format("glLineStipple(1, 0x0F0F); glBegin({}); glVertex2f(4, 8.5); glVertex2f(10, 8.5);"
+                        "{} glVertex2f(24, 8.5); glEnd();",
+                        mode, std::string_view(mode) == "GL_LINES" ? "glVertex2f(10, 8.5);" : ""));
+    };
+    EXPECT_EQ(lines("GL_LINE_STRIP"), "####....####....####");
+    EXPECT_EQ(lines("GL_LINES"), "####..####....####..");
+}
+
 TEST(PolygonStipple, DrawsWhereItsBitIs1) {
     // 0x81 in byte 0, 0x40 in byte 5, 1 in byte 127.
     std::string bytes = "0x81, 0, 0, 0, 0, 0x40";
@@ -138,6 +169,8 @@ TEST(SmoothStippleLogic, AgreeThreeWays) {
              "glEnable(GL_LINE_SMOOTH); glLineWidth(7); glColor4f(0.3, 0.9, 0.2, 0.8); glBegin(GL_LINES); "
              "glVertex2f(3, "
              "4); glVertex2f(29, 25); glEnd();",
+             "glEnable(GL_LINE_STIPPLE); glLineStipple(3, 0x3C35); glLineWidth(7); glColor4f(0.3, 0.9, 0.2, 0.8);"
+             "glBegin(GL_LINE_STRIP); glVertex2f(3.3, 4.1); glVertex2f(29, 10.2); glVertex2f(12.6, 28.1); glEnd();",
              "glEnable(GL_POINT_SMOOTH); glPointSize(19); glColor4f(0.3, 0.9, 0.2, 1); glBegin(GL_POINTS); "
              "glVertex2f(13, 14.4); glEnd();",
              "glPolygonStipple((GLubyte[128]){" + bytes +

@@ -38,6 +38,7 @@ constexpr RangeRow kRanges[] = {
     {"depth_range", "", 0, 1, true},
     {"blend_color", "", 0, 1, true},
     {"alpha_func", "ref", 0, 1, true},
+    {"line_stipple", "factor", 1, 256, true},
     {"line_width", "", kSmallestAboveZero, kUnlimited, false},
     {"point_size", "", kSmallestAboveZero, kUnlimited, false},
     {"perspective", "fovy", 1, 179, false},

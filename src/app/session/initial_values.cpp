@@ -41,6 +41,8 @@ const std::vector<InitialRow>& initial_rows() {
         {"polygon_offset", {0, 0}},
         {"line_width", {1}},
         {"point_size", {1}},
+        {"line_stipple", {1, 0xFFFF}},
+        {"logic_op", {kGL_COPY}},
         {"depth_func", {kGL_LESS}},
         {"depth_mask", {1}},
         {"color_mask", {1, 1, 1, 1}},

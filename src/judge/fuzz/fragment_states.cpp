@@ -275,6 +275,9 @@ class Builder {
             if (fragments_.chance(0.05)) logic_op();
             if (fragments_.chance(0.05)) polygon_stipple();
             if (fragments_.chance(0.1)) add("glEnable(GL_LINE_SMOOTH);");
+            if (fragments_.chance(0.1))
+                add("glLineStipple({}, {}); glEnable(GL_LINE_STIPPLE);", 1 + fragments_.below(9),
+                    fragments_.below(65536));
             if (fragments_.chance(0.02)) add("glEnable(GL_POINT_SMOOTH);");
         }
         if (structure_.chance(0.3))

@@ -105,6 +105,24 @@ std::vector<Corner> outline(const glm::dvec2& centre, double size) {
     return corners;
 }
 
+// The number of the first pixel centre on the way from `from` to `to`, along one axis.
+int first_centre(double from, double to) {
+    return static_cast<int>(from <= to ? std::ceil(from - 0.5) : std::ceil(from - 0.5) - 1);
+}
+
+// The axis along which the line is longer: 0 is x.
+int major_axis(const Ends& line) {
+    const glm::dvec3 way = glm::abs(line.to.position_window - line.from.position_window);
+    return way.x >= way.y ? 0 : 1;
+}
+
+// How many fragments a line of width 1 has; its ends may add or remove one.
+int fragment_count(const Ends& line) {
+    const int axis = major_axis(line);
+    const double from = line.from.position_window[axis], to = line.to.position_window[axis];
+    return std::abs(first_centre(to, from < to ? to + 1 : to - 1) - first_centre(from, to));
+}
+
 class PieceMaker {
   public:
     PieceMaker(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
@@ -181,16 +199,39 @@ class PieceMaker {
     void line(const Primitive& primitive, Face face, const ClipVertex& from, const ClipVertex& to,
               double depth_offset = 0) {
         const std::vector<ClipVertex> ends = volume_.line(from, to);
+        if (draw_.raster.line_stipple) begin_stipple(primitive, ends, from, to);
         if (ends.empty()) return;
         Piece& piece = append(primitive, face, Shape::kLine);
         piece.size = whole_pixels(draw_.raster.line_width);
         Ends placed{window_vertex(draw_.raster, ends[0]), window_vertex(draw_.raster, ends[1])};
         for (WindowVertex* end : {&placed.from, &placed.to}) end->position_window.z += depth_offset;
         piece.place = placed;
+        if (draw_.raster.line_stipple) {
+            piece.stipple_from = stipple_from_;
+            const int period = 16 * draw_.raster.line_stipple->factor;
+            stipple_from_ = (stipple_from_ + fragment_count(placed)) % period;
+            // Drivers that measure the line instead of counting its fragments differ by less than 1.
+            stipple_doubt_ = std::min(stipple_doubt_ + 1, kAnyCount);
+            piece.stipple_doubt = static_cast<std::uint8_t>(stipple_doubt_);
+        }
         piece.is_smooth = draw_.raster.line_smooth;
         if (piece.is_smooth)
             piece.corners = Corners(outline(glm::dvec2(placed.from.position_window),
                                             glm::dvec2(placed.to.position_window), draw_.raster.line_width));
+    }
+
+    // 3.4.2: the count begins with each line of GL_LINES, and with each strip and loop.
+    // RULING: it counts only what clipping leaves, and begins anew with each polygon that is drawn as lines. 3.4.2 says
+    // neither, so any count is possible there. The same holds for smooth lines, whose fragments have no order.
+    void begin_stipple(const Primitive& primitive, const std::vector<ClipVertex>& ends, const ClipVertex& from,
+                       const ClipVertex& to) {
+        const bool is_border = primitive.shape == Shape::kTriangle;
+        const bool begins = is_border ? stippled_ != primitive.provoking : draw_.mode == kGL_LINES || !stippled_;
+        stippled_ = primitive.provoking;
+        if (begins) stipple_from_ = stipple_doubt_ = 0;
+        const bool is_whole = ends.size() == 2 && ends[0].position_clip == from.position_clip &&
+                              ends[1].position_clip == to.position_clip;
+        if (!is_whole || is_border || draw_.raster.line_smooth) stipple_doubt_ = kAnyCount;
     }
 
     void triangle(const Primitive& primitive) {
@@ -237,6 +278,8 @@ class PieceMaker {
     const ClipVolume whole_volume_;
     ClipVolume volume_;  // what the primitive is clipped to
     std::vector<Piece>& pieces_;
+    std::optional<std::uint32_t> stippled_;  // the provoking vertex of the last stippled line
+    int stipple_from_ = 0, stipple_doubt_ = 0;
 };
 
 }  // namespace
@@ -296,6 +339,14 @@ void add_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<St
     if (draw.raster.viewport.width <= 0 || draw.raster.viewport.height <= 0) return;
     PieceMaker maker(draw, draw_index, vertices, options.in_clip_plane, pieces);
     for (const Primitive& primitive : assemble(draw, options.quad_cut)) maker.add(primitive);
+}
+
+int stipple_count(const Piece& line, int x, int y) {
+    const Ends& ends = line.ends();
+    const int axis = major_axis(ends), at = axis == 0 ? x : y;
+    const double from = ends.from.position_window[axis], to = ends.to.position_window[axis];
+    const int first = first_centre(from, to);
+    return line.stipple_from + std::max(0, from <= to ? at - first : first - at);
 }
 
 double depth_at(const Piece& piece, const glm::dvec2& position_window) {

@@ -101,6 +101,8 @@ Answer of_buffers(const Attributes& a, Enum pname) {
         case kGL_STENCIL_BACK_PASS_DEPTH_FAIL: return one(back.depth_fail);
         case kGL_STENCIL_BACK_PASS_DEPTH_PASS: return one(back.depth_pass);
         case kGL_STENCIL_BACK_WRITEMASK: return one(back.write_mask);
+        case kGL_LINE_STIPPLE_PATTERN: return one(a.line_stipple.pattern);
+        case kGL_LINE_STIPPLE_REPEAT: return one(a.line_stipple.factor);
         case kGL_LOGIC_OP_MODE: return one(a.logic_op);
         case kGL_STENCIL_CLEAR_VALUE: return one(a.clear.clear_stencil);
         case kGL_ACCUM_CLEAR_VALUE: return list(a.clear.clear_accumulation);

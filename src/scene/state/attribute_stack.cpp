@@ -18,11 +18,13 @@ auto capabilities(auto& a) {  // GL_ENABLE_BIT, without lights, clip planes and 
                     a.lighting.rescale_normal, a.raster.cull_enabled, a.raster.depth_test,
                     a.raster.polygon_offset.point, a.raster.polygon_offset.line, a.raster.polygon_offset.fill,
                     a.fragment.scissor.enabled, a.fragment.alpha_test, a.fragment.blend, a.fragment.color_sum,
-                    a.fog.enabled, a.stencil_enabled, a.polygon_stipple_enabled, a.logic_op_enabled,
-                    a.raster.line_smooth, a.raster.point_smooth);
+                    a.fog.enabled, a.stencil_enabled, a.line_stipple_enabled, a.polygon_stipple_enabled,
+                    a.logic_op_enabled, a.raster.line_smooth, a.raster.point_smooth);
 }
 
-auto line(auto& a) { return std::tie(a.raster.line_width, a.raster.line_smooth); }
+auto line(auto& a) {
+    return std::tie(a.raster.line_width, a.raster.line_smooth, a.line_stipple_enabled, a.line_stipple);
+}
 
 auto polygon(auto& a) {
     return std::tie(a.raster.front_face, a.raster.cull_enabled, a.raster.cull_face, a.raster.polygon_mode_front,

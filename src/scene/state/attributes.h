@@ -114,9 +114,10 @@ using Hints = std::map<Enum, Enum>;
 // All state that some bit of glPushAttrib saves (6.1.14, tables 6.5 to 6.35).
 struct Attributes {
     LightingState lighting;
-    RasterState raster;      // without what a Draw gets only if it is enabled: clip planes, the polygon stipple
+    RasterState raster;      // without what a Draw gets only if it is enabled: clip planes, stipples
     FragmentState fragment;  // without what a Draw gets only if it is enabled: the stencil test, the logical operation
-    bool polygon_stipple_enabled = false, logic_op_enabled = false;
+    bool line_stipple_enabled = false, polygon_stipple_enabled = false, logic_op_enabled = false;
+    LineStipple line_stipple;
     std::shared_ptr<const PolygonStipple> polygon_stipple = solid_stipple();
     Enum logic_op = kGL_COPY;
     bool stencil_enabled = false;

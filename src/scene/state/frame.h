@@ -230,6 +230,14 @@ struct PolygonOffset {  // 3.5.5
 // 3.5.2: a bit for each pixel of 32 rows, from the bottom; bit 0 is the leftmost. A fragment is drawn if its bit is 1.
 using PolygonStipple = std::array<std::uint32_t, 32>;
 
+// 3.4.2: each bit counts for `factor` fragments of a line, from the lowest bit. A fragment is drawn if its bit is 1.
+struct LineStipple {
+    int factor = 1;  // 1 to 256
+    std::uint16_t pattern = 0xFFFF;
+
+    friend bool operator==(const LineStipple&, const LineStipple&) = default;
+};
+
 inline constexpr int kMaxClipPlanes = 8;  // GL requires at least 6 (table 6.29); Mesa has 8
 
 struct RasterState {
@@ -243,6 +251,7 @@ struct RasterState {
     PolygonOffset polygon_offset;
     double line_width = 1;  // 3.4: without smoothing, rounded to a whole number of pixels, at least 1
     double point_size = 1;  // 3.3: the same
+    std::optional<LineStipple> line_stipple{};                // nothing: off
     std::shared_ptr<const PolygonStipple> polygon_stipple{};  // null: off
     bool line_smooth = false, point_smooth = false;           // 3.3, 3.4.2
     std::array<std::optional<glm::dvec4>, kMaxClipPlanes>

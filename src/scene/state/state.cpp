@@ -277,6 +277,7 @@ Draw State::new_draw(Enum mode, const Place& place) {
     if (!a_.draws_color) draw.fragment.color_mask.fill(false);
     if (a_.stencil_enabled) draw.fragment.stencil = a_.stencil_test;
     if (a_.logic_op_enabled) draw.fragment.logic_op = a_.logic_op;
+    if (a_.line_stipple_enabled && draw.draws_lines()) draw.raster.line_stipple = a_.line_stipple;
     if (a_.polygon_stipple_enabled && draws_polygons(mode)) draw.raster.polygon_stipple = a_.polygon_stipple;
     draw.raster.line_smooth &= draw.draws_lines();
     draw.raster.point_smooth &= draw.draws_points();

@@ -138,7 +138,7 @@ class State {
         driver_only_point_parameter, driver_only_pixel_transfer, driver_only_bitmap, driver_only_copy_image;
     Effect stencil_func, stencil_op, stencil_mask, clear_stencil;
     Effect accumulate, clear_accumulation;
-    Effect polygon_stipple, logic_op;
+    Effect line_stipple, polygon_stipple, logic_op;
     Effect clear_depth, clear_color, clear, scissor, alpha_func, blend_func, blend_color, color_mask, fog,
         blend_equation;
     Effect light, material, light_model, color_material, shade_model, get_light, get_material, specular_model,
