@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kSide = 16;
 
-class ColorSum : public testing::Test {
+class ColorSumAndFogCoordinates : public testing::Test {
   protected:
     // The colour at a pixel, which all renderers must agree on.
     Rgba color(const std::string& text, int x = 8, int y = 8) {
@@ -52,7 +52,7 @@ class ColorSum : public testing::Test {
 
 constexpr const char* kRect = "glRectf(-1, -1, 1, 1);\n";
 
-TEST_F(ColorSum, AddsTheSecondaryColorAfterTheTexture) {
+TEST_F(ColorSumAndFogCoordinates, AddsTheSecondaryColorAfterTheTexture) {
     const std::string texture =
         "GLubyte texel[] = {128, 128, 128, 64};\n"
         "glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);\n"
@@ -73,7 +73,7 @@ TEST_F(ColorSum, AddsTheSecondaryColorAfterTheTexture) {
     EXPECT_NEAR(color(sum + "glSecondaryColor3us(13107, 0, 0);\n" + kRect)[0], 64.0 / 255 + 0.2, 1e-6);
 }
 
-TEST_F(ColorSum, NeedsTheCapabilityAndNoLighting) {
+TEST_F(ColorSumAndFogCoordinates, NeedsTheCapabilityAndNoLighting) {
     const std::string red = "glColor3f(0, 0.5, 0); glSecondaryColor3f(1, 0, 0);\n";
     EXPECT_EQ(color(red + kRect)[0], 0);
     EXPECT_EQ(color(red + "glEnable(GL_COLOR_SUM);\n" + kRect)[0], 1);
@@ -89,7 +89,7 @@ TEST_F(ColorSum, NeedsTheCapabilityAndNoLighting) {
               0);
 }
 
-TEST_F(ColorSum, InterpolatesSecondaryColors) {
+TEST_F(ColorSumAndFogCoordinates, InterpolatesSecondaryColors) {
     const std::string text =
         "glEnable(GL_COLOR_SUM); glColor3f(0, 0, 0); glBegin(GL_TRIANGLE_STRIP);\n"
         "glSecondaryColor3f(0, 0, 1); glVertex2f(-1, -1); glVertex2f(-1, 1);\n"
@@ -101,7 +101,7 @@ TEST_F(ColorSum, InterpolatesSecondaryColors) {
     EXPECT_NEAR(color("glColor3f(0, 0, 0);" + text, 12, 8)[0], 12.5 / 16, 1e-6);
 }
 
-TEST_F(ColorSum, TakesFogFromTheCoordinates) {
+TEST_F(ColorSumAndFogCoordinates, TakesFogFromTheCoordinates) {
     const std::string fog =
         "glEnable(GL_FOG); glFogfv(GL_FOG_COLOR, (GLfloat[]){0, 0, 0, 1}); glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);\n"
         "glColor4f(1, 1, 1, 1);\n";
@@ -119,6 +119,19 @@ TEST_F(ColorSum, TakesFogFromTheCoordinates) {
         "glVertex2f(1, 1); glEnd();\n";
     EXPECT_NEAR(color(linear, 4, 8)[0], 1 - 4.5 / 16, 1e-6);
     EXPECT_NEAR(color(linear, 12, 8)[0], 1 - 12.5 / 16, 1e-6);
+}
+
+// c is the coordinate itself: below 0 f is clamped to 1. Mesa 22.3 takes its absolute value, so only shaders are compared.
+TEST_F(ColorSumAndFogCoordinates, TakesNoFogFromCoordinatesBelow0) {
+    const auto list = std::make_shared<const CommandList>(
+        read_scene("glEnable(GL_FOG); glFogfv(GL_FOG_COLOR, (GLfloat[]){0, 0, 0, 1});\n"
+                   "glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD); glColor3f(0.8, 0.8, 0.8); glFogCoordf(-3);\n"
+                   "glRectf(-1, -1, 1, 1);\n",
+                   "scene.gl", "scene"));
+    const Scene scene = make_scene(list, {.width = kSide, .height = kSide});
+    constexpr double kRounding = 0.51 / 255;  // to 8 bits
+    EXPECT_NEAR(reference::render(scene.frame, {}).at(8, 8)[0], 0.8, kRounding);
+    EXPECT_NEAR(renderer_.render(scene.frame, {}).image.at(8, 8)[0], 0.8, kRounding);
 }
 
 TEST(SecondaryColor, IsPartOfTheState) {

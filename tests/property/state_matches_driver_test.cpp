@@ -326,6 +326,7 @@ bool is_departure(const Command& command, const State& state) {
     const bool switches = command.id == CommandId::glEnable || command.id == CommandId::glDisable;
     const bool stays = command.id == CommandId::glBlendEquationSeparate ||
                        (switches && command.enumerant(0) == kGL_COLOR_SUM) ||
+                       (name.starts_with("glFog") && owner && command.enumerant(0) == kGL_FOG_COORD_SRC) ||
                        (command.id == CommandId::glHint && command.enumerant(0) == kGL_GENERATE_MIPMAP_HINT) ||
                        (name.starts_with("glTexParameter") && command.enumerant(1) == kGL_GENERATE_MIPMAP);
     // 6.1.14: what is changed within an inner glPushAttrib that does not save it, the outer one restores; the driver

@@ -186,6 +186,15 @@ bool has_exponential_fog_behind_the_eye(const Draw& draw) {
            std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) { return z_eye(vertex) < 0; });
 }
 
+bool has_negative_fog_coords(const Draw& draw) {
+    return std::ranges::any_of(draw.fog_coords, [](double coordinate) { return coordinate < 0; });
+}
+
+// Mesa makes separate lines of the strips in a list if another strip or line follows, so the count begins with each.
+bool stipples_listed_strips(const Draw& draw) {
+    return draw.raster.line_stipple && draw.in_list && (draw.mode == kGL_LINE_STRIP || draw.mode == kGL_LINE_LOOP);
+}
+
 bool clamps_between_nearest_and_linear(const Draw& draw) {
     return any_unit(draw, [](const TextureUnit& unit) {
         const Texture& texture = *unit.texture;

@@ -491,7 +491,10 @@ class Assembler {
         switch (effects_.fog) {
             case FogEffect::kNone: break;
             case FogEffect::kLinear: return fmt::format("fog_linear({}, u_fog_end, u_fog_scale)", fog_distance);
-            case FogEffect::kExp: return fmt::format("fog_exp({}, u_fog_density)", fog_distance);
+            case FogEffect::kExp:
+                // A distance is not negative, so only a fog coordinate needs the clamp to [0, 1].
+                if (effects_.fog_coords) return fmt::format("min(fog_exp({}, u_fog_density), 1.0)", fog_distance);
+                return fmt::format("fog_exp({}, u_fog_density)", fog_distance);
             case FogEffect::kExp2: return fmt::format("fog_exp2({}, u_fog_density)", fog_distance);
         }
         return "";
