@@ -31,7 +31,8 @@ Outcome stipple_outcome(const LineStipple& stipple, int count, int doubt) {
     const auto bit = [&](int number) {
         return (stipple.pattern >> (std::max(number, 0) / stipple.factor % 16) & 1) != 0;
     };
-    for (int i = -doubt; i <= doubt; ++i)
+    const bool is_even = stipple.pattern == 0 || stipple.pattern == 0xFFFF;
+    for (int i = -doubt; !is_even && i <= doubt; ++i)
         if (bit(count + i) != bit(count)) return Outcome::kOpen;
     return bit(count) ? Outcome::kPasses : Outcome::kFails;
 }

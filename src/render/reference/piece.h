@@ -88,7 +88,7 @@ struct Piece {
     // follow each other in the order of their points.
     std::shared_ptr<const SurfaceRays> rays{};
     int point = 0;
-    // Of a stippled line: how many fragments of its strip or loop come before it (3.4.2).
+    // Of a stippled line: which fragment of its strip or loop it would have at coordinate 0 of its longer axis (3.4.2).
     int stipple_from = 0;
 
     // For lines and points; for polygons. Asking a piece of the other kind is a mistake.
