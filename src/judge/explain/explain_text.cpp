@@ -123,8 +123,8 @@ std::string steps_after_lighting(const PixelFragment& fragment, const Draw& draw
         steps.emplace_back("textures (3.8)");
     else if (draw.texture.texture)
         steps.emplace_back("texture (3.8)");
-    if (fragment.is_lit && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
-        steps.emplace_back("colour sum (3.9)");
+    const bool separates = fragment.is_lit && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
+    if (separates || !draw.secondary_colors.empty()) steps.emplace_back("colour sum (3.9)");
     if (draw.fog.enabled) steps.emplace_back("fog (3.10)");
     if (lecture_variants && draw.fragment.srgb_coded) steps.emplace_back("sRGB");
     return fmt::format("after {}", fmt::join(steps, ", "));

@@ -578,6 +578,9 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, cons
         for (const UnitEffects& unit : effects.units)
             if (!unit.texture.generates_all())
                 add(draw.tex_coord(unit.number, static_cast<std::size_t>(&vertex - draw.vertices.data())), 4);
+        const auto number = static_cast<std::size_t>(&vertex - draw.vertices.data());
+        if (effects.secondary_color) add(draw.secondary_colors.at(number), 3);
+        if (effects.fog_coords) values.push_back(to_float(draw.fog_coords.at(number)));
         for (const VertexProperty& property : properties) {
             const Material& material = draw.materials.at(vertex.material).*property.face;
             if (property.color)

@@ -65,7 +65,7 @@ void State::draw(const Command& c, const ArrayVertices& read) {
     for (FurtherUnit& further : draw.further_units)
         if (const auto found = read.further_tex_coords.find(further.number); found != read.further_tex_coords.end())
             further.tex_coords = found->second;
-    add_tex_coords(draw);
+    add_further_values(draw);
     show(std::move(draw));
 }
 
@@ -85,7 +85,7 @@ void State::send_element(const Command& c, const ArrayVertices& element) {
     if (!element.has_position || !open_ || !has_room(c, vertex_bytes(open_->mode, 1))) return;
     a_.current.position_object = values.position_object;
     open_->vertices.edit().push_back(a_.current);
-    add_tex_coords(*open_);
+    add_further_values(*open_);
 }
 
 }  // namespace twinlight

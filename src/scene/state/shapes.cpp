@@ -53,7 +53,7 @@ void State::send_shape(const Command& c, std::vector<ShapePart> parts, std::vect
         }
         if (!part.immediate) a_.current = before;
         draw.vertices = std::move(vertices);
-        add_tex_coords(draw);
+        add_further_values(draw);
         draw.indices = std::move(part.indices);
         draw.surfaces = shared;
         show(std::move(draw));

@@ -137,11 +137,10 @@ class State {
     Effect enable, disable;
     Effect client_arrays, array_element, draw_arrays;
     Effect draw_buffer, driver_only_state, driver_only_drawing, driver_only_attribute, driver_only_query,
-        driver_only_secondary_color, driver_only_point_parameter, driver_only_pixel_transfer, driver_only_bitmap,
-        driver_only_copy_image;
+        driver_only_point_parameter, driver_only_pixel_transfer, driver_only_bitmap, driver_only_copy_image;
     Effect stencil_func, stencil_op, stencil_mask, clear_stencil;
     Effect accumulate, clear_accumulation;
-    Effect polygon_stipple, logic_op;
+    Effect line_stipple, polygon_stipple, logic_op;
     Effect clear_depth, clear_color, clear, scissor, alpha_func, blend_func, blend_color, color_mask, fog,
         blend_equation;
     Effect light, material, light_model, color_material, shade_model, get_light, get_material, specular_model,
@@ -157,7 +156,7 @@ class State {
     Effect render_mode, hit_buffer, is_enabled, query_clip_plane;
     Effect shape, mesh_file, new_quadric, delete_quadric, set_quadric, quadric_shape;
     Effect spectrum, reflectance, illuminant, transfer;
-    Effect begin, end, normal, color, vertex, tex_coord, multi_tex_coord, rect;
+    Effect begin, end, normal, color, secondary_color, fog_coord, vertex, tex_coord, multi_tex_coord, rect;
     Effect pixel_store, tex_image, tex_sub_image;
     Effect bind_texture, active_texture, tex_parameter, tex_env, tex_gen, query_tex_env, query_tex_gen,
         query_tex_parameter, gen_textures, delete_textures, prioritize_textures;
@@ -173,8 +172,8 @@ class State {
     std::optional<ArrayVertices> array_vertices(
         const Command& draw);  // raises the error and returns nullopt if it is wrong
     void draw(const Command& command, const ArrayVertices& read);
-    // Gives the Draw's newest vertices the current texture coordinates of its further units.
-    void add_tex_coords(Draw& draw) const;
+    // Gives the Draw's newest vertices the current values that a Vertex does not hold.
+    void add_further_values(Draw& draw) const;
     TextureUnit texture_unit(std::size_t number) const;  // of a Draw made now
     void set_combine(const Command& command, Enum pname, double value);
     void send_element(const Command& command, const ArrayVertices& element);  // glArrayElement

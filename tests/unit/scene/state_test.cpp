@@ -391,9 +391,9 @@ TEST(Frames, KeepTheStateOfEachDraw) {
 }
 
 TEST(Frames, NameWhatTheRenderersDoNotDoYetWithCountAndPlace) {
-    const Frame frame = frame_of("\n  glEnable(GL_LINE_STIPPLE); glutSolidCube(1); glutSolidCube(2);");
+    const Frame frame = frame_of("\n  glEnable(GL_POLYGON_SMOOTH); glutSolidCube(1); glutSolidCube(2);");
     ASSERT_EQ(frame.unsupported.size(), 1u);
-    EXPECT_EQ(frame.unsupported[0].name, "glEnable(GL_LINE_STIPPLE)");
+    EXPECT_EQ(frame.unsupported[0].name, "glEnable(GL_POLYGON_SMOOTH)");
     EXPECT_EQ(frame.unsupported[0].first.str(), "scene.gl:2:3");
     EXPECT_GE(frame.unsupported[0].count, 2);
     EXPECT_EQ(frame.unsupported[0].missing_from, MissingFrom::kFrame);
