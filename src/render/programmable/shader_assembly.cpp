@@ -204,9 +204,9 @@ class Assembler {
 
     // The statements that call light_front() or light_back() with a Surface.
     std::string lit_vertex() const {
-        const std::string position = form_.wide_range     ? lighting_.vertex_position
-                                     : form_.object_space ? "position.xyz"
-                                                          : divided(lighting_.vertex_position);
+        const std::string position = names_.position_is_homogeneous() ? lighting_.vertex_position
+                                     : form_.object_space             ? "position.xyz"
+                                                                      : divided(lighting_.vertex_position);
         const std::string surface = names_.surface(position, lighting_.vertex_position, lighting_.vertex_normal, "a_");
         const char* argument = names_.has_surface() ? "surface" : "";
         std::string text;
@@ -221,6 +221,7 @@ class Assembler {
     }
     std::string lit_fragment() const {
         std::string position = form_.wide_range    ? "v_position_object"
+                               : form_.homogeneous ? "v_position_eye"
                                : effects_.vertex_w ? "divided_by_w(v_position_eye)"
                                                    : "v_position_eye";
         std::string normal = "v_normal_eye";

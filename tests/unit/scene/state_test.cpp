@@ -294,6 +294,11 @@ TEST(Matrices, RotateByAnglesWhoseSinesAndCosinesKeepAllDigits) {
         EXPECT_NEAR(-turn(90 + beyond_deg).x / sine, 1, kTwoUnits) << beyond_deg;
         EXPECT_NEAR(-turn(180 + beyond_deg).y / sine, 1, kTwoUnits) << beyond_deg;
         EXPECT_NEAR(turn(-90 + beyond_deg).x / sine, 1, kTwoUnits) << beyond_deg;
+        // Only 1 - cosine is in this element.
+        const glm::dmat4 tilted = after(fmt::format("glRotated({}, 3, 4, 0);", beyond_deg)).modelview();
+        const long double half_sine = std::sin(radians / 2);
+        const auto one_minus_cosine = static_cast<double>(2 * half_sine * half_sine);
+        EXPECT_NEAR(tilted[0][1] / (0.48 * one_minus_cosine), 1, 2 * kTwoUnits) << beyond_deg;
     }
 }
 
