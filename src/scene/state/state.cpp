@@ -379,13 +379,17 @@ Frame State::take_frame() {
     std::move(unsupported_.begin(), unsupported_.end(), std::back_inserter(frame.unsupported));
     frame.lists_called_before_made.assign(lists_.called_before_made.begin(), lists_.called_before_made.end());
     frame.typed_lights = typed_lights_;
+    frame.copies_pixels = copies_pixels_ && std::ranges::any_of(frame.draws(), &Draw::shows_copies);
+    if (frame.copies_pixels)
+        for (const KeptPicture& kept : kept_pictures_) frame.earlier.push_back(kept.items);
     drop_picture();
     return frame;
 }
 
 void State::drop_picture() {
+    keep_for_copies(items_.size());
     items_.clear();
-    item_bytes_ = 0;
+    item_bytes_ = bytes_of_kept_pictures();
     work_ = 0;
     unsupported_.clear();
     drop_typed_lights();
@@ -413,7 +417,8 @@ bool hides(const Clear& clear, std::span<const FrameItem> earlier) {
            ((clear.accumulation && whole) || std::ranges::none_of(earlier, fills_accumulation));
 }
 
-// The number of items that no later command can show.
+}  // namespace
+
 std::size_t hidden_items(std::span<const FrameItem> items) {
     if (items.size() < 2) return 0;
     const std::size_t last = items.size() - 1;
@@ -430,18 +435,28 @@ std::size_t hidden_items(std::span<const FrameItem> items) {
     return 0;
 }
 
-}  // namespace
+std::size_t State::bytes_of(const FrameItems& items) const {
+    std::size_t bytes = 0;
+    for (const FrameItem& item : items)
+        if (const Draw* draw = std::get_if<Draw>(&item))
+            bytes += bytes_of_draw() +
+                     bytes_of_vertices(draw->raster, draw->mode, draw->vertices.size(), draw->indices.size()) +
+                     draw->further_units.size() * bytes_of_tex_coords(draw->vertices.size());
+    return bytes;
+}
+
+std::size_t State::bytes_of_kept_pictures() const {
+    std::size_t bytes = 0;
+    for (const KeptPicture& kept : kept_pictures_) bytes += kept.bytes;
+    return bytes;
+}
 
 void State::drop_hidden() {
     const std::size_t hidden = hidden_items(items_);
     if (hidden == 0) return;
+    keep_for_copies(hidden);
     items_.erase(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(hidden));
-    item_bytes_ = 0;
-    for (const FrameItem& item : items_)
-        if (const Draw* draw = std::get_if<Draw>(&item))
-            item_bytes_ += bytes_of_draw() +
-                           bytes_of_vertices(draw->raster, draw->mode, draw->vertices.size(), draw->indices.size()) +
-                           draw->further_units.size() * bytes_of_tex_coords(draw->vertices.size());
+    item_bytes_ = bytes_of(items_) + bytes_of_kept_pictures();
     if (items_.size() == 1) unsupported_.clear();
 }
 

@@ -137,7 +137,7 @@ class State {
     Effect enable, disable;
     Effect client_arrays, array_element, draw_arrays;
     Effect draw_buffer, driver_only_state, driver_only_drawing, driver_only_attribute, driver_only_query,
-        driver_only_point_parameter, driver_only_pixel_transfer, driver_only_bitmap, driver_only_copy_image;
+        driver_only_point_parameter, driver_only_pixel_transfer, driver_only_bitmap;
     Effect stencil_func, stencil_op, stencil_mask, clear_stencil;
     Effect accumulate, clear_accumulation;
     Effect line_stipple, polygon_stipple, logic_op;
@@ -157,7 +157,7 @@ class State {
     Effect shape, mesh_file, new_quadric, delete_quadric, set_quadric, quadric_shape;
     Effect spectrum, reflectance, illuminant, transfer;
     Effect begin, end, normal, color, secondary_color, fog_coord, vertex, tex_coord, multi_tex_coord, rect;
-    Effect pixel_store, tex_image, tex_sub_image;
+    Effect pixel_store, tex_image, tex_sub_image, copy_tex_image, copy_tex_sub_image;
     Effect bind_texture, active_texture, tex_parameter, tex_env, tex_gen, query_tex_env, query_tex_gen,
         query_tex_parameter, gen_textures, delete_textures, prioritize_textures;
     // glMaterial; `reflectance` is null or the spectrum that the colour was computed from.
@@ -222,6 +222,12 @@ class State {
     bool check_pixel_type(const Command& command, const PixelSource& source);
     std::optional<PixelRows> pixels(const Command& command, const PixelSource& source);
     void generate_mipmaps(Texture& texture) const;
+    // Adds a CopyPixels to the picture. Raises the error and returns null if there is no room.
+    std::shared_ptr<const CopiedPixels> copied_pixels(const Command& command, const Viewport& from);
+    // Before the first items are deleted: keeps those that textures have copies of.
+    void keep_for_copies(std::size_t count);
+    std::size_t bytes_of(const FrameItems& items) const;
+    std::size_t bytes_of_kept_pictures() const;
     // Whether this many more texels stay within the limits; `replaced` texels are freed. If not, raises
     // GL_OUT_OF_MEMORY.
     bool has_texels(const Command& command, double count, std::size_t replaced = 0);
@@ -277,7 +283,15 @@ class State {
     std::map<double, Quadric> quadrics_;                 // by number
     std::map<double, Place> deleted_quadrics_;           // the place of gluDeleteQuadric
     std::vector<FrameItem> items_;
-    std::size_t item_bytes_ = 0;  // the approximate size of items_ and of the newest typed_lights_
+    std::size_t item_bytes_ = 0;  // the approximate size of items_, kept_pictures_ and the newest typed_lights_
+    // Pictures that textures may have copies of. What has no copies any more is deleted with the next picture.
+    struct KeptPicture {
+        std::shared_ptr<const FrameItems> items;
+        std::vector<std::weak_ptr<const CopiedPixels>> copies;
+        std::size_t bytes = 0;
+    };
+    std::vector<KeptPicture> kept_pictures_;
+    bool copies_pixels_ = false;
     std::vector<TypedLight> typed_lights_{{}};
     double work_ = 0;  // work for this picture so far
     std::vector<Unsupported> unsupported_;
