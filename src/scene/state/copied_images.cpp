@@ -125,14 +125,15 @@ void State::copy_tex_image(const Command& c) {
 void State::copy_tex_sub_image(const Command& c) {
     const bool two = c.id == CommandId::glCopyTexSubImage2D;
     const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
-    if (two && is_driver_only_copy(c.enumerant(0))) return note_lasting(c.name(), c.place);
-    if (!known(c, c.enumerant(0), {target})) return;
+    const bool is_driver_only = two && is_driver_only_copy(c.enumerant(0));
+    if (!is_driver_only && !known(c, c.enumerant(0), {target})) return;
     const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
     const int level = whole(1), x0 = whole(2), y0 = two ? whole(3) : 0;
     const std::size_t at = two ? 4 : 3;
     const Viewport from{whole(at), whole(at + 1), whole(at + 2), two ? whole(at + 3) : 1};
     if (level < 0 || level >= kMaxTextureLevels)
         return raise(kGL_INVALID_VALUE, c, "the level is {}; it must be in [0, {}]", level, kMaxTextureLevels - 1);
+    if (is_driver_only) return note_lasting(c.name(), c.place);
     const auto index = static_cast<std::size_t>(level);
     const Texture& bound = bound_texture(target);
     if (bound.levels.size() <= index || bound.levels[index].texels.empty()) {
