@@ -56,22 +56,37 @@ double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, cons
     return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
 }
 
-// Visits the largest coordinate of each vertex in eye coordinates, after the division by w. Directions have none.
-template <class Visit>
-void for_each_size(const Draw& draw, const Visit& visit) {
+// The largest components, in eye coordinates.
+struct Sizes {
+    double vertices = 0;    // after the division by w
+    double places = 0;      // of places_eye()
+    double directions = 0;  // of vertices and lights with w = 0 that meet (between_directions() in equation.glsl)
+};
+Sizes sizes_of(const Draw& draw, const Plan& plan) {
+    Sizes sizes;
+    const auto enlarge = [](double& size, const glm::dvec3& v) { size = std::max(size, largest_component(v)); };
+    const bool meet = plan.effects.any_light(&LightEffects::meets_directions);
     for (const Vertex& vertex : draw.vertices) {
         const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
-        if (at.w != 0) visit(largest_component(glm::dvec3(at) / at.w));
+        if (at.w != 0)
+            enlarge(sizes.vertices, glm::dvec3(at) / at.w);
+        else if (meet)
+            enlarge(sizes.directions, glm::dvec3(at));
     }
+    for (const glm::dvec3& place : places_eye(plan)) enlarge(sizes.places, place);
+    for (const PlannedLight& planned : plan.lights) {
+        const glm::dvec4& p = plan.lighting.lights[static_cast<std::size_t>(planned.number)].position_eye;
+        if (meet && p.w == 0) enlarge(sizes.directions, glm::dvec3(p));
+    }
+    return sizes;
 }
 // The unit of length where vertices keep their w, so that only the largest and the smallest lengths of all need one.
 double unit_of_homogeneous(const Draw& draw, const Plan& plan) {
-    double vertices = 0, places = 0;
-    for_each_size(draw, [&](double of_vertex) { vertices = std::max(vertices, of_vertex); });
-    for (const glm::dvec3& place : places_eye(plan)) places = std::max(places, largest_component(place));
+    const Sizes sizes = sizes_of(draw, plan);
     // In scenes that are tiny as a whole, products of lengths would vanish.
     constexpr double kTiny = 1e-15;
-    if (std::max(vertices, places) < kTiny) return power_of_two(std::max(vertices, places));
+    const double largest = std::max(sizes.vertices, sizes.places);
+    if (std::max(largest, sizes.directions) < kTiny) return power_of_two(largest);
     double least = HUGE_VAL, quickest = 0;  // factors that multiply a distance, or its square
     double slowest = HUGE_VAL;              // k_1
     for (std::size_t i = 0; i < plan.lights.size(); ++i) {
@@ -86,7 +101,8 @@ double unit_of_homogeneous(const Draw& draw, const Plan& plan) {
     }
     // Neither may the parts of vectors between tiny vertices, though a light be far away. Attenuation must keep its factors.
     constexpr double kVeryTiny = 1e-25, kUnit = 0x1p-50;
-    if (vertices > 0 && vertices < kVeryTiny && least * kUnit * kUnit > 1e-36) return kUnit;
+    if (sizes.vertices > 0 && std::max(sizes.vertices, sizes.directions) < kVeryTiny && least * kUnit * kUnit > 1e-36)
+        return kUnit;
     // Vertices at infinity, or this far away, need one if a light grows weaker so slowly that k_1 times the greatest distance of
     // the shader (distance_of() in equation.glsl) would not be large.
     constexpr double kFar = 1e28, kSlow = 1e-30;

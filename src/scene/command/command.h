@@ -3,6 +3,7 @@
 // commands.def is the table of all commands. CommandId enumerates its rows; Signature describes a row.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -141,7 +142,10 @@ struct Command {
     const Signature& sig() const { return signature(id); }
     std::string_view name() const { return sig().name; }
     double number(std::size_t i) const { return arguments[i]; }
-    Enum enumerant(std::size_t i) const { return static_cast<Enum>(arguments[i]); }
+    // The number as GL's enumerants have it, modulo 2^32; 0 for NaN and numbers of more than 63 bits.
+    Enum enumerant(std::size_t i) const {
+        return std::abs(arguments[i]) < 0x1p63 ? static_cast<Enum>(static_cast<std::int64_t>(arguments[i])) : 0;
+    }
     Word word(std::size_t i) const { return static_cast<Word>(enumerant(i)); }
     // The index of a parameter's first value in `arguments`, and the number of its values.
     std::size_t first(std::size_t parameter) const;
