@@ -67,6 +67,7 @@ const RenderTarget& StudyRenderers::target_of(const study::Choice& choice) {
 }
 
 study::Prepared StudyRenderers::prepare(const Frame& frame, const study::Choice& choice) {
+    if (frame.copies_pixels) target_of(choice).bind();  // pixels are copied from it
     Frame drawn = choice.samples == 1 ? frame : study::enlarged(frame, choice.samples);
     if (choice.method == study::Method::kReference) return by_reference(std::move(drawn), choice);
     std::function<void()> draw;

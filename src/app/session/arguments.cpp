@@ -124,9 +124,10 @@ Editing editing_of(const Command& command, std::size_t argument) {
             return Editing::kFlag;
     }
     // Numbers of objects, and sizes of memory, hang together with other commands.
-    constexpr CommandSet kObjects = CommandSet::of({"gen_lists", "new_list", "call_list", "call_lists", "delete_lists",
-                                                    "gen_textures", "delete_textures", "bind_texture", "client_arrays",
-                                                    "tex_image", "tex_sub_image", "build_mipmaps", "texture_file"});
+    constexpr CommandSet kObjects =
+        CommandSet::of({"gen_lists", "new_list", "call_list", "call_lists", "delete_lists", "gen_textures",
+                        "delete_textures", "bind_texture", "client_arrays", "tex_image", "tex_sub_image",
+                        "copy_tex_image", "copy_tex_sub_image", "build_mipmaps", "texture_file"});
     return kObjects.contains(command.id) ? Editing::kFixed : Editing::kNumber;
 }
 

@@ -25,6 +25,7 @@ class Builder {
           more_(seed.structure + 3),
           more_values_(~seed.values + 1),
           stipples_(seed.structure + 4),
+          copies_(seed.structure + 5),
           departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
@@ -70,6 +71,8 @@ class Builder {
             text_ += structure_.chance(0.5) ? first : batch();
         }
         if (accumulates) add("glAccum(GL_RETURN, {:.4f});", random_.uniform(0.5, 1));
+        if (departure_.empty() && copies_.chance(0.1))
+            for (int i = 1 + copies_.below(2); i > 0; --i) copied();
         if (has_quadric_) add("gluDeleteQuadric(quadric);");
         return std::move(text_);
     }
@@ -207,6 +210,29 @@ class Builder {
             add("glEnable(GL_TEXTURE_2D);");
         }
         add("glActiveTexture(GL_TEXTURE0);");
+    }
+
+    // A texture of the picture so far, on further primitives. It comes last, so that the rest of the scene does not depend
+    // on its numbers.
+    void copied() {
+        const char* const formats[] = {"GL_RGB", "GL_RGB", "GL_RGBA", "GL_LUMINANCE", "GL_INTENSITY", "GL_ALPHA"};
+        const char* const filters[] = {"GL_NEAREST", "GL_LINEAR", "GL_LINEAR_MIPMAP_LINEAR"};
+        const int filter = copies_.below(3), width = 4 + copies_.below(40), height = 4 + copies_.below(40);
+        const int x = copies_.below(64 - width), y = copies_.below(64 - height);
+        add("glDisable(GL_TEXTURE_1D); glEnable(GL_TEXTURE_2D); glBindTexture(GL_TEXTURE_2D, 20);");
+        add("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, {}); "
+            "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, {});",
+            filters[filter], filters[std::min(filter, 1)]);
+        if (filter == 2) add("glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);");
+        add("glCopyTexImage2D(GL_TEXTURE_2D, 0, {}, {}, {}, {}, {}, 0);", formats[copies_.below(6)], x, y, width,
+            height);
+        if (copies_.chance(0.3)) {
+            text_ += batch();
+            add("glCopyTexSubImage2D(GL_TEXTURE_2D, 0, {}, {}, {}, {}, {}, {});", copies_.below(width / 2),
+                copies_.below(height / 2), copies_.below(32), copies_.below(32), 1 + copies_.below(width / 2),
+                1 + copies_.below(height / 2));
+        }
+        text_ += batch();
     }
 
     // GL_COMBINE of the active unit. It reads no unit that may lack a texture.
@@ -624,7 +650,8 @@ class Builder {
 
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
-    Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_, more_, more_values_, stipples_;
+    Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_, more_, more_values_, stipples_,
+        copies_;
     bool secondary_ = false, fog_coords_ = false;  // vertices have secondary colours, fog coordinates
     std::vector<int> further_units_;               // the numbers of those with a texture
     std::string_view departure_;

@@ -320,7 +320,8 @@ class TextureIncomplete : public Watch {
 class TextureDimsHighlight : public MaterialWatch {
     void drawn(const Draw& draw, const State&) override {
         const Command* shininess = set(kGL_SHININESS);
-        if (!shininess || !has_specular_light(draw) || !draw.texture.texture || draw.texture.texture->levels.empty())
+        if (!shininess || !has_specular_light(draw) || !draw.texture.texture || draw.texture.texture->levels.empty() ||
+            draw.texture.texture->has_copies())
             return;
         const bool is_dark = std::ranges::any_of(draw.texture.texture->levels[0].texels, [](const glm::vec4& texel) {
             return texel.r < 0.25F && texel.g < 0.25F && texel.b < 0.25F;

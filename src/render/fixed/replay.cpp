@@ -14,6 +14,7 @@
 #include "render/stages/accumulation_buffer.h"
 #include "render/stages/fixed_stages.h"
 #include "render/stages/textures.h"
+#include "scene/state/copied_texels.h"
 
 namespace twinlight::fixed {
 namespace {
@@ -143,22 +144,28 @@ struct PreparedDraw {
 }  // namespace
 
 struct Replay::Impl {
+    Impl(const Frame& frame, const ReplayOptions& options)
+        : width(frame.width), height(frame.height), whole(frame, [&](const Frame& picture) {
+              Replay(picture, options).draw();
+              return CopySource{.picture = read_pixels(picture.width, picture.height)};
+          }) {}
+
     int width, height;
+    DrawableFrame whole;
     std::deque<std::variant<Clear, PreparedDraw, Accumulate>> items;
     Textures textures{Clamping::kDriver};
 };
 
-Replay::Replay(const Frame& frame, const ReplayOptions& options) : impl_(std::make_unique<Impl>()) {
+Replay::Replay(const Frame& frame, const ReplayOptions& options) {
     check_shading(options.shading);
-    impl_->width = frame.width;
-    impl_->height = frame.height;
-    for (const auto& item : frame.items) {
+    impl_ = std::make_unique<Impl>(frame, options);
+    for (const auto& item : (*impl_->whole).items) {
         if (const Clear* clear = std::get_if<Clear>(&item)) {
             impl_->items.emplace_back(*clear);
         } else if (const Accumulate* accumulate = std::get_if<Accumulate>(&item)) {
             impl_->items.emplace_back(*accumulate);
-        } else {
-            impl_->items.emplace_back(std::in_place_type<PreparedDraw>, std::get<Draw>(item), options);
+        } else if (const Draw* draw = std::get_if<Draw>(&item)) {
+            impl_->items.emplace_back(std::in_place_type<PreparedDraw>, *draw, options);
         }
     }
 }

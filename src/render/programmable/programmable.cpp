@@ -18,6 +18,7 @@
 #include "render/stages/accumulation_buffer.h"
 #include "render/stages/fixed_stages.h"
 #include "render/stages/textures.h"
+#include "scene/state/copied_texels.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -84,6 +85,7 @@ struct UploadedFrame::Impl {
                 items.emplace_back(*accumulate);
                 continue;
             }
+            if (!std::holds_alternative<Draw>(item)) continue;  // a copy: see drawable()
             const Draw& draw = std::get<Draw>(item);
             ++number;
             if (draw.count() == 0) continue;
@@ -225,8 +227,26 @@ struct UploadedFrame::Impl {
     std::size_t run_vertices = 0;
 };
 
-UploadedFrame::UploadedFrame(const Frame& frame, const Options& options)
-    : impl_(std::make_unique<Impl>(frame, options, nullptr, false)) {}
+namespace {
+
+// Copies pixels (3.8.2) of pictures that the renderer draws into the current colour buffer.
+DrawableFrame drawable(const Frame& frame, Renderer& renderer, const Options& options) {
+    return {frame, [&](const Frame& picture) {
+                renderer.draw(picture, options);
+                return CopySource{.picture = read_pixels(picture.width, picture.height)};
+            }};
+}
+
+}  // namespace
+
+UploadedFrame::UploadedFrame(const Frame& frame, const Options& options) {
+    if (!frame.copies_pixels) {
+        impl_ = std::make_unique<Impl>(frame, options, nullptr, false);
+        return;
+    }
+    Renderer renderer;
+    impl_ = std::make_unique<Impl>(*drawable(frame, renderer, options), options, nullptr, false);
+}
 UploadedFrame::UploadedFrame(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 UploadedFrame::~UploadedFrame() = default;
 
@@ -289,8 +309,9 @@ Picture Renderer::render(const Frame& frame, const Options& options) {
 
 UploadedFrame Renderer::prepare_once(const Frame& frame, Options options, bool keeps_plans) {
     options.patches = false;
+    const DrawableFrame whole = drawable(frame, *this, options);
     KeptMeshes* kept = options.tier == Tier::kAuto ? &impl_->meshes : nullptr;
-    return UploadedFrame(std::make_unique<UploadedFrame::Impl>(frame, options, kept, keeps_plans));
+    return UploadedFrame(std::make_unique<UploadedFrame::Impl>(*whole, options, kept, keeps_plans));
 }
 
 Counters Renderer::counters() const {

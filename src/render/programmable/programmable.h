@@ -18,6 +18,7 @@ namespace twinlight::programmable {
 // current context, so it must be destroyed before the context.
 class UploadedFrame {
   public:
+    // If textures copy pixels of the picture, draws that into the current colour buffer first.
     UploadedFrame(const Frame& frame, const Options& options);
     ~UploadedFrame();
     UploadedFrame(const UploadedFrame&) = delete;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "render/reference/allowed_difference.h"
+#include "render/reference/copied_pixels.h"
 #include "render/reference/framebuffer.h"
 #include "scene/state/lecture_variants.h"
 
@@ -58,6 +59,7 @@ std::size_t size_of(const PixelRect& rect) { return rect.is_empty() ? 0 : rect.c
 }  // namespace
 
 Image Pictures::render(const Options& options) {
+    if (frame_->copies_pixels) return reference::render(*frame_, options);  // the copies depend on the options
     const Frame& frame = *frame_;
     StagedFrame stages = run_stages(frame, options);
     Image image(frame.width, frame.height);
@@ -78,6 +80,10 @@ Image Pictures::render(const Options& options) {
 
 AllowedDifference Pictures::allowed_difference(const Options& given) {
     if (given.shading == Shading::kExact) return reference::allowed_difference(*frame_, given);
+    if (frame_->copies_pixels) {
+        const DrawableFrame whole = drawable_with_ranges(*frame_, given);
+        return Pictures(*whole).allowed_difference(given);
+    }
     const Frame& frame = *frame_;
     Options options = given;
     options.in_clip_plane = InClipPlane::kPerhaps;

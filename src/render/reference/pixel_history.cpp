@@ -5,6 +5,7 @@
 
 #include "base/math/normal_matrix.h"
 #include "lighting/real_cast.h"
+#include "render/reference/copied_pixels.h"
 #include "render/reference/framebuffer.h"
 
 namespace twinlight::reference {
@@ -152,7 +153,8 @@ void add_rulings(const Shader& shader, const Fragment& seen, const VertexRulings
 }  // namespace
 
 PixelHistory pixel_history(const Frame& frame, const Options& options, int x, int y) {
-    const StagedFrame stages = run_stages(frame, options);
+    const DrawableFrame whole = drawable(frame, options);
+    const StagedFrame stages = run_stages(*whole, options);
     const std::vector<Shader> shaders = make_shaders(stages, options);
     Framebuffer pixel(stages, shaders, {x, y, x + 1, y + 1});
     PixelHistory history;

@@ -1,6 +1,7 @@
 // Renders the picture of a frame, and finds its shapes.
 #include "render/reference/reference.h"
 
+#include "render/reference/copied_pixels.h"
 #include "render/reference/framebuffer.h"
 
 namespace twinlight::reference {
@@ -23,7 +24,8 @@ std::vector<int> shape_numbers(const StagedFrame& stages) {
 }  // namespace
 
 std::vector<int> seen_shapes(const Frame& frame, const Options& options) {
-    StagedFrame stages = run_stages(frame, options);
+    const DrawableFrame whole = drawable(frame, options);
+    StagedFrame stages = run_stages(*whole, options);
     const std::vector<int> numbers = shape_numbers(stages);
     std::vector<int> seen(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height), -1);
     const PixelRect window{0, 0, frame.width, frame.height};
@@ -41,8 +43,9 @@ std::vector<int> seen_shapes(const Frame& frame, const Options& options) {
 }
 
 Image render(const Frame& frame, const Options& options) {
+    const DrawableFrame whole = drawable(frame, options);
     Image image(frame.width, frame.height);
-    draw_pixels(run_stages(frame, options), options, {0, 0, frame.width, frame.height}, image);
+    draw_pixels(run_stages(*whole, options), options, {0, 0, frame.width, frame.height}, image);
     return image;
 }
 

@@ -47,6 +47,7 @@ StagedFrame run_stages(const Frame& frame, const Options& options) {
             stages.steps.push_back({.accumulate = accumulate});
             continue;
         }
+        if (!std::holds_alternative<Draw>(item)) continue;  // a copy: see copied_pixels.h
         const Draw& draw = std::get<Draw>(item);
         StagedDraw& staged = stages.draws.emplace_back(StagedDraw{&draw, vertex_stage(draw)});
         for (const FurtherUnit& further : draw.further_units)

@@ -147,11 +147,9 @@ class Sampler {
     const glm::dvec2 st_, st_error_;
 };
 
-}  // namespace
-
-TexelBounds sample_bounds(const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
-                          const Interval& rho) {
-    const Texture& texture = *unit.texture;
+// With the images of `texture` in place of the unit's.
+TexelBounds bounds_of(const Texture& texture, const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
+                      const Interval& rho) {
     const Sampler sampler(texture, st, st_error);
     const LevelChoice levels = level_choice(texture.min_filter);
     const Enum filter = image_filter(texture.min_filter);
@@ -182,6 +180,17 @@ TexelBounds sample_bounds(const TextureUnit& unit, const glm::dvec2& st, const g
     if (filter != texture.mag_filter) return choice(magnified, *minified);
     join(*minified, magnified);
     return *minified;
+}
+
+}  // namespace
+
+// Weights are not negative, so the smallest texels give the smallest mean.
+TexelBounds sample_bounds(const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
+                          const Interval& rho) {
+    if (!unit.texture->range) return bounds_of(*unit.texture, unit, st, st_error, rho);
+    TexelBounds bounds = bounds_of(unit.texture->range->low, unit, st, st_error, rho);
+    join(bounds, bounds_of(unit.texture->range->high, unit, st, st_error, rho));
+    return bounds;
 }
 
 }  // namespace twinlight::reference

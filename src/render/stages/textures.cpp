@@ -75,9 +75,10 @@ GLuint uploaded(const Texture& texture, Clamping clamping) {
 
 // Compares all members; the structured binding fails to compile if one is added.
 bool are_same(const TextureImage& a, const TextureImage& b) {
-    const auto& [width, height, base_format, internal_format, texels] = a;
+    const auto& [width, height, base_format, internal_format, texels, parts, half_of] = a;
     static_assert(sizeof(glm::vec4) == 4 * sizeof(float));
-    return width == b.width && height == b.height && base_format == b.base_format &&
+    const bool are_whole = parts.empty() && b.parts.empty() && !half_of && !b.half_of;
+    return are_whole && width == b.width && height == b.height && base_format == b.base_format &&
            internal_format == b.internal_format && texels.size() == b.texels.size() &&
            (texels.empty() || std::memcmp(texels.data(), b.texels.data(), texels.size() * sizeof(glm::vec4)) == 0);
 }
@@ -85,11 +86,11 @@ bool are_same(const TextureImage& a, const TextureImage& b) {
 // Compares all members, as above.
 bool are_same(const Texture& a, const Texture& b) {
     const auto& [target, levels, min_filter, mag_filter, wrap_s, wrap_t, border_color, priority, generate_mipmap,
-                 lod_bias, min_lod, max_lod, base_level, max_level] = a;
+                 lod_bias, min_lod, max_lod, base_level, max_level, range] = a;
     return target == b.target && min_filter == b.min_filter && mag_filter == b.mag_filter && wrap_s == b.wrap_s &&
            wrap_t == b.wrap_t && border_color == b.border_color && priority == b.priority &&
            generate_mipmap == b.generate_mipmap && lod_bias == b.lod_bias && min_lod == b.min_lod &&
-           max_lod == b.max_lod && base_level == b.base_level && max_level == b.max_level &&
+           max_lod == b.max_lod && base_level == b.base_level && max_level == b.max_level && range == b.range &&
            std::ranges::equal(levels, b.levels,
                               [](const TextureImage& x, const TextureImage& y) { return are_same(x, y); });
 }

@@ -20,6 +20,9 @@ struct TextureObjects {
 };
 
 std::size_t texels_of(const Texture& texture);  // in all its images
+bool is_driver_only_image(Enum target);         // a target of glTexImage that only the driver supports
+// Puts texels over an image with copied pixels.
+void add_part(TextureImage& image, ImagePart part);
 
 // The depth of the stacks of glPushAttrib and glPushClientAttrib: at least 16 (table 6.33); 16 in Mesa.
 inline constexpr std::size_t kAttributeStackDepth = 16;

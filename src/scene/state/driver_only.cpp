@@ -76,35 +76,6 @@ void State::driver_only_bitmap(const Command& c) {
     driver_only_drawing(c);
 }
 
-// 3.8.2: the image exists from now on, but only the driver knows its contents.
-void State::driver_only_copy_image(const Command& c) {
-    note_lasting(c.name(), c.place);
-    const bool two = c.id == CommandId::glCopyTexImage2D;
-    if ((!two && c.id != CommandId::glCopyTexImage1D) || c.enumerant(0) != (two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D))
-        return;
-    const int level = static_cast<int>(c.number(1)), width = static_cast<int>(c.number(5)),
-              height = two ? static_cast<int>(c.number(6)) : 1;
-    const std::optional<InternalFormat> format = internal_format(c.number(2));
-    const bool fits = level >= 0 && level < kMaxTextureLevels && width >= 0 && height >= 0 &&
-                      width <= kMaxTextureSize >> level && height <= kMaxTextureSize >> level;
-    const auto count = static_cast<std::size_t>(std::max(0, width)) * static_cast<std::size_t>(std::max(0, height));
-    if (!fits) {
-        return raise(kGL_INVALID_VALUE, c,
-                     "{} cannot make level {} with {} x {} texels; each side of level 0 can have at most {}", c.name(),
-                     level, width, height, kMaxTextureSize);
-    }
-    if (!format) return;  // for example a depth format
-    if (!has_texels(c, static_cast<double>(count))) return;
-    Texture* texture = writable_texture(c, c.enumerant(0));
-    if (!texture) return;
-    textures_.texels -= texels_of(*texture);
-    std::vector<TextureImage>& levels = texture->levels;
-    if (levels.size() <= static_cast<std::size_t>(level)) levels.resize(static_cast<std::size_t>(level) + 1);
-    levels[static_cast<std::size_t>(level)] = {width, height, format->base_format, c.enumerant(2),
-                                               std::vector<glm::vec4>(count, glm::vec4(0, 0, 0, 1))};
-    textures_.texels += texels_of(*texture);
-}
-
 // 4.2.1. There is one colour buffer, so all names but GL_NONE mean the same.
 void State::draw_buffer(const Command& c) {
     const Enum mode = c.enumerant(0);

@@ -1,4 +1,4 @@
-// Frame: one picture as a list of clears, draws and accumulations, with all state resolved. The programmable and the reference
+// Frame: one picture as a list of clears, draws, accumulations and copies of pixels, with all state resolved. The programmable and the reference
 // renderer see only this, not the commands.
 //
 // All numbers are doubles. Names and initial values are those of GL (GL 2.1 tables 6.5 to 6.13).
@@ -14,6 +14,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -269,6 +270,27 @@ struct RasterState {
 
 // ---- Fragments: textures (3.8), fog (3.10), per-fragment operations (4.1) ----
 
+// The pixels that a glCopyTexImage or glCopyTexSubImage takes from the picture (3.8.2). Each renderer takes them from its own
+// picture: with_copied_texels(). Two are the same if they are the same object.
+struct CopiedPixels {
+    int width = 0, height = 1;
+    // How many copies follow each other: 1 if the picture shows no copied texels, 2 if it shows those of such a picture.
+    int depth = 1;
+};
+
+// Texels of an image over those that it had before.
+struct ImagePart {
+    int x = 0, y = 0, width = 0, height = 1;
+    std::shared_ptr<const CopiedPixels> copied{};  // of the same size; null: `texels`
+    std::vector<glm::vec4> texels{};               // as TextureImage has them
+
+    // Whether none of `other` can be seen.
+    bool covers(const ImagePart& other) const {
+        return x <= other.x && y <= other.y && x + width >= other.x + other.width &&
+               y + height >= other.y + other.height;
+    }
+};
+
 // One level of a texture. The texels hold the components of the base internal format (table 3.15) as numbers in [0,1],
 // rounded to the bits of the internal format; other components are 0 (alpha 1). Row 0 is t = 0.
 struct TextureImage {
@@ -276,11 +298,18 @@ struct TextureImage {
     Enum base_format = kGL_RGBA;      // GL_ALPHA, _LUMINANCE, _LUMINANCE_ALPHA, _INTENSITY, _RGB or _RGBA
     Enum internal_format = kGL_RGBA;  // as given; all levels of a complete texture have the same
     std::vector<glm::vec4> texels{};  // (R, G, B, A); luminance and intensity have R = G = B = the value
+    // What only pictures decide: copied pixels, and the image with copied pixels whose mipmap this is (3.8.8). A renderer
+    // draws with images that have neither.
+    std::vector<ImagePart> parts{};  // over the texels, in this order
+    std::shared_ptr<const TextureImage> half_of{};
 
+    bool has_copies() const { return !parts.empty() || half_of; }
     const glm::vec4& texel(int x, int y) const {
         return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
     }
 };
+
+struct TextureRange;
 
 struct Texture {                         // 3.8.4, table 3.18
     Enum target = kGL_TEXTURE_2D;        // or GL_TEXTURE_1D
@@ -296,7 +325,11 @@ struct Texture {                         // 3.8.4, table 3.18
     double min_lod = -1000, max_lod = 1000;  // limits of the level of detail
     // The first level in use, and the last. A Draw's texture has only the levels in use: they count from 0 again.
     int base_level = 0, max_level = 1000;
+    // Only while the allowed difference is found: what the texels may be in other renderers, which copied them from other
+    // pictures.
+    std::shared_ptr<const TextureRange> range{};
 
+    bool has_copies() const { return std::ranges::any_of(levels, &TextureImage::has_copies); }
     // The border's colour with the components that the texels have (table 3.15).
     glm::dvec4 border_texel() const {
         const glm::dvec4 c = glm::clamp(border_color, 0.0, 1.0);
@@ -315,6 +348,11 @@ struct Texture {                         // 3.8.4, table 3.18
         return mag_filter == kGL_LINEAR || min_filter == kGL_LINEAR || min_filter == kGL_LINEAR_MIPMAP_NEAREST ||
                min_filter == kGL_LINEAR_MIPMAP_LINEAR;
     }
+};
+
+// The smallest and the largest values of each texel.
+struct TextureRange {
+    Texture low, high;
 };
 
 // A texture coordinate that GL computes from each vertex (2.11.4).
@@ -508,6 +546,11 @@ struct Draw {
         if (texture.texture) visit(std::size_t{0}, texture);
         for (const FurtherUnit& further : further_units) visit(further.number, further.unit);
     }
+    bool shows_copies() const {
+        bool shows = false;
+        for_each_unit([&](std::size_t, const TextureUnit& unit) { shows = shows || unit.texture->has_copies(); });
+        return shows;
+    }
     // A texture coordinate of a vertex, of a unit that has a texture.
     const glm::dvec4& tex_coord(std::size_t unit, std::size_t vertex) const {
         const auto further = std::ranges::find(further_units, unit, &FurtherUnit::number);
@@ -571,7 +614,17 @@ struct Accumulate {
     std::array<bool, 4> color_mask{true, true, true, true};
 };
 
-using FrameItem = std::variant<Clear, Draw, Accumulate>;
+// Takes pixels of the picture for a texture (3.8.2).
+struct CopyPixels {
+    std::shared_ptr<const CopiedPixels> pixels;
+    Viewport from;
+};
+
+using FrameItem = std::variant<Clear, Draw, Accumulate, CopyPixels>;
+using FrameItems = std::vector<FrameItem>;
+
+// How many of the first items no later item can show, because a Clear or a glAccum at the end hides them.
+std::size_t hidden_items(std::span<const FrameItem> items);
 
 // Which renderers lack a command or state of the scene.
 enum class MissingFrom : std::uint8_t {
@@ -599,6 +652,10 @@ struct Frame {
     std::vector<std::uint32_t> lists_called_before_made{};
     // What LightSource::typed counts; the first has GL's initial values. Empty in a Frame that State did not make.
     std::vector<TypedLight> typed_lights{};
+    // Whether Draws show copied pixels. Then a renderer draws with_copied_texels() of this.
+    bool copies_pixels = false;
+    // Earlier pictures that textures have copies of, oldest first, each up to the last CopyPixels that counts.
+    std::vector<std::shared_ptr<const FrameItems>> earlier{};
 
     // The items that are Draws, without the others.
     std::vector<const Draw*> draws() const { return draws_of<const Draw>(items); }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -58,9 +59,11 @@ enum class FrameEnd : std::uint8_t { kSwap, kFlush };
 
 class Player {
   public:
-    Player(const FrameChoice& choice, FrameEnd frame_end, int width, int height)
+    // `keeps`: whether earlier frames are kept to their ends, for textures that copy their pixels.
+    Player(const FrameChoice& choice, FrameEnd frame_end, bool keeps, int width, int height)
         : choice_(choice),
           frame_end_(frame_end),
+          keeps_(keeps),
           width_(width),
           height_(height),
           state_({.width = width, .height = height, .signed_rule = choice.signed_rule, .memory = choice.memory}) {}
@@ -76,6 +79,10 @@ class Player {
     }
 
     bool swaps() const { return swaps_; }
+    // Whether a texture has copies of an earlier frame that was not kept.
+    bool lacks_copies() const {
+        return std::ranges::any_of(lost_, [](const auto& copy) { return copy.use_count() > 0; });
+    }
     int frames() const { return frame_; }  // complete frames before the chosen one
     // Why nothing is drawn.
     std::string why() const {
@@ -109,8 +116,10 @@ class Player {
 
     const FrameChoice& choice_;
     FrameEnd frame_end_;
+    bool keeps_;
     int width_, height_;
     State state_;
+    std::vector<std::weak_ptr<const CopiedPixels>> lost_;  // of earlier frames
     std::size_t steps_ = 0;
     int frame_ = 0;
     bool swaps_ = false;
@@ -175,9 +184,14 @@ void Player::command(const Command& command) {
         throw SceneError(fmt::format("{}: {}; this recording cannot be drawn", error->place.str(), error->message));
     if (command.id == CommandId::glViewport) reach(state_.raster().viewport);
     if (state_.items().size() == before) return;
-    changed_ = true;
+    const bool drops_frame = choice_.number && frame_ < *choice_.number && frame_end_ == FrameEnd::kSwap && !keeps_;
     for (auto item = state_.items().begin() + static_cast<std::ptrdiff_t>(before); item != state_.items().end();
          ++item) {
+        if (const CopyPixels* copy = std::get_if<CopyPixels>(&*item)) {
+            if (drops_frame) lost_.emplace_back(copy->pixels);
+            continue;
+        }
+        changed_ = true;
         const Draw* draw = std::get_if<Draw>(&*item);
         if (!draw) continue;
         const Viewport& viewport = draw->raster.viewport;
@@ -187,8 +201,7 @@ void Player::command(const Command& command) {
         reach(viewport);
     }
     // Delete what no later picture shows.
-    const bool earlier_frame = choice_.number && frame_ < *choice_.number;
-    if (earlier_frame && frame_end_ == FrameEnd::kSwap)
+    if (drops_frame)
         state_.drop_picture();
     else
         state_.drop_hidden();
@@ -235,9 +248,14 @@ RecordedFrame Player::result(const std::shared_ptr<const Recording>& recording) 
 RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& recording, const FrameChoice& choice) {
     int width = choice.width.value_or(kDefaultWidth), height = choice.height.value_or(kDefaultHeight);
     FrameEnd frame_end = FrameEnd::kSwap;
+    bool keeps = false;
     while (true) {
-        Player player(choice, frame_end, width, height);
+        Player player(choice, frame_end, keeps, width, height);
         const bool found = player.play(*recording);
+        if (player.lacks_copies()) {
+            keeps = true;
+            continue;
+        }
         if (!player.swaps() && frame_end == FrameEnd::kSwap) {
             frame_end = FrameEnd::kFlush;
             continue;

@@ -16,15 +16,23 @@ Frame resized(Frame frame, int width, int height) {
         scale(box.x, box.width, across);
         scale(box.y, box.height, up);
     };
-    for (auto& item : frame.items) {
+    const auto scale_item = [&](FrameItem& item) {
         if (Draw* draw = std::get_if<Draw>(&item)) {
             scale_box(draw->raster.viewport);
             scale_box(draw->fragment.scissor.box);
         } else if (Clear* clear = std::get_if<Clear>(&item)) {
             scale_box(clear->scissor.box);
+        } else if (Accumulate* accumulate = std::get_if<Accumulate>(&item)) {
+            scale_box(accumulate->scissor.box);
         } else {
-            scale_box(std::get<Accumulate>(item).scissor.box);
+            scale_box(std::get<CopyPixels>(item).from);
         }
+    };
+    for (FrameItem& item : frame.items) scale_item(item);
+    for (auto& picture : frame.earlier) {
+        FrameItems items = *picture;
+        for (FrameItem& item : items) scale_item(item);
+        picture = std::make_shared<const FrameItems>(std::move(items));
     }
     frame.width = width;
     frame.height = height;

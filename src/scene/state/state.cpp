@@ -99,12 +99,12 @@ bool State::has_room(const Command& command, std::size_t bytes) {
     return false;
 }
 
-std::size_t State::vertex_bytes(std::size_t vertices, std::size_t indices) const {
+std::size_t State::vertex_bytes(Enum mode, std::size_t vertices, std::size_t indices) const {
     const auto is_in_use = [](const TextureBindings& unit) { return unit.enabled_1d || unit.enabled_2d; };
     const std::size_t further =
         open_ ? open_->further_units.size()
               : static_cast<std::size_t>(std::count_if(a_.units.begin() + 1, a_.units.end(), is_in_use));
-    return bytes_of_vertices(a_.raster, vertices, indices) + further * bytes_of_tex_coords(vertices);
+    return bytes_of_vertices(a_.raster, mode, vertices, indices) + further * bytes_of_tex_coords(vertices);
 }
 
 bool State::has_time(const Command& command, double work) {
@@ -160,7 +160,7 @@ void State::end(const Command& c) {
 
 void State::vertex(const Command& c) {
     if (!open_) return;  // 2.7: undefined outside Begin and End; ignored here, as by the driver
-    if (!has_room(c, vertex_bytes(1))) return;
+    if (!has_room(c, vertex_bytes(open_->mode, 1))) return;
     a_.current.position_object = {0, 0, 0, 1};
     for (std::size_t i = 0; i < c.arguments.size(); ++i) a_.current.position_object[static_cast<int>(i)] = c.number(i);
     sanitize(a_.current);
@@ -309,7 +309,7 @@ void State::show(FrameItem item) {
 
 // 2.10: the same as a GL_POLYGON with four vertices.
 void State::rect(const Command& c) {
-    if (!has_room(c, bytes_of_draw() + vertex_bytes(4))) return;
+    if (!has_room(c, bytes_of_draw() + vertex_bytes(kGL_POLYGON, 4))) return;
     const double x1 = c.number(0), y1 = c.number(1), x2 = c.number(2), y2 = c.number(3);
     Draw draw = new_draw(kGL_POLYGON, c.place);
     for (const auto& [x, y] : {std::pair(x1, y1), {x2, y1}, {x2, y2}, {x1, y2}}) {
@@ -379,13 +379,17 @@ Frame State::take_frame() {
     std::move(unsupported_.begin(), unsupported_.end(), std::back_inserter(frame.unsupported));
     frame.lists_called_before_made.assign(lists_.called_before_made.begin(), lists_.called_before_made.end());
     frame.typed_lights = typed_lights_;
+    frame.copies_pixels = copies_pixels_ && std::ranges::any_of(frame.draws(), &Draw::shows_copies);
+    if (frame.copies_pixels)
+        for (const KeptPicture& kept : kept_pictures_) frame.earlier.push_back(kept.items);
     drop_picture();
     return frame;
 }
 
 void State::drop_picture() {
+    keep_for_copies(items_.size());
     items_.clear();
-    item_bytes_ = 0;
+    item_bytes_ = bytes_of_kept_pictures();
     work_ = 0;
     unsupported_.clear();
     drop_typed_lights();
@@ -413,7 +417,8 @@ bool hides(const Clear& clear, std::span<const FrameItem> earlier) {
            ((clear.accumulation && whole) || std::ranges::none_of(earlier, fills_accumulation));
 }
 
-// The number of items that no later command can show.
+}  // namespace
+
 std::size_t hidden_items(std::span<const FrameItem> items) {
     if (items.size() < 2) return 0;
     const std::size_t last = items.size() - 1;
@@ -430,18 +435,28 @@ std::size_t hidden_items(std::span<const FrameItem> items) {
     return 0;
 }
 
-}  // namespace
+std::size_t State::bytes_of(const FrameItems& items) const {
+    std::size_t bytes = 0;
+    for (const FrameItem& item : items)
+        if (const Draw* draw = std::get_if<Draw>(&item))
+            bytes += bytes_of_draw() +
+                     bytes_of_vertices(draw->raster, draw->mode, draw->vertices.size(), draw->indices.size()) +
+                     draw->further_units.size() * bytes_of_tex_coords(draw->vertices.size());
+    return bytes;
+}
+
+std::size_t State::bytes_of_kept_pictures() const {
+    std::size_t bytes = 0;
+    for (const KeptPicture& kept : kept_pictures_) bytes += kept.bytes;
+    return bytes;
+}
 
 void State::drop_hidden() {
     const std::size_t hidden = hidden_items(items_);
     if (hidden == 0) return;
+    keep_for_copies(hidden);
     items_.erase(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(hidden));
-    item_bytes_ = 0;
-    for (const FrameItem& item : items_)
-        if (const Draw* draw = std::get_if<Draw>(&item))
-            item_bytes_ += bytes_of_draw() +
-                           bytes_of_vertices(draw->raster, draw->vertices.size(), draw->indices.size()) +
-                           draw->further_units.size() * bytes_of_tex_coords(draw->vertices.size());
+    item_bytes_ = bytes_of(items_) + bytes_of_kept_pictures();
     if (items_.size() == 1) unsupported_.clear();
 }
 

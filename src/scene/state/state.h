@@ -46,11 +46,13 @@ inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; all
 // What `twinlight compare` needs at its peak for the vertices of a Draw, which are drawn in the order of the indices, if there are
 // any: their Vertex and StageVertex, the meshes of two renderers, and the reference's Pieces. A triangle that is drawn as lines or
 // points becomes three of these. Measured: up to 1,050 bytes for each of 150,000 points, 950 of a million vertices of a line, 690 of a
-// strip, 1,630 of one that is drawn as lines.
-constexpr std::size_t bytes_of_vertices(const RasterState& raster, std::size_t vertices, std::size_t indices = 0) {
+// strip, 1,630 of one that is drawn as lines; 1,260 of a sphere's million vertices, which two million indices draw.
+inline std::size_t bytes_of_vertices(const RasterState& raster, Enum mode, std::size_t vertices,
+                                     std::size_t indices = 0) {
     const bool fills = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
-    constexpr std::size_t kVertex = 600, kPiece = 600;
-    return vertices * kVertex + (indices > 0 ? indices : vertices) * (fills ? 1 : 3) * kPiece;
+    constexpr std::size_t kVertex = 600, kPoint = 600, kTriangle = 350;
+    const std::size_t of_index = !draws_polygons(mode) ? kPoint : fills ? kTriangle : 3 * kPoint;
+    return vertices * kVertex + (indices > 0 ? indices : vertices) * of_index;
 }
 // The same for the texture coordinates of a texture unit above 0.
 constexpr std::size_t bytes_of_tex_coords(std::size_t vertices) { return 100 * vertices; }
@@ -135,7 +137,7 @@ class State {
     Effect enable, disable;
     Effect client_arrays, array_element, draw_arrays;
     Effect draw_buffer, driver_only_state, driver_only_drawing, driver_only_attribute, driver_only_query,
-        driver_only_point_parameter, driver_only_pixel_transfer, driver_only_bitmap, driver_only_copy_image;
+        driver_only_point_parameter, driver_only_pixel_transfer, driver_only_bitmap;
     Effect stencil_func, stencil_op, stencil_mask, clear_stencil;
     Effect accumulate, clear_accumulation;
     Effect line_stipple, polygon_stipple, logic_op;
@@ -155,7 +157,7 @@ class State {
     Effect shape, mesh_file, new_quadric, delete_quadric, set_quadric, quadric_shape;
     Effect spectrum, reflectance, illuminant, transfer;
     Effect begin, end, normal, color, secondary_color, fog_coord, vertex, tex_coord, multi_tex_coord, rect;
-    Effect pixel_store, tex_image, tex_sub_image;
+    Effect pixel_store, tex_image, tex_sub_image, copy_tex_image, copy_tex_sub_image;
     Effect bind_texture, active_texture, tex_parameter, tex_env, tex_gen, query_tex_env, query_tex_gen,
         query_tex_parameter, gen_textures, delete_textures, prioritize_textures;
     // glMaterial; `reflectance` is null or the spectrum that the colour was computed from.
@@ -184,7 +186,7 @@ class State {
         return sizeof(Draw) + (lights.is_shared() ? 0 : lights.size() * sizeof(LightSource));
     }
     // bytes_of_vertices(), with the texture coordinates of the units that are in use now.
-    std::size_t vertex_bytes(std::size_t vertices, std::size_t indices = 0) const;
+    std::size_t vertex_bytes(Enum mode, std::size_t vertices, std::size_t indices = 0) const;
     bool has_time(const Command& command, double work);
     // The faces that a command of the stencil sets. Raises GL_INVALID_ENUM and returns nullopt for another name.
     std::optional<std::vector<StencilFace*>> stencil_faces(const Command& command, bool names_face);
@@ -220,6 +222,12 @@ class State {
     bool check_pixel_type(const Command& command, const PixelSource& source);
     std::optional<PixelRows> pixels(const Command& command, const PixelSource& source);
     void generate_mipmaps(Texture& texture) const;
+    // Adds a CopyPixels to the picture. Raises the error and returns null if there is no room.
+    std::shared_ptr<const CopiedPixels> copied_pixels(const Command& command, const Viewport& from);
+    // Before the first items are deleted: keeps those that textures have copies of.
+    void keep_for_copies(std::size_t count);
+    std::size_t bytes_of(const FrameItems& items) const;
+    std::size_t bytes_of_kept_pictures() const;
     // Whether this many more texels stay within the limits; `replaced` texels are freed. If not, raises
     // GL_OUT_OF_MEMORY.
     bool has_texels(const Command& command, double count, std::size_t replaced = 0);
@@ -275,7 +283,15 @@ class State {
     std::map<double, Quadric> quadrics_;                 // by number
     std::map<double, Place> deleted_quadrics_;           // the place of gluDeleteQuadric
     std::vector<FrameItem> items_;
-    std::size_t item_bytes_ = 0;  // the approximate size of items_ and of the newest typed_lights_
+    std::size_t item_bytes_ = 0;  // the approximate size of items_, kept_pictures_ and the newest typed_lights_
+    // Pictures that textures may have copies of. What has no copies any more is deleted with the next picture.
+    struct KeptPicture {
+        std::shared_ptr<const FrameItems> items;
+        std::vector<std::weak_ptr<const CopiedPixels>> copies;
+        std::size_t bytes = 0;
+    };
+    std::vector<KeptPicture> kept_pictures_;
+    bool copies_pixels_ = false;
     std::vector<TypedLight> typed_lights_{{}};
     double work_ = 0;  // work for this picture so far
     std::vector<Unsupported> unsupported_;

@@ -210,12 +210,16 @@ void State::tex_sub_image(const Command& c) {
     TextureImage& image = texture->levels[static_cast<std::size_t>(level)];
     const InternalFormat format = *internal_format(image.internal_format);
     std::vector<glm::dvec4> row;
+    ImagePart part{.x = x0, .y = y0, .width = source.width, .height = source.height};
     for (int y = 0; y < source.height; ++y) {
         rows->unpack(y, row);
+        if (image.has_copies())
+            for (const glm::dvec4& texel : row) part.texels.push_back(stored(texel, format));
         const auto to =
             static_cast<std::size_t>(y0 + y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x0);
         for (std::size_t x = 0; x < row.size(); ++x) image.texels[to + x] = stored(row[x], format);
     }
+    if (image.has_copies()) add_part(image, std::move(part));
     if (is_base) generate_mipmaps(*texture);
     textures_.texels += texels_of(*texture);
 }
@@ -227,8 +231,12 @@ void State::generate_mipmaps(Texture& texture) const {
     const InternalFormat format = *internal_format(texture.levels[base].internal_format);
     texture.levels.resize(base + 1);
     while ((texture.levels.back().width > 1 || texture.levels.back().height > 1) &&
-           texture.levels.size() <= static_cast<std::size_t>(texture.max_level))
-        texture.levels.push_back(half(texture.levels.back(), format));
+           texture.levels.size() <= static_cast<std::size_t>(texture.max_level)) {
+        TextureImage next = half(texture.levels.back(), format);
+        if (texture.levels.back().has_copies())
+            next.half_of = std::make_shared<const TextureImage>(texture.levels.back());
+        texture.levels.push_back(std::move(next));
+    }
 }
 
 }  // namespace twinlight

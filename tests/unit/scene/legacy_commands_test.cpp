@@ -129,14 +129,35 @@ TEST(PixelTransfer, IsNamedInEveryPictureAfterIt) {
     EXPECT_EQ(state.take_frame().unsupported.size(), 1U);
 }
 
-TEST(CopiedImages, AreThereAndNamed) {
+TEST(CopiedImages, AreImagesWithParts) {
     const std::string copy = "glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, 8, 4, 0);\n";
-    EXPECT_EQ(unsupported(copy + kPoint), Names{"glCopyTexImage2D"});
+    EXPECT_EQ(unsupported(copy + kPoint), Names());
     const State state = run(copy + "glTexSubImage2D(GL_TEXTURE_2D, 0, 7, 3, 1, 1, GL_RGB, GL_UNSIGNED_BYTE, NULL);");
     EXPECT_TRUE(state.errors().empty());
     EXPECT_EQ(tex_level_answer(state, kGL_TEXTURE_2D, 0, kGL_TEXTURE_WIDTH)[0], 8);
-    EXPECT_EQ(run("glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, -1, 4, 0);").errors()[0].code, kGL_INVALID_VALUE);
-    EXPECT_EQ(run("glCopyTexImage2D(GL_TEXTURE_2D, 99, GL_RGB, 0, 0, 1, 4, 0);").errors()[0].code, kGL_INVALID_VALUE);
+    EXPECT_EQ(state.bound_texture(kGL_TEXTURE_2D).levels[0].parts.size(), 2u);
+    const State whole = run(copy + "glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, 8, 4);");
+    EXPECT_EQ(whole.bound_texture(kGL_TEXTURE_2D).levels[0].parts.size(), 1u) << "the first copy cannot be seen";
+}
+
+TEST(CopiedImages, HaveErrors) {
+    const auto code = [](const std::string& text) { return run(text).errors().at(0).code; };
+    EXPECT_EQ(code("glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, -1, 4, 0);"), kGL_INVALID_VALUE);
+    EXPECT_EQ(code("glCopyTexImage2D(GL_TEXTURE_2D, 99, GL_RGB, 0, 0, 1, 4, 0);"), kGL_INVALID_VALUE);
+    EXPECT_EQ(code("glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, 1, 4, 2);"), kGL_INVALID_VALUE);
+    EXPECT_EQ(code("glCopyTexImage2D(GL_TEXTURE_1D, 0, GL_RGB, 0, 0, 1, 4, 0);"), kGL_INVALID_ENUM);
+    EXPECT_EQ(code("glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_LIGHTING, 0, 0, 1, 4, 0);"), kGL_INVALID_ENUM);
+    EXPECT_EQ(code("glCopyTexImage1D(GL_TEXTURE_1D, 0, 3, 0, 0, 1, 0);"), kGL_INVALID_ENUM);
+    EXPECT_EQ(code("glCopyTexSubImage1D(GL_TEXTURE_1D, 0, 0, 0, 0, 1);"), kGL_INVALID_OPERATION);
+    const std::string image = "glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, 8, 4, 0);\n";
+    EXPECT_EQ(code(image + "glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 1, 0, 0, 0, 8, 4);"), kGL_INVALID_VALUE);
+    EXPECT_EQ(code(image + "glCopyTexSubImage2D(GL_TEXTURE_2D, -1, 0, 0, 0, 0, 8, 4);"), kGL_INVALID_VALUE);
+}
+
+TEST(CopiedImages, OfDepthsAreNamed) {
+    EXPECT_EQ(
+        unsupported("glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, 0, 0, 8, 4, 0);\n" + std::string(kPoint)),
+        Names{"glCopyTexImage2D(GL_DEPTH_COMPONENT)"});
 }
 
 TEST(TextureParametersOfLaterVersions, AreNamedWhereTheyAreNotAtTheirInitialValue) {

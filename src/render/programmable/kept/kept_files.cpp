@@ -488,6 +488,7 @@ class Writer {
 
 std::string why_not_kept(const Frame& frame) {
     if (accumulates(frame)) return "it uses the accumulation buffer (glAccum), which core GL lacks";
+    if (frame.copies_pixels) return "it copies pixels of its picture to textures (glCopyTexImage)";
     for (const Draw* draw : frame.draws()) {
         if (!draw->further_units.empty()) return "it uses more than one texture unit (glActiveTexture)";
         if (!draw->secondary_colors.empty()) return "it adds secondary colours without lighting (glSecondaryColor)";

@@ -1,0 +1,193 @@
+// glCopyTexImage and glCopyTexSubImage (3.8.2), and the pictures that textures have copies of.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "scene/state/pixel_unpacking.h"
+#include "scene/state/state.h"
+
+namespace twinlight {
+
+namespace {
+
+// How many copies may follow each other, each of a picture that shows the one before. A renderer draws a picture for each.
+constexpr int kMostCopiesInARow = 50;
+
+int copies_in_a_row(const TextureImage& image) {
+    int depth = image.half_of ? copies_in_a_row(*image.half_of) : 0;
+    for (const ImagePart& part : image.parts)
+        if (part.copied) depth = std::max(depth, part.copied->depth);
+    return depth;
+}
+
+// The same for what a picture with these items shows.
+int copies_in_a_row(const FrameItems& items) {
+    int depth = 0;
+    const auto add = [&](std::size_t, const TextureUnit& unit) {
+        for (const TextureImage& image : unit.texture->levels) depth = std::max(depth, copies_in_a_row(image));
+    };
+    for (const FrameItem& item : items)
+        if (const Draw* draw = std::get_if<Draw>(&item)) draw->for_each_unit(add);
+    return depth;
+}
+
+// Copies have no proxies.
+bool is_driver_only_copy(Enum target) {
+    return is_driver_only_image(target) && target != kGL_PROXY_TEXTURE_RECTANGLE &&
+           target != kGL_PROXY_TEXTURE_CUBE_MAP;
+}
+
+// Formats of depths, compressed formats, sRGB, and formats of later versions.
+bool is_driver_only_format(Enum format) {
+    constexpr std::pair<Enum, Enum> kRanges[] = {{kGL_DEPTH_COMPONENT, kGL_DEPTH_COMPONENT},
+                                                 {0x81A5, 0x81A7},
+                                                 {0x84E9, 0x84EE},
+                                                 {0x8C40, 0x8C4B},
+                                                 {0x8814, 0x881B}};
+    return std::ranges::any_of(kRanges,
+                               [&](const auto& range) { return format >= range.first && format <= range.second; });
+}
+
+}  // namespace
+
+void add_part(TextureImage& image, ImagePart part) {
+    std::erase_if(image.parts, [&](const ImagePart& older) { return part.covers(older); });
+    if (part.covers({.width = image.width, .height = image.height})) image.half_of.reset();
+    image.parts.push_back(std::move(part));
+}
+
+std::shared_ptr<const CopiedPixels> State::copied_pixels(const Command& c, const Viewport& from) {
+    const double count = static_cast<double>(from.width) * from.height;
+    if (!has_time(c, count + static_cast<double>(items_.size()))) return nullptr;
+    const int depth = 1 + (copies_pixels_ ? copies_in_a_row(items_) : 0);
+    if (depth > kMostCopiesInARow) {
+        note_lasting(fmt::format("{} of a picture that shows {} copies in a row", c.name(), kMostCopiesInARow),
+                     c.place);
+        return nullptr;
+    }
+    if (!has_room(c, sizeof items_[0] + static_cast<std::size_t>(count) * sizeof(glm::vec4))) return nullptr;
+    copies_pixels_ = true;
+    auto pixels =
+        std::make_shared<const CopiedPixels>(CopiedPixels{.width = from.width, .height = from.height, .depth = depth});
+    items_.emplace_back(CopyPixels{pixels, from});
+    return pixels;
+}
+
+void State::copy_tex_image(const Command& c) {
+    const bool two = c.id == CommandId::glCopyTexImage2D;
+    const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
+    const bool is_driver_only = two && is_driver_only_copy(c.enumerant(0));
+    if (!is_driver_only && !known(c, c.enumerant(0), {target})) return;
+    const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
+    const int level = whole(1), border = whole(two ? 7 : 6);
+    Viewport from{whole(3), whole(4), whole(5), two ? whole(6) : 1};
+    const int largest = level >= 0 && level < kMaxTextureLevels ? kMaxTextureSize >> level : 0;
+    const auto fits = [&](int side) { return side >= 2 * border && side <= largest + 2 * border; };
+    if (largest == 0 || (border != 0 && border != 1) || !fits(from.width) || (two && !fits(from.height))) {
+        return raise(kGL_INVALID_VALUE, c,
+                     "{} cannot make level {} with {} x {} texels and a border of {}; each side of level 0 can have at "
+                     "most {}, and the border must be 0 or 1",
+                     c.name(), level, from.width, from.height, border, kMaxTextureSize);
+    }
+    const std::optional<InternalFormat> format = internal_format(c.number(2));
+    if (is_driver_only_format(c.enumerant(2)))
+        return note_lasting(fmt::format("{}({})", c.name(), enum_name(c.enumerant(2))), c.place);
+    if (!format || c.number(2) <= 4) {
+        return raise(kGL_INVALID_ENUM, c, "{} is given the internal format {}; expected GL_RGB, GL_RGBA8, ...",
+                     c.name(), enum_name(c.enumerant(2)));
+    }
+    if (is_driver_only) return note_lasting(c.name(), c.place);
+    // RULING: borders are cut off, as by glTexImage.
+    if (border == 1) note_lasting(fmt::format("{} with a border", c.name()), c.place);
+    from = {from.x + border, from.y + (two ? border : 0), from.width - 2 * border,
+            from.height - (two ? 2 * border : 0)};
+    const auto index = static_cast<std::size_t>(level);
+    const Texture& bound = bound_texture(target);
+    const std::size_t replaced = index < bound.levels.size() ? bound.levels[index].texels.size() : 0;
+    const auto count = static_cast<std::size_t>(from.width) * static_cast<std::size_t>(from.height);
+    if (!has_texels(c, static_cast<double>(count), replaced)) return;
+    TextureImage image{from.width, from.height, format->base_format, c.enumerant(2),
+                       std::vector<glm::vec4>(count, stored({0, 0, 0, 1}, *format))};
+    if (count > 0)
+        if (auto pixels = copied_pixels(c, from))
+            image.parts.push_back({.width = from.width, .height = from.height, .copied = std::move(pixels)});
+    Texture* texture = writable_texture(c, target);
+    if (!texture) return;
+    textures_.texels -= texels_of(*texture);
+    if (texture->levels.size() <= index) texture->levels.resize(index + 1);
+    texture->levels[index] = std::move(image);
+    if (level == texture->base_level) generate_mipmaps(*texture);
+    textures_.texels += texels_of(*texture);
+}
+
+void State::copy_tex_sub_image(const Command& c) {
+    const bool two = c.id == CommandId::glCopyTexSubImage2D;
+    const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
+    const bool is_driver_only = two && is_driver_only_copy(c.enumerant(0));
+    if (!is_driver_only && !known(c, c.enumerant(0), {target})) return;
+    const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
+    const int level = whole(1), x0 = whole(2), y0 = two ? whole(3) : 0;
+    const std::size_t at = two ? 4 : 3;
+    const Viewport from{whole(at), whole(at + 1), whole(at + 2), two ? whole(at + 3) : 1};
+    if (level < 0 || level >= kMaxTextureLevels)
+        return raise(kGL_INVALID_VALUE, c, "the level is {}; it must be in [0, {}]", level, kMaxTextureLevels - 1);
+    if (is_driver_only) return note_lasting(c.name(), c.place);
+    const auto index = static_cast<std::size_t>(level);
+    const Texture& bound = bound_texture(target);
+    if (bound.levels.size() <= index || bound.levels[index].texels.empty()) {
+        return raise(kGL_INVALID_OPERATION, c, "level {} has no image yet; give it one with {}", level,
+                     two ? "glTexImage2D" : "glTexImage1D");
+    }
+    if (from.width < 0 || from.height < 0)
+        return raise(kGL_INVALID_VALUE, c, "{} is given the size {} x {}; it cannot be negative", c.name(), from.width,
+                     from.height);
+    const TextureImage& old = bound.levels[index];
+    if (x0 < 0 || y0 < 0 || x0 > old.width - from.width || y0 > old.height - from.height) {
+        return raise(kGL_INVALID_VALUE, c, "{} x {} texels at ({}, {}) are not inside the image of {} x {}", from.width,
+                     from.height, x0, y0, old.width, old.height);
+    }
+    if (from.width == 0 || from.height == 0) return;
+    const bool is_base = level == bound.base_level;
+    if (is_base && bound.generate_mipmap && !has_time(c, static_cast<double>(texels_of(bound)))) return;
+    Texture* texture = writable_texture(c, target);
+    if (!texture) return;
+    auto pixels = copied_pixels(c, from);
+    if (!pixels) return;
+    textures_.texels -= texels_of(*texture);
+    add_part(texture->levels[index],
+             {.x = x0, .y = y0, .width = from.width, .height = from.height, .copied = std::move(pixels)});
+    if (is_base) generate_mipmaps(*texture);
+    textures_.texels += texels_of(*texture);
+}
+
+// ---- Earlier pictures ----
+
+void State::keep_for_copies(std::size_t count) {
+    if (!copies_pixels_) return;
+    const auto end = items_.begin() + static_cast<std::ptrdiff_t>(count);
+    KeptPicture kept;
+    FrameItems dropped(std::make_move_iterator(items_.begin()), std::make_move_iterator(end));
+    // The last copy that a texture still has, and what came before it.
+    const auto is_kept = [](const FrameItem& item) {
+        const CopyPixels* copy = std::get_if<CopyPixels>(&item);
+        return copy && copy->pixels.use_count() > 1;
+    };
+    while (!dropped.empty() && !is_kept(dropped.back())) dropped.pop_back();
+    if (!dropped.empty()) {
+        kept.bytes = bytes_of(dropped);
+        for (const FrameItem& item : dropped)
+            if (const CopyPixels* copy = std::get_if<CopyPixels>(&item)) kept.copies.emplace_back(copy->pixels);
+        kept.items = std::make_shared<const FrameItems>(std::move(dropped));
+        kept_pictures_.push_back(std::move(kept));
+    }
+    // An older picture may only be kept for the draws of a newer one.
+    for (std::size_t i = kept_pictures_.size(); i-- > 0;) {
+        const bool is_copied =
+            std::ranges::any_of(kept_pictures_[i].copies, [](const auto& copy) { return copy.use_count() > 1; });
+        if (!is_copied) kept_pictures_.erase(kept_pictures_.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
+}  // namespace twinlight

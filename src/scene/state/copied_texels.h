@@ -1,0 +1,43 @@
+// Textures with pixels that were copied from the picture (3.8.2). Each renderer copies from its own pictures, so what it
+// draws wrong shows in its copies too.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "base/image/image.h"
+#include "scene/state/frame.h"
+
+namespace twinlight {
+
+// A picture to copy from.
+struct CopySource {
+    Image picture;
+    // What another renderer's picture may have; empty: the same picture.
+    Image low{}, high{};
+};
+
+// Draws a Frame that shows no copies.
+using DrawSource = std::function<CopySource(const Frame&)>;
+
+// The frame with all copied texels in its textures, and without the commands that copied them. The Draws are the same, in
+// the same order. RULING: pixels outside the window, which 3.8.2 leaves undefined, are black.
+//
+// `draw` is called once for each picture that is copied from: the commands since the last Clear that hides all before it.
+Frame with_copied_texels(const Frame& frame, const DrawSource& draw);
+
+// The frame itself if it shows no copies; otherwise with_copied_texels().
+class DrawableFrame {
+  public:
+    // The frame must outlive this.
+    DrawableFrame(const Frame& frame, const DrawSource& draw) : given_(&frame) {
+        if (frame.copies_pixels) taken_ = with_copied_texels(frame, draw);
+    }
+    const Frame& operator*() const { return taken_ ? *taken_ : *given_; }
+
+  private:
+    const Frame* given_;
+    std::optional<Frame> taken_;
+};
+
+}  // namespace twinlight
