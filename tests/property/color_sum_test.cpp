@@ -145,6 +145,15 @@ TEST(SecondaryColor, IsPartOfTheState) {
     EXPECT_EQ(answer(state, kGL_CURRENT_SECONDARY_COLOR), (Answer{0.25, 0.5, 2, 1}));
     EXPECT_EQ(answer(state, kGL_CURRENT_FOG_COORD), Answer{7});
     EXPECT_EQ(answer(state, kGL_FOG_COORD_SRC), Answer{kGL_FOG_COORD});
+    // The names of GL 1.4, and of EXT_fog_coord.
+    for (const Command& command : read_scene("glFogi(GL_FOG_COORDINATE_SOURCE, GL_FRAGMENT_DEPTH);\n"
+                                             "glFogi(GL_FOG_COORDINATE_SOURCE_EXT, GL_FOG_COORDINATE_EXT);\n",
+                                             "scene.gl", "scene")
+                                      .commands) {
+        state.apply(command);
+        EXPECT_EQ(answer(state, kGL_CURRENT_FOG_COORDINATE), Answer{7});
+        EXPECT_EQ(answer(state, kGL_FOG_COORD_SRC)[0], command.enumerant(1));
+    }
 }
 
 }  // namespace
