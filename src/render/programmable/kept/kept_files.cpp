@@ -491,6 +491,7 @@ std::string why_not_kept(const Frame& frame) {
     if (frame.copies_pixels) return "it copies pixels of its picture to textures (glCopyTexImage)";
     for (const Draw* draw : frame.draws()) {
         if (!draw->further_units.empty()) return "it uses more than one texture unit (glActiveTexture)";
+        if (draw->texture.texture && draw->texture.texture->is_cube()) return "it uses a cube map";
         if (draw->combines_textures()) return "it combines textures with GL_COMBINE (glTexEnv)";
         if (draw->raster.polygon_stipple) return "it uses a polygon stipple, which core GL lacks";
         if (draw->raster.point_smooth) return "it uses smooth points, which core GL lacks";
