@@ -114,8 +114,20 @@ fi
 
 # ---- A copy of it for this run ----
 
-rm -rf --one-file-system "$root"
-trap '[ -n "$keep" ] || rm -rf --one-file-system "$root"' EXIT
+# Whoever looked into a root that was kept may have left something mounted in it: /proc, for one. That goes first, the deepest
+# before what it lies in. (mountinfo writes a space as \040.)
+remove_root() {
+    local mounted real
+    real=$(realpath --canonicalize-missing "$root")
+    awk '{ print $5 }' /proc/self/mountinfo | sort -r | while read -r mounted; do
+        mounted=$(printf '%b' "${mounted//\\/\\0}")
+        [[ $mounted != "$real"/* ]] || umount "$mounted" 2>/dev/null || umount --lazy "$mounted"
+    done
+    rm -rf --one-file-system "$root"
+    [ ! -e "$root" ]
+}
+remove_root || cannot_run "cannot remove the last run's root: $root"
+trap '[ -n "$keep" ] || remove_root' EXIT
 cp -a --reflink=auto "$base" "$root"
 apt-config dump 2>/dev/null | grep -E '^Acquire::(https?::Proxy|Check-)' >"$root/etc/apt/apt.conf.d/host"
 cp -L /etc/resolv.conf "$root/etc/resolv.conf" 2>/dev/null

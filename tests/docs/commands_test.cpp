@@ -90,12 +90,12 @@ bool is_long(const std::string& line) {
 }
 
 // The same with less work.
-std::string shortened(std::string line) {
+std::string shortened(std::string line, int study_s = tries_all() ? 2 : 1) {
     const int scenes = tries_all() ? 200 : 50;
     line = std::regex_replace(line, std::regex("--count \\d{3,}"), fmt::format("--count {}", scenes));
     // Ctrl-C ends a study, which keeps what it measured.
     if (has(line, "twinlight study ") && !has(line, "--merge"))
-        line = fmt::format("timeout --preserve-status -s INT {} ", tries_all() ? 2 : 1) + line;
+        line = fmt::format("timeout --preserve-status -s INT {} ", study_s) + line;
     // A window stays open until somebody closes it.
     if (has(line, R"(^(\S+/)?twinlight-demo\b)") && !has(line, "--quit-after"))
         line = "timeout 60 " + line + " --quit-after 2 --screenshot window.png";
@@ -236,11 +236,11 @@ class CommandsOfDocs : public testing::Test {
         if (is_long(line) && !tries_all()) return;
         if (is_known && line.find(" -o ") == std::string::npos && line.find(".gl") == std::string::npos) return;
         folder_.provide(line, scene, inside);
-        const ProgramResult result = run_shell(
-            "",
-            fmt::format("cd {} && export PATH=\"$PWD/build:$PATH\" DISPLAY={} && cd ./{} && timeout 300 sh -c {}",
-                        twinlight::quoted(folder_ / ""), display(line),
-                        line.starts_with("cd ") ? "" : twinlight::quoted(inside), twinlight::quoted(shortened(line))));
+        // On a busy machine the study that this line resumes may have been cut before it measured anything.
+        if (const std::size_t resume = line.find(" --resume");
+            resume != line.npos && !fs::exists(folder_ / "study/study.json"))
+            run_in(inside, shortened(line.substr(0, resume), 60));
+        const ProgramResult result = run_in(line.starts_with("cd ") ? "" : inside, shortened(line), display(line));
         // A difference or a warning is an answer, too.
         const bool may_differ = has(line, R"(twinlight (compare|check|lint|fuzz|lesson)\b)");
         // Interrupted before anything was measured.
@@ -249,6 +249,14 @@ class CommandsOfDocs : public testing::Test {
         EXPECT_TRUE(result.status == 0 || is_cut || (may_differ && result.status == 1))
             << "exit status " << result.status << "\n"
             << result.err << result.out.substr(0, 2000);
+    }
+
+    // `inside`: a folder of the reader's folder.
+    ProgramResult run_in(const std::string& inside, const std::string& line, const std::string& display = "") const {
+        return run_shell(
+            "", fmt::format("cd {} && export PATH=\"$PWD/build:$PATH\" DISPLAY={} && cd ./{} && timeout 300 sh -c {}",
+                            twinlight::quoted(folder_ / ""), display, inside.empty() ? "" : twinlight::quoted(inside),
+                            twinlight::quoted(line)));
     }
 
     // A window needs a display; the other programs must not.

@@ -131,6 +131,12 @@ const std::vector<FragmentCase>& fragment_cases() {
             glBegin(GL_TRIANGLES);
             glTexCoord2f(-1, 0); glVertex3f(-3, -7, -7.5); glVertex3f(-6, 5, -7.5);
             glTexCoord2f(-1, 3); glVertex3f(-0.5, 0.5, -4.4); glEnd();)"},
+        // The second line of each strip begins 32 pixels after the first one, where the pattern is off.
+        {"stippled line strips in a display list", R"(
+            glLineWidth(9); glLineStipple(4, 255); glEnable(GL_LINE_STIPPLE); glNewList(1, GL_COMPILE);
+            glBegin(GL_LINE_STRIP); glVertex2f(-1, 0.5); glVertex2f(0, 0.5); glVertex2f(1, 0.5); glEnd();
+            glBegin(GL_LINE_STRIP); glVertex2f(-1, -0.5); glVertex2f(0, -0.5); glVertex2f(1, -0.5); glEnd();
+            glEndList(); glCallList(1);)"},
         // A loop about the window; its fourth vertex is the first that has an edge flag and a colour of its own.
         {"a line loop whose first vertex lacks attributes", R"(
             glLineWidth(8); glBegin(GL_LINE_LOOP);

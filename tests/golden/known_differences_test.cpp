@@ -114,6 +114,14 @@ bool color_sum_after_pop() {
     return glIsEnabled(GL_COLOR_SUM) == GL_TRUE;
 }
 
+bool fog_coord_source_after_pop() {
+    const Both both("glPushAttrib(GL_FOG_BIT); glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD); glPopAttrib();");
+    EXPECT_EQ(answer(both.state, kGL_FOG_COORD_SRC)[0], kGL_FRAGMENT_DEPTH);
+    GLint source = 0;
+    glGetIntegerv(GL_FOG_COORD_SRC, &source);
+    return source == GL_FOG_COORD;
+}
+
 bool lights_after_pop() {
     const Both both("glPushAttrib(GL_ENABLE_BIT); glEnable(GL_LIGHT0); glPopAttrib();");
     EXPECT_EQ(answer(both.state, kGL_LIGHT0)[0], 0);
@@ -225,6 +233,7 @@ constexpr Departure kDepartures[] = {
     {"the transposed texture matrix of another unit", transposed_texture_matrix},
     {"glMaterial right before glPopAttrib", material_before_pop},
     {"GL_COLOR_SUM after glPopAttrib", color_sum_after_pop},
+    {"GL_FOG_COORD_SRC after glPopAttrib", fog_coord_source_after_pop},
     {"lights after glPopAttrib of GL_ENABLE_BIT", lights_after_pop},
     {"GL_GENERATE_MIPMAP_HINT after glPopAttrib", mipmap_hint_after_pop},
     {"glEnable of a vertex array", client_state_by_enable},

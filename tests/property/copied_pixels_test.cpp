@@ -215,21 +215,21 @@ TEST_F(CopiedPixelsTest, AllowWhatTheCopiedPictureAllows) {
     const std::string scene =
         "glClearColor(0.2, 0.3, 0.4, 1); glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n"
         "glEnable(GL_DEPTH_TEST); glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glScalef(0.9, 0.9, 0.9);\n"
-        "glutSolidTeapot(0.7); glDisable(GL_LIGHTING);\n"
+        "glRotatef(30, 1, 1, 0); glutSolidCube(0.8); glDisable(GL_LIGHTING);\n"
         "glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);\n"
         "glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);\n"
-        "glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, 64, 64, 0);\n"
+        "glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, 128, 128, 0);\n"
         "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); glRotatef(40, 1, 1, 0);\n" +
         shown();
-    const Scene made = make_scene(list_of(scene), {.width = 64, .height = 64});
+    const Scene made = make_scene(list_of(scene), {.width = 128, .height = 128});
     const compare::Comparison comparison = compare_three_ways(made);
     EXPECT_EQ(comparison.verdict(), compare::Verdict::kWithin);
     const RegionDifference& at_edges = comparison.pairs[0].difference.edge;
-    EXPECT_LT(at_edges.pixels, 64 * 64 / 8);
+    EXPECT_LT(at_edges.pixels, 128 * 128 / 8);
     double allowed = 0;
     for (const Rgba& pixel : comparison.allowed.channels.pixels) allowed += pixel[0];
     EXPECT_GT(allowed, 1);
-    EXPECT_LT(allowed, 64 * 64 / 10);
+    EXPECT_LT(allowed, 128 * 128 / 10);
 }
 
 }  // namespace

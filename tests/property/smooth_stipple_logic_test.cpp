@@ -1,5 +1,5 @@
-// Smooth lines and points (3.3, 3.4.2, 3.11), the polygon stipple (3.5.2), logical operations (4.1.10): the reference by
-// hand calculation, and the driver with the same colours.
+// Smooth lines and points (3.3, 3.4.2, 3.11), the stipples of lines (3.4.2) and polygons (3.5.2), logical operations
+// (4.1.10): the reference by hand calculation, and the driver with the same colours.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -78,6 +78,58 @@ TEST(SmoothPoints, AreDiscs) {
     EXPECT_EQ(red(image, 12, 11), 0) << "a corner of the square";
 }
 
+// Which pixels of a row are drawn, from pixel 4 on.
+std::string dashes(const std::string& text) {
+    const Image image = reference_of("glEnable(GL_LINE_STIPPLE); " + text);
+    std::string row;
+    for (int x = 4; x < 24; ++x) row += red(image, x, 8) > 0 ? '#' : '.';
+    return row;
+}
+
+TEST(LineStipple, CountsFragments) {
+    const std::string line = "glBegin(GL_LINES); glVertex2f(4.5, 8.5); glVertex2f(24.5, 8.5); glEnd();";
+    EXPECT_EQ(dashes(line), "####################") << "the initial pattern";
+    EXPECT_EQ(dashes("glLineStipple(1, 0x3F0D);" + line), "#.##....######..#.##");
+    EXPECT_EQ(dashes("glLineStipple(3, 5);" + line), "###...###...........");
+    EXPECT_EQ(dashes("glLineStipple(0, 0x3F0D);" + line), "#.##....######..#.##") << "the factor is at least 1";
+    EXPECT_EQ(
+        dashes("glLineStipple(1, 0x3F0D); glBegin(GL_LINES); glVertex2f(23.5, 8.5); glVertex2f(3.5, 8.5); glEnd();"),
+        "##.#..######....##.#")
+        << "from the first vertex";
+    EXPECT_EQ(dashes("glLineStipple(1, 7); glLineWidth(3);" + line), "###.............###.");
+}
+
+TEST(LineStipple, GoesOnInStripsAndBeginsWithEachLine) {
+    const auto lines = [](const char* mode) {
+        return dashes(
+            fmt::format("glLineStipple(1, 0x0F0F); glBegin({}); glVertex2f(4.5, 8.5); glVertex2f(10.5, 8.5);"
+                        "{} glVertex2f(24.5, 8.5); glEnd();",
+                        mode, std::string_view(mode) == "GL_LINES" ? "glVertex2f(10.5, 8.5);" : ""));
+    };
+    EXPECT_EQ(lines("GL_LINE_STRIP"), "####....####....####");
+    EXPECT_EQ(lines("GL_LINES"), "####..####....####..");
+}
+
+TEST(LineStipple, BeginsWithEachGlBeginAndFollowsTheLongerAxis) {
+    EXPECT_EQ(
+        dashes("glLineStipple(1, 0x0F0F); glBegin(GL_LINE_STRIP); glVertex2f(4.5, 8.5); glVertex2f(10.5, 8.5); glEnd();"
+               "glBegin(GL_LINE_STRIP); glVertex2f(10.5, 8.5); glVertex2f(24.5, 8.5); glEnd();"),
+        "####..####....####..");
+    // From the right to the left and up: 16 rows, but only 8 columns. Then down.
+    const Image image = reference_of(
+        "glEnable(GL_LINE_STIPPLE); glLineStipple(4, 0x5555); glBegin(GL_LINE_STRIP);"
+        "glVertex2f(20.5, 4.25); glVertex2f(12.5, 20.25); glVertex2f(12.5, 4.25); glEnd();");
+    std::string up, down;
+    for (int y = 4; y < 20; ++y) {
+        int drawn = 0;
+        for (int x = 13; x < 22; ++x) drawn += red(image, x, y) > 0;
+        up += drawn > 0 ? '#' : '.';
+        down += red(image, 12, y) > 0 ? '#' : '.';
+    }
+    EXPECT_EQ(up, "####....####....");
+    EXPECT_EQ(down, ".....####....###") << "the next line, downwards: rows 20 to 17 are drawn";
+}
+
 TEST(PolygonStipple, DrawsWhereItsBitIs1) {
     // 0x81 in byte 0, 0x40 in byte 5, 1 in byte 127.
     std::string bytes = "0x81, 0, 0, 0, 0, 0x40";
@@ -138,6 +190,15 @@ TEST(SmoothStippleLogic, AgreeThreeWays) {
              "glEnable(GL_LINE_SMOOTH); glLineWidth(7); glColor4f(0.3, 0.9, 0.2, 0.8); glBegin(GL_LINES); "
              "glVertex2f(3, "
              "4); glVertex2f(29, 25); glEnd();",
+             "glEnable(GL_LINE_STIPPLE); glLineStipple(3, 0x3C35); glLineWidth(7); glColor4f(0.3, 0.9, 0.2, 0.8);"
+             "glBegin(GL_LINE_STRIP); glVertex2f(3.3, 4.1); glVertex2f(29, 10.2); glVertex2f(12.6, 28.1); glEnd();",
+             // Two strips, which are drawn as one array in shaders; then the edges of a polygon.
+             "glEnable(GL_LINE_STIPPLE); glLineStipple(4, 0x00FF); glLineWidth(5);"
+             "glBegin(GL_LINE_STRIP); glVertex2f(2, 4); glVertex2f(12, 5); glVertex2f(30, 4); glEnd();"
+             "glBegin(GL_LINE_STRIP); glVertex2f(2, 12); glVertex2f(12, 13); glVertex2f(30, 12); glEnd();"
+             "glBegin(GL_LINE_LOOP); glVertex2f(2, 20); glVertex2f(30, 21); glVertex2f(12, 30); glEnd();",
+             "glEnable(GL_LINE_STIPPLE); glLineStipple(3, 0x3C35); glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);"
+             "glLineWidth(3); glBegin(GL_TRIANGLES); glVertex2f(2, 2); glVertex2f(30, 5); glVertex2f(9, 29); glEnd();",
              "glEnable(GL_POINT_SMOOTH); glPointSize(19); glColor4f(0.3, 0.9, 0.2, 1); glBegin(GL_POINTS); "
              "glVertex2f(13, 14.4); glEnd();",
              "glPolygonStipple((GLubyte[128]){" + bytes +

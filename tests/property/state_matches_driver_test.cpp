@@ -169,7 +169,7 @@ double random_name(fuzz::Random& random, Enum pname) {
         case kGL_TEXTURE_GEN_MODE:
             return one_of(random,
                           {kGL_OBJECT_LINEAR, kGL_EYE_LINEAR, kGL_SPHERE_MAP, kGL_REFLECTION_MAP, kGL_NORMAL_MAP});
-        case kGL_FOG_COORD_SRC: return kGL_FRAGMENT_DEPTH;
+        case kGL_FOG_COORD_SRC: return one_of(random, {kGL_FRAGMENT_DEPTH, kGL_FOG_COORD});
         default: return one_of(random, {kGL_REPEAT, kGL_CLAMP, kGL_CLAMP_TO_EDGE, kGL_MIRRORED_REPEAT, kGL_LINEAR});
     }
 }
@@ -326,6 +326,7 @@ bool is_departure(const Command& command, const State& state) {
     const bool switches = command.id == CommandId::glEnable || command.id == CommandId::glDisable;
     const bool stays = command.id == CommandId::glBlendEquationSeparate ||
                        (switches && command.enumerant(0) == kGL_COLOR_SUM) ||
+                       (name.starts_with("glFog") && owner && command.enumerant(0) == kGL_FOG_COORD_SRC) ||
                        (command.id == CommandId::glHint && command.enumerant(0) == kGL_GENERATE_MIPMAP_HINT) ||
                        (name.starts_with("glTexParameter") && command.enumerant(1) == kGL_GENERATE_MIPMAP);
     // 6.1.14: what is changed within an inner glPushAttrib that does not save it, the outer one restores; the driver

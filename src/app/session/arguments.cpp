@@ -38,6 +38,7 @@ constexpr RangeRow kRanges[] = {
     {"depth_range", "", 0, 1, true},
     {"blend_color", "", 0, 1, true},
     {"alpha_func", "ref", 0, 1, true},
+    {"line_stipple", "factor", 1, 256, true},
     {"line_width", "", kSmallestAboveZero, kUnlimited, false},
     {"point_size", "", kSmallestAboveZero, kUnlimited, false},
     {"perspective", "fovy", 1, 179, false},
@@ -133,8 +134,7 @@ Editing editing_of(const Command& command, std::size_t argument) {
 bool is_color(const Command& command, std::size_t argument) {
     const ParameterInfo* const set = parameter_set(command);
     if (set && is_parameter_value(command, argument)) return set->meaning == Meaning::kColor;
-    constexpr CommandSet kColors =
-        CommandSet::of({"color", "clear_color", "blend_color", "driver_only_secondary_color"});
+    constexpr CommandSet kColors = CommandSet::of({"color", "clear_color", "blend_color", "secondary_color"});
     return kColors.contains(command.id);
 }
 

@@ -29,6 +29,8 @@ const std::vector<InitialRow>& initial_rows() {
         {"normal", {0, 0, 1}},
         {"tex_coord", {0, 0, 0, 1}},
         {"multi_tex_coord", {kNone, 0, 0, 0, 1}},
+        {"secondary_color", {0, 0, 0}},
+        {"fog_coord", {0}},
         {"edge_flag", {1}},
         {"matrix_mode", {kGL_MODELVIEW}},
         {"depth_range", {0, 1}},
@@ -39,6 +41,8 @@ const std::vector<InitialRow>& initial_rows() {
         {"polygon_offset", {0, 0}},
         {"line_width", {1}},
         {"point_size", {1}},
+        {"line_stipple", {1, 0xFFFF}},
+        {"logic_op", {kGL_COPY}},
         {"depth_func", {kGL_LESS}},
         {"depth_mask", {1}},
         {"color_mask", {1, 1, 1, 1}},
@@ -137,7 +141,7 @@ std::optional<double> initial_value(const Command& command, std::size_t argument
     const auto row = std::ranges::find(initial_rows(), effect_of(command), &InitialRow::effect);
     if (row == initial_rows().end() || argument >= row->values.size() || std::isnan(row->values[argument]))
         return std::nullopt;
-    const bool is_converted = row->effect == "color" || row->effect == "normal";
+    const bool is_converted = row->effect == "color" || row->effect == "secondary_color" || row->effect == "normal";
     return as_argument(row->values[argument], parameter.kind, is_converted);
 }
 

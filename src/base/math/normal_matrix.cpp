@@ -47,27 +47,29 @@ Scaled scaled(const glm::dmat3& m) {
     return result;
 }
 
-// The cofactors: the transposed inverse times the determinant.
-glm::dmat3 cofactors(const glm::dmat3& m) {
-    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
-}
+// Cofactors of columns that are nearly parallel are small differences, and the determinant is a small sum of those. Doubles would
+// lose digits twice.
+using Matrix = glm::mat<3, 3, long double>;
 
-double norm(const glm::dmat3& m) {
+// The cofactors: the transposed inverse times the determinant.
+Matrix cofactors(const Matrix& m) { return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])}; }
+
+long double norm(const Matrix& m) {
     return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
 }
 
 struct Cofactors {
-    glm::dmat3 of{0};
-    double determinant = 0;
+    Matrix of{0};
+    long double determinant = 0;
     bool is_singular = true;
 };
 Cofactors cofactors_of(const Scaled& m) {
     if (m.has_zero) return {};
     constexpr double kSingular = 0x1p21;
-    const glm::dmat3 of = cofactors(m.scaled);
-    const double determinant = glm::dot(m.scaled[0], of[0]);
+    const Matrix scaled(m.scaled), of = cofactors(scaled);
+    const long double determinant = glm::dot(scaled[0], of[0]);
     // The product of the norms of a matrix and its inverse: the largest singular value over the smallest, to a factor of 3.
-    const bool is_singular = !(norm(m.scaled) * norm(of) < kSingular * std::abs(determinant));
+    const bool is_singular = !(norm(scaled) * norm(of) < kSingular * std::abs(determinant));
     return {of, determinant, is_singular};
 }
 
@@ -79,7 +81,7 @@ glm::dmat3 normal_matrix(const glm::dmat3& eye_from_object) {
     const Scaled m = scaled(eye_from_object);
     const Cofactors c = cofactors_of(m);
     if (c.is_singular) return glm::dmat3(0);
-    glm::dmat3 result = c.of / c.determinant;
+    glm::dmat3 result(c.of / c.determinant);
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row) result[column][row] = result[column][row] / m.rows[row] / m.columns[column];
     return result;

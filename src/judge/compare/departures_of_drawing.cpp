@@ -166,21 +166,33 @@ bool biases_level_of_points(const Draw& draw) {
 }
 
 bool adds_secondary_color_in_fog(const Draw& draw) {
-    return draw.fog.enabled && draw.lighting.enabled && draw.lighting.light_model.color_control != kGL_SINGLE_COLOR;
+    const bool separates = draw.lighting.enabled && draw.lighting.light_model.color_control != kGL_SINGLE_COLOR;
+    return draw.fog.enabled && (separates || !draw.secondary_colors.empty());
 }
 
 bool has_w_in_fog(const Draw& draw) {
-    return draw.fog.enabled && std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
+    return draw.fog.enabled && !draw.fog.by_coordinates &&
+           std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
                return std::abs((draw.eye_from_object * vertex.position_object).w - 1) > 1e-9;
            });
 }
 
 // Linear fog does not depart: 3.10 allows f to be computed at each vertex and interpolated, which gives the same colour.
 bool has_exponential_fog_behind_the_eye(const Draw& draw) {
-    if (!draw.fog.enabled || draw.fog.mode == kGL_LINEAR || draw.mode == kGL_POINTS) return false;
+    if (!draw.fog.enabled || draw.fog.by_coordinates || draw.fog.mode == kGL_LINEAR || draw.mode == kGL_POINTS)
+        return false;
     const auto z_eye = [&](const Vertex& vertex) { return (draw.eye_from_object * vertex.position_object).z; };
     return std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) { return z_eye(vertex) > 0; }) &&
            std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) { return z_eye(vertex) < 0; });
+}
+
+bool has_negative_fog_coords(const Draw& draw) {
+    return std::ranges::any_of(draw.fog_coords, [](double coordinate) { return coordinate < 0; });
+}
+
+// Mesa makes separate lines of the strips in a list if another strip or line follows, so the count begins with each.
+bool stipples_listed_strips(const Draw& draw) {
+    return draw.raster.line_stipple && draw.in_list && (draw.mode == kGL_LINE_STRIP || draw.mode == kGL_LINE_LOOP);
 }
 
 bool clamps_between_nearest_and_linear(const Draw& draw) {

@@ -180,7 +180,8 @@ Lines factor_lines(const FogSteps& steps, const Fog& fog) {
 Lines fog_lines(const ColorSteps& of, const FogSteps& steps, const Fog& fog) {
     return head("fog (3.10)") +
            line("c", fmt::format("{:.5g}", steps.distance),
-                "|z_e|: how far the fragment is from the plane of the eye") +
+                fog.by_coordinates ? "the fog coordinate (glFogCoord), interpolated"
+                                   : "|z_e|: how far the fragment is from the plane of the eye") +
            factor_lines(steps, fog) + color_line("C_r", "the colour so far", rgb_of(of.sum)) +
            color_line("C_f", "GL_FOG_COLOR", rgb_of(clamped_rgba(fog.color))) +
            color_line("C", "f C_r + (1 - f) C_f", rgb_of(steps.result));
@@ -191,7 +192,9 @@ Lines fog_lines(const ColorSteps& of, const FogSteps& steps, const Fog& fog) {
 Lines after_lighting_lines(const ColorSteps& steps, const Draw& draw, bool is_exact) {
     Lines lines;
     for (const TextureSteps& texture : steps.textures) lines += texture_lines(texture, draw, is_exact);
-    if (draw.lighting.enabled && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR) {
+    const bool separates =
+        draw.lighting.enabled && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
+    if (separates || !draw.secondary_colors.empty()) {
         lines += head("colour sum (3.9)") +
                  color_line("", "the colour so far",
                             rgb_of(steps.textures.empty() ? steps.primary : steps.textures.back().result)) +

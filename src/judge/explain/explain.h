@@ -55,6 +55,9 @@ Frame picture_of(const Draw& draw, std::uint32_t vertex, reference::Face face);
 
 // The index of the last fragment that hides all earlier ones; 0 if no fragment does.
 std::size_t first_seen(const Frame& frame, const std::vector<reference::PixelFragment>& fragments);
+// Where surfaces have almost the depth of the one that shows, rounding decides which one does: a sentence that names their draws.
+// Empty where none have it.
+std::string almost_one_depth(const Frame& frame, const std::vector<reference::PixelFragment>& fragments);
 // What happens to the lit colour before blending: "after clamping, texture (3.8), fog (3.10)".
 std::string steps_after_lighting(const reference::PixelFragment& fragment, const Draw& draw, bool lecture_variants);
 

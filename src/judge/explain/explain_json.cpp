@@ -74,6 +74,8 @@ Json json_of(const Scene& scene, const PixelExplanation& explanation) {
     for (const PixelFragment& fragment : explanation.history.fragments)
         json["fragments"].push_back(
             fragment_json(fragment, scene, *draws[fragment.draw], explanation.look.lecture_variants));
+    if (const std::string note = almost_one_depth(scene.frame, explanation.history.fragments); !note.empty())
+        json["note"] = note;
     add_pictures(explanation.rendered, json);
     return json;
 }

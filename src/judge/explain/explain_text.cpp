@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "judge/explain/derivation_light.h"
 #include "judge/explain/explain.h"
@@ -121,8 +123,8 @@ std::string steps_after_lighting(const PixelFragment& fragment, const Draw& draw
         steps.emplace_back("textures (3.8)");
     else if (draw.texture.texture)
         steps.emplace_back("texture (3.8)");
-    if (fragment.is_lit && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
-        steps.emplace_back("colour sum (3.9)");
+    const bool separates = fragment.is_lit && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
+    if (separates || !draw.secondary_colors.empty()) steps.emplace_back("colour sum (3.9)");
     if (draw.fog.enabled) steps.emplace_back("fog (3.10)");
     if (lecture_variants && draw.fragment.srgb_coded) steps.emplace_back("sRGB");
     return fmt::format("after {}", fmt::join(steps, ", "));
@@ -137,6 +139,26 @@ std::size_t first_seen(const Frame& frame, const std::vector<PixelFragment>& fra
             return i - 1;
     }
     return 0;
+}
+
+std::string almost_one_depth(const Frame& frame, const std::vector<PixelFragment>& fragments) {
+    // Drivers compute depths in floats and store them in 24 bits. What is drawn twice has exactly one depth (appendix A).
+    constexpr double kRounding = 16.0 / (1 << 24);
+    const std::vector<const Draw*> draws = frame.draws();
+    const auto shown = std::ranges::find_if(fragments.rbegin(), fragments.rend(), &PixelFragment::passes);
+    if (shown == fragments.rend() || !draws[shown->draw]->raster.depth_test) return "";
+    std::set<std::size_t> numbers;
+    for (const PixelFragment& fragment : fragments) {
+        const double difference = std::abs(fragment.depth - shown->depth);
+        if (difference > 0 && difference < kRounding && draws[fragment.draw]->raster.depth_test)
+            numbers.insert(fragment.draw + 1);
+    }
+    if (numbers.empty()) return "";
+    numbers.insert(shown->draw + 1);
+    return fmt::format(
+        "Surfaces of {} {} have almost the same depth here, so rounding decides which one shows. "
+        "glPolygonOffset keeps them apart (3.5.5).",
+        numbers.size() == 1 ? "draw" : "draws", fmt::join(numbers, ", "));
 }
 
 std::string text_of(const Scene& scene, const PixelExplanation& explanation, const TextOptions& options) {
@@ -164,6 +186,7 @@ std::string text_of(const Scene& scene, const PixelExplanation& explanation, con
         else
             text += fragment_text(fragment, scene, draw, explanation.look.lecture_variants, options);
     }
+    if (const std::string note = almost_one_depth(frame, fragments); !note.empty()) text += "\n" + note + "\n";
     return text + pictures_text(explanation.rendered, variants);
 }
 

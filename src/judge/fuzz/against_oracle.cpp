@@ -306,9 +306,6 @@ class Judged {
         if (cancels) return kNearlyAgree;
         if (beyond) return kBeyond;
         if (limits.flushes && denormal) return kDenormals;
-        if (type == NumberType::kShaderFloat && !keeps_w(programmable::keeping_w(draw().eye_from_object)) &&
-            (wide || exact.position_eye[3] == 0))
-            return "a wide range under a matrix that projects";
         if (type == NumberType::kShaderFloat && differ_beyond_floats(draw().eye_from_object))
             return "a matrix whose columns differ beyond a float";
         if (type == NumberType::kShaderFloat && wide && is_singular(glm::dmat3(draw().eye_from_object)))

@@ -22,8 +22,11 @@ class Builder {
           units_(seed.structure + 2),
           unit_values_(~seed.values),
           fragments_(~seed.values),
-          copies_(seed.structure + 3),
-          cubes_(seed.structure + 4),
+          more_(seed.structure + 3),
+          more_values_(~seed.values + 1),
+          stipples_(seed.structure + 4),
+          copies_(seed.structure + 5),
+          cubes_(seed.structure + 6),
           departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
@@ -41,9 +44,11 @@ class Builder {
         if (of_textures || (structure_.chance(0.7) && !shows("the colour sum in fog"))) texture();
         if (departure_.empty() && cubes_.chance(0.1)) cube_map();
         if (departure_.empty() && units_.chance(0.25)) further_units();
+        secondary_ = departure_.empty() && more_.chance(0.12);
+        if (secondary_) add("glEnable(GL_COLOR_SUM);");
         add("glMatrixMode(GL_MODELVIEW);");
         if (shows("the colour sum in fog") || shows("fog of a vertex whose w is not 1") || reaches_behind() ||
-            structure_.chance(0.4))
+            shows("fog coordinates below 0") || structure_.chance(0.4))
             fog();
         raster();
         lit_ = shows("the colour sum in fog") || shows("glRect as a quadrilateral") || structure_.chance(0.4);
@@ -325,10 +330,13 @@ class Builder {
     bool reaches_behind() const { return shows("exponential fog on primitives that reach behind the eye"); }
 
     void fog() {
-        add("glEnable(GL_FOG); glFogi(GL_FOG_MODE, {});",
-            reaches_behind() ? "GL_EXP" : one_of({"GL_LINEAR", "GL_EXP", "GL_EXP2"}));
+        add("glEnable(GL_FOG); glFogi(GL_FOG_MODE, {});", reaches_behind() || shows("fog coordinates below 0")
+                                                              ? "GL_EXP"
+                                                              : one_of({"GL_LINEAR", "GL_EXP", "GL_EXP2"}));
         add("glFogf(GL_FOG_DENSITY, {:.4f}); glFogfv(GL_FOG_COLOR, {});", random_.uniform(0, 0.3), vector());
         add("glFogf(GL_FOG_START, {:.3f}); glFogf(GL_FOG_END, {:.3f});", random_.uniform(1, 6), random_.uniform(6, 12));
+        fog_coords_ = shows("fog coordinates below 0") || (departure_.empty() && more_.chance(0.3));
+        if (fog_coords_) add("glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);");
     }
 
     void fragment_operations() {
@@ -338,6 +346,7 @@ class Builder {
             if (fragments_.chance(0.05)) polygon_stipple();
             if (fragments_.chance(0.1)) add("glEnable(GL_LINE_SMOOTH);");
             if (fragments_.chance(0.02)) add("glEnable(GL_POINT_SMOOTH);");
+            if (stipples_.chance(0.15)) line_stipple();
         }
         if (structure_.chance(0.3))
             add("glEnable(GL_ALPHA_TEST); glAlphaFunc({}, {:.4f});",
@@ -402,6 +411,10 @@ class Builder {
                                         "GL_NOR",           "GL_EQUIV",       "GL_INVERT",      "GL_OR_REVERSE",
                                         "GL_COPY_INVERTED", "GL_OR_INVERTED", "GL_NAND",        "GL_SET"};
         add("glEnable(GL_COLOR_LOGIC_OP); glLogicOp({});", kOps[fragments_.below(static_cast<int>(std::size(kOps)))]);
+    }
+
+    void line_stipple() {
+        add("glLineStipple({}, {}); glEnable(GL_LINE_STIPPLE);", 1 + stipples_.below(9), stipples_.below(65536));
     }
 
     void polygon_stipple() {
@@ -527,6 +540,9 @@ class Builder {
             return "glNewList(9, GL_COMPILE); glBegin(GL_TRIANGLE_FAN);\n" + attributes(true, true) +
                    "glVertex3f(0, 0, -2); glEnd(); glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);\n" +
                    anywhere("GL_TRIANGLE_FAN") + "glEndList(); glCallList(9);\n";
+        if (shows("stippled line strips in a display list"))
+            return "glLineStipple(8, 255); glEnable(GL_LINE_STIPPLE); glNewList(9, GL_COMPILE);\n" +
+                   anywhere("GL_LINE_STRIP") + anywhere("GL_LINE_STRIP") + "glEndList(); glCallList(9);\n";
         if (shows("level of detail of points") || shows("the alpha of smooth points")) return anywhere("GL_POINTS");
         if (shows("a line loop whose first vertex lacks attributes")) return anywhere("GL_LINE_LOOP");
         if (of_triangles || structure_.chance(0.55)) return anywhere("GL_TRIANGLES");
@@ -582,6 +598,12 @@ class Builder {
     // attributes".
     std::string attributes(bool first, bool flags) {
         std::string text;
+        if (secondary_)
+            text += fmt::format("glSecondaryColor3f({:.4f}, {:.4f}, {:.4f});\n", more_values_.uniform(0, 1),
+                                more_values_.uniform(0, 1), more_values_.uniform(0, 1));
+        if (fog_coords_)
+            text += fmt::format("glFogCoordf({:.4f});\n",
+                                more_values_.uniform(shows("fog coordinates below 0") ? -9 : 0, 14));
         // So near to each other that few texels fall within a pixel: otherwise filters leave the colour open.
         for (const int unit : further_units_)
             text += fmt::format("glMultiTexCoord4f(GL_TEXTURE{}, {:.4f}, {:.4f}, 0, {:.4f});\n", unit,
@@ -670,8 +692,10 @@ class Builder {
 
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
-    Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_, copies_, cubes_;
-    std::vector<int> further_units_;  // the numbers of those with a texture
+    Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_, more_, more_values_, stipples_,
+        copies_, cubes_;
+    bool secondary_ = false, fog_coords_ = false;  // vertices have secondary colours, fog coordinates
+    std::vector<int> further_units_;               // the numbers of those with a texture
     std::string_view departure_;
     bool lit_ = false;
     std::string text_;

@@ -62,6 +62,7 @@ Frame enlarged(const Frame& frame, int samples) {
         enlarge(draw->raster.viewport);
         enlarge(draw->fragment.scissor.box);
         draw->raster.line_width *= samples;
+        if (draw->raster.line_stipple) draw->raster.line_stipple->factor *= samples;
         draw->raster.point_size *= samples;
         draw->raster.polygon_offset.factor *= samples;  // the slope of the depth is per pixel (3.5.5)
     }

@@ -36,6 +36,8 @@
 //   texture.environment kDecal               the texels are kColorAndAlpha; with kColor it becomes kReplace
 //   texture.environment kCombine             only in `units`
 //   texture                                  no units: the Draw has one texture and no GL_COMBINE
+//   fog_coords                               there is fog
+//   secondary_color                          no lighting
 //   units[i]                                 the unit changes the colour, or GL_COMBINE of another unit reads its texture
 //   units[i].texture                         as texture; the environment may be kNone
 //   units[i].combine                         the environment is kCombine; what its functions do not read is initial
@@ -181,7 +183,9 @@ struct EffectSet {
     TextureEffects texture;
     std::vector<UnitEffects> units;  // in the order of their numbers
     FogEffect fog = FogEffect::kNone;
-    int clip_plane_count = 0;  // of GL_CLIP_PLANEi (2.12)
+    bool fog_coords = false;       // fog takes the vertices' coordinates
+    bool secondary_color = false;  // the vertices' secondary colours are added after the textures
+    int clip_plane_count = 0;      // of GL_CLIP_PLANEi (2.12)
     // Vertex colours are multiplied with lights in more than three samples: one matrix per product.
     bool spectral_products = false;
     // Every point is lit in this many groups of three spectral samples; 0: in red, green and blue.

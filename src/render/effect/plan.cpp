@@ -176,11 +176,12 @@ class Planner {
 
     // GL_REPLACE may replace the whole primary colour. Then only a separate specular colour needs lighting.
     void plan_colors_that_are_left() {
-        if (facts().needs_primary() || facts().separate_specular) return;
+        if (facts().needs_primary() || facts().separate_specular || facts().secondary_color) return;
         plan_.leave_out("lighting and colours", "the texture replaces both colour and alpha (GL_REPLACE)");
         EffectSet left;
         left.texture = facts().texture;
         left.fog = facts().fog;
+        left.fog_coords = facts().fog_coords;
         left.srgb_coded = facts().srgb_coded;
         left.clip_plane_count = facts().clip_plane_count;
         facts() = left;
@@ -202,7 +203,7 @@ class Planner {
 
     void plan_w() {
         const bool w_is_1 = keeps_w(draw_.eye_from_object) && vertices_.w_is_1;
-        const bool w_matters = facts().needs_position_eye() || facts().has_fog();
+        const bool w_matters = facts().needs_position_eye() || (facts().has_fog() && !facts().fog_coords);
         facts().vertex_w = w_matters && !w_is_1;
         if (w_matters && w_is_1) plan_.leave_out("division by w", "w is 1 at every vertex");
     }

@@ -176,10 +176,12 @@ void plan_fog(const Draw& draw, Plan& plan) {
 void plan_fragments(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     plan_texture(draw, vertices, plan);
     plan_fog(draw, plan);
+    plan.effects.fog_coords = plan.effects.has_fog() && draw.fog.by_coordinates;
     plan.effects.clip_plane_count = draw.raster.clip_plane_count();
     if (plan.effects.clip_plane_count == 0) plan.leave_out("clip planes", "none is enabled", true);
-    if (draw.fragment.color_sum && !draw.lighting.enabled)
-        plan.leave_out("colour sum", "without lighting the secondary colour is black");
+    plan.effects.secondary_color = !draw.secondary_colors.empty();
+    if (draw.fragment.color_sum && !draw.lighting.enabled && !plan.effects.secondary_color)
+        plan.leave_out("colour sum", "the secondary colour is black");
 }
 
 }  // namespace twinlight

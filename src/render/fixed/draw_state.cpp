@@ -68,6 +68,7 @@ void set_lighting(const LightingState& lighting, bool also_off) {
 
 void set_fog(const Fog& fog) {
     glFogi(GL_FOG_MODE, static_cast<GLint>(fog.mode));
+    glFogi(GL_FOG_COORD_SRC, fog.by_coordinates ? GL_FOG_COORD : GL_FRAGMENT_DEPTH);
     glFogf(GL_FOG_DENSITY, static_cast<float>(fog.density));
     glFogf(GL_FOG_START, static_cast<float>(fog.start));
     glFogf(GL_FOG_END, static_cast<float>(fog.end));

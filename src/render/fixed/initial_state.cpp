@@ -55,12 +55,13 @@ void reset_pixels(const PixelStore& store) {
     for (GLenum map = GL_PIXEL_MAP_I_TO_I; map <= GL_PIXEL_MAP_A_TO_A; ++map) glPixelMapfv(map, 1, &zero);
 }
 
-void reset_current_values(const Vertex& current) {
+void reset_current_values(const Attributes& start) {
+    const Vertex& current = start.current;
     glColor4dv(&current.color[0]);
     glNormal3dv(&current.normal_object[0]);
     glEdgeFlag(current.edge_flag);
-    glSecondaryColor3f(0, 0, 0);
-    glFogCoordf(0);
+    glSecondaryColor3dv(&start.secondary_color[0]);
+    glFogCoordd(start.fog_coord);
 }
 
 void reset_points_and_stipples() {
@@ -82,7 +83,6 @@ void reset_fragments(const Attributes& start) {
     set_enabled(GL_FOG, start.fog.enabled);
     set_fog(start.fog);
     glFogf(GL_FOG_INDEX, 0);
-    glFogi(GL_FOG_COORD_SRC, GL_FRAGMENT_DEPTH);
     set_enabled(GL_COLOR_SUM, start.fragment.color_sum);
     glStencilFunc(GL_ALWAYS, 0, ~0U);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
@@ -205,7 +205,7 @@ void reset(int width, int height) {
         if (!row.is_per_unit()) set_enabled(row.cap, *initial.capability(row.cap));
     for (const auto& [target, mode] : start.hints) glHint(target, mode);
     glListBase(start.list_base);
-    reset_current_values(start.current);
+    reset_current_values(start);
     set_lighting(start.lighting, true);
     glMaterialfv(GL_FRONT_AND_BACK, GL_COLOR_INDEXES, &glm::vec3(start.lighting.front.color_indexes)[0]);
     glShadeModel(start.lighting.shade_model);

@@ -76,6 +76,7 @@ struct PreparedDraw {
         stages.set(draw->raster, draw->fragment);
         glShadeModel(shade_model);
         set_enabled(GL_FOG, fogged);
+        set_enabled(GL_COLOR_SUM, !draw->secondary_colors.empty());
         if (fogged) set_fog(draw->fog);
         set_texture(textures);
         load_matrix(GL_PROJECTION, draw->clip_from_eye);

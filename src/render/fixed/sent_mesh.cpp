@@ -36,6 +36,8 @@ SentMesh::SentMesh(const Draw& draw, const MeshContents& contents, const ReplayO
         if (contents.further_tex_coords)
             add(further_tex_coords_.emplace_back(GL_TEXTURE0 + static_cast<GLenum>(further.number), Attribute{}).second,
                 4);
+    if (!draw.secondary_colors.empty()) add(secondary_color_, 3);
+    if (!draw.fog_coords.empty()) add(fog_coord_, 1);
 
     const bool in_buffers = sending_ == Sending::kBuffers;
     if (in_buffers) elements_.emplace(draw, options.patches);
@@ -52,6 +54,9 @@ SentMesh::SentMesh(const Draw& draw, const MeshContents& contents, const ReplayO
         for (const auto& [unit, attribute] : further_tex_coords_)
             put(draw.tex_coord(unit - GL_TEXTURE0, static_cast<std::size_t>(&vertex - draw.vertices.data())),
                 attribute);
+        const auto number = static_cast<std::size_t>(&vertex - draw.vertices.data());
+        if (secondary_color_.size != 0) put(draw.secondary_colors[number], secondary_color_);
+        if (fog_coord_.size != 0) values_.push_back(static_cast<float>(draw.fog_coords[number]));
         if (has_flags) flags_.push_back(vertex.edge_flag ? 1 : 0);
     });
     if (in_buffers) {
@@ -122,6 +127,14 @@ void SentMesh::draw_arrays() const {
         glEnableClientState(GL_TEXTURE_COORD_ARRAY);
         glTexCoordPointer(attribute.size, GL_FLOAT, stride, at(attribute));
     }
+    if (secondary_color_.size != 0) {
+        glEnableClientState(GL_SECONDARY_COLOR_ARRAY);
+        glSecondaryColorPointer(secondary_color_.size, GL_FLOAT, stride, at(secondary_color_));
+    }
+    if (fog_coord_.size != 0) {
+        glEnableClientState(GL_FOG_COORD_ARRAY);
+        glFogCoordPointer(GL_FLOAT, stride, at(fog_coord_));
+    }
     if (edge_flags_ != 0 || !flags_.empty()) {
         glBindBuffer(GL_ARRAY_BUFFER, edge_flags_);
         glEnableClientState(GL_EDGE_FLAG_ARRAY);
@@ -138,8 +151,8 @@ void SentMesh::draw_arrays() const {
         glDisableClientState(GL_TEXTURE_COORD_ARRAY);
     }
     if (!further_tex_coords_.empty()) glClientActiveTexture(GL_TEXTURE0);
-    for (const GLenum array :
-         {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_EDGE_FLAG_ARRAY})
+    for (const GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY,
+                               GL_EDGE_FLAG_ARRAY, GL_SECONDARY_COLOR_ARRAY, GL_FOG_COORD_ARRAY})
         glDisableClientState(array);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
@@ -157,6 +170,8 @@ void SentMesh::draw_immediately() const {
         if (color_.size != 0) glColor4fv(at(color_));
         if (tex_coord_.size != 0) glTexCoord4fv(at(tex_coord_));
         for (const auto& [unit, attribute] : further_tex_coords_) glMultiTexCoord4fv(unit, at(attribute));
+        if (secondary_color_.size != 0) glSecondaryColor3fv(at(secondary_color_));
+        if (fog_coord_.size != 0) glFogCoordfv(at(fog_coord_));
         if (position_.size == 3)
             glVertex3fv(at(position_));
         else
@@ -201,6 +216,7 @@ void draw_with_materials(const Draw& draw, const FaceEffects& front, const FaceE
         for (const FurtherUnit& further : draw.further_units)
             glMultiTexCoord4fv(GL_TEXTURE0 + static_cast<GLenum>(further.number),
                                &glm::vec4(further.tex_coords[index])[0]);
+        if (!draw.fog_coords.empty()) glFogCoordd(draw.fog_coords[index]);
         glVertex4fv(&glm::vec4(vertex.position_object)[0]);
     }
     glEnd();

@@ -41,6 +41,7 @@ class SentMesh {
     Sending sending_;
     Attribute position_, normal_, color_, tex_coord_;
     std::vector<std::pair<unsigned, Attribute>> further_tex_coords_;  // by GL_TEXTUREn
+    Attribute secondary_color_, fog_coord_;
     std::size_t stride_ = 0;
     Vertex shared_;  // has the properties that all vertices share
 

@@ -37,11 +37,14 @@ void for_each_line(std::string_view source, const Function& function) {
     }
 }
 
+// The driver may multiply constants with each other first, and these with the others leave the floats.
+bool stays_uniform(std::string_view name) { return name == "u_object_scale"; }
+
 std::string with_constants(const std::string& source, const Uniforms& values) {
     std::string text;
     for_each_line(source, [&](std::string_view line) {
         const Line parts = parts_of(line);
-        const auto place = parts.name.empty() ? std::nullopt : values.find(parts.name);
+        const auto place = parts.name.empty() || stays_uniform(parts.name) ? std::nullopt : values.find(parts.name);
         if (!place) {
             text += line;
         } else {

@@ -64,25 +64,40 @@ void for_each_size(const Draw& draw, const Visit& visit) {
         if (at.w != 0) visit(largest_component(glm::dvec3(at) / at.w));
     }
 }
-// The unit of length under a matrix that changes w. Vertices much farther away than the nearest, as those with w near 0, need
-// none, and more distant lights come nearer.
-constexpr double kMostDistantAfterDivision = 1e15;
-double unit_after_division(const Draw& draw, const Plan& plan) {
-    double size = HUGE_VAL;
-    for_each_size(draw, [&](double of_vertex) { size = std::min(size, of_vertex); });
-    if (!(size > 0) || !std::isfinite(size)) {
-        size = HUGE_VAL;
-        for (const glm::dvec3& place : places_eye(plan))
-            if (place != glm::dvec3(0)) size = std::min(size, largest_component(place));
+// The unit of length where vertices keep their w, so that only the largest and the smallest lengths of all need one.
+double unit_of_homogeneous(const Draw& draw, const Plan& plan) {
+    // In scenes that are tiny as a whole, products of lengths would vanish. Other scenes need no unit for that: attenuation at a
+    // vertex far away would lose its factors.
+    constexpr double kTiny = 1e-15;
+    // Vertices at infinity, or this far away, need one if a light grows weaker so slowly that k_1 times the greatest distance of
+    // the shader (distance_of() in equation.glsl) would not be large.
+    constexpr double kFar = 1e28, kSlow = 1e-30;
+    double largest = 0;
+    for_each_size(draw, [&](double of_vertex) { largest = std::max(largest, of_vertex); });
+    for (const glm::dvec3& place : places_eye(plan)) largest = std::max(largest, largest_component(place));
+    if (largest < kTiny) return power_of_two(largest);
+    double unit = 1, quickest = 0;
+    for (std::size_t i = 0; i < plan.lights.size(); ++i) {
+        if (!plan.effects.lights[i].attenuated) continue;
+        const LightSource& light = plan.lighting.lights[static_cast<std::size_t>(plan.lights[i].number)];
+        if (light.linear_attenuation > 0) unit = std::max(unit, kSlow / light.linear_attenuation);
+        quickest = std::max({quickest, light.linear_attenuation, light.quadratic_attenuation});
     }
-    return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
+    const auto is_far = [&](const Vertex& vertex) {
+        const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
+        return at.w == 0 || largest_component(glm::dvec3(at) / at.w) > kFar;
+    };
+    // The factors of all lights must stay floats.
+    if (unit == 1 || !(quickest * unit * unit < 1e30) || !std::ranges::any_of(draw.vertices, is_far)) return 1;
+    return power_of_two(unit);
 }
-// What to divide homogeneous eye coordinates by, so that their squares are floats.
-double homogeneous_scale(const glm::dmat4& eye_from_object, const glm::dvec4& reach) {
-    double size = reach_eye(eye_from_object, reach), w = 0;
-    for (int column = 0; column < 4; ++column) w += std::abs(eye_from_object[column][3]) * reach[column];
-    size = std::max(size, w);
-    return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
+// What to divide homogeneous coordinates by, whose largest x, y or z is `longest` and whose largest w is `w`: neither this scale nor
+// its inverse is a denormal, and products with it do not overflow. Not all come down to 1: the driver divides what it interpolates
+// by w of clip coordinates, which is as large as the distance. Beside a far x, y or z a small w would become a denormal, which
+// Mesa 25 takes for 0.
+double homogeneous_scale(double longest, double w) {
+    constexpr double kLargest = 0x1p40;
+    return std::clamp(power_of_two(std::max(longest / kLargest, w)), 0x1p-100, 0x1p120);
 }
 
 // The matrix for normals (2.11.3). If normals are scaled to length 1 later, its scale does not matter.
@@ -181,23 +196,25 @@ class DrawUniforms {
     // The largest absolute value of each component of the uploaded positions.
     glm::dvec4 reach_object() const {
         const VertexFacts& facts = plan_.vertices;
-        return origin_object_ ? glm::dvec4(glm::dvec3(facts.radius_object), 1) : facts.position_reach;
+        if (!origin_object_) return facts.position_reach;
+        return facts.position_reach.w * glm::dvec4(glm::dvec3(facts.radius_object), 1);
     }
 
     void eye_space() {
-        const bool divides = effects_.vertex_w && effects_.needs_position_eye() && !keeps_w(eye_from_object_);
-        if (divides) most_distant_ = kMostDistantAfterDivision;
-        if (divides)
-            unit_ = unit_after_division(draw_, plan_);
-        else
-            unit_ = effects_.needs_position_eye() ? eye_unit(eye_from_object_, reach_object(), plan_) : 1;
+        if (effects_.needs_position_eye())
+            unit_ = form_.homogeneous ? unit_of_homogeneous(draw_, plan_)
+                                      : eye_unit(eye_from_object_, reach_object(), plan_);
         glm::dmat4 eye_from_object = eye_from_object_;
         for (int column = 0; column < 4; ++column)
             for (int row = 0; row < 3; ++row) eye_from_object[column][row] /= unit_;
-        // The scale of homogeneous coordinates does not matter.
-        const double scale = divides ? homogeneous_scale(eye_from_object, reach_object()) : 1;
-        if (scale != 1) eye_from_object /= scale;
-        unit_of_directions_ = unit_ * scale;
+        if (form_.homogeneous) {  // their scale does not matter
+            const glm::dvec4 reach = reach_object();
+            double w = 0;
+            for (int column = 0; column < 4; ++column) w += std::abs(eye_from_object[column][3]) * reach[column];
+            const double scale = homogeneous_scale(reach_eye(eye_from_object, reach), w);
+            eye_from_object /= scale;
+            unit_of_directions_ = unit_ * scale;
+        }
         matrix("u_eye_from_object", eye_from_object);
         normals();
     }
@@ -226,21 +243,12 @@ class DrawUniforms {
     void wide_range() {
         const glm::dvec4 reach = reach_object();
         const double longest = largest_component(glm::dvec3(reach));
-        // Neither a unit nor its inverse is a denormal, and products with it do not overflow.
-        const auto unit_for = [](double size) { return std::clamp(power_of_two(size), 0x1p-100, 0x1p120); };
         // x, y and z get a unit of their own beside a w that is much larger, so that their quotients need not be floats.
         constexpr double kMuchLarger = 0x1p20;
-        // Not all scaled to 1: the driver divides what it interpolates by w of clip coordinates, which is as large as the distance.
-        // Beside a far x, y or z a small w would become a denormal, which Mesa 25 takes for 0.
-        constexpr double kLargest = 0x1p40;
-        const double unit_of_w = unit_for(std::max(longest / kLargest, reach.w));
-        const double unit_of_xyz = longest > 0 && longest * kMuchLarger < reach.w ? unit_for(longest) : unit_of_w;
-        // In eye coordinates, only scenes that are tiny as a whole need a unit: attenuation at a vertex far away would lose its factors.
-        constexpr double kTiny = 1e-15;
-        double size = 0;
-        for_each_size(draw_, [&](double of_vertex) { size = std::max(size, of_vertex); });
-        for (const glm::dvec3& place : places_eye(plan_)) size = std::max(size, largest_component(place));
-        unit_ = size < kTiny ? power_of_two(size) : 1;
+        const double unit_of_w = homogeneous_scale(longest, reach.w);
+        const double unit_of_xyz =
+            longest > 0 && longest * kMuchLarger < reach.w ? homogeneous_scale(0, longest) : unit_of_w;
+        unit_ = unit_of_homogeneous(draw_, plan_);
         scale_of_xyz_ = unit_of_w / unit_of_xyz;
         unit_of_directions_ = unit_of_w * unit_ * eye_from_object_[3][3];  // keeping_w()
         vector("u_object_scale", glm::dvec4(glm::dvec3(1 / unit_of_xyz), 1 / unit_of_w));
@@ -454,9 +462,9 @@ class DrawUniforms {
             glm::dvec3& far = form_.wide_range ? result.nearest.way_eye : result.place;
             if (form_.wide_range) far /= unit_;
             const double largest = largest_component(far);
-            if (largest > most_distant_) {
-                result.length_unit *= largest / most_distant_;
-                far *= most_distant_ / largest;
+            if (largest > kMostDistant) {
+                result.length_unit *= largest / kMostDistant;
+                far *= kMostDistant / largest;
             }
             return result;
         };
@@ -512,10 +520,9 @@ class DrawUniforms {
     const std::optional<glm::dvec3> origin_object_;
     glm::dmat4 eye_from_object_ = draw_.eye_from_object;  // from positions relative to origin_object_
     double unit_of_directions_ = 1;                       // the shader's unit of vertices with w = 0
-    double scale_of_xyz_ = 1;             // of form_.wide_range: what the shader multiplies object coordinates by
-    double most_distant_ = kMostDistant;  // lights beyond come nearer
-    double unit_ = 1;                     // the shader's unit of length, in eye coordinates
-    glm::dmat4 object_from_eye_{1};       // used if form_.object_space
+    double scale_of_xyz_ = 1;        // of form_.wide_range: what the shader multiplies object coordinates by
+    double unit_ = 1;                // the shader's unit of length, in eye coordinates
+    glm::dmat4 object_from_eye_{1};  // used if form_.object_space
     std::map<const LightSource*, NearestVertex> nearest_;  // used if form_.wide_range
     Uniforms uniforms_;
 };
@@ -571,6 +578,9 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, cons
         for (const UnitEffects& unit : effects.units)
             if (!unit.texture.generates_all())
                 add(draw.tex_coord(unit.number, static_cast<std::size_t>(&vertex - draw.vertices.data())), 4);
+        const auto number = static_cast<std::size_t>(&vertex - draw.vertices.data());
+        if (effects.secondary_color) add(draw.secondary_colors.at(number), 3);
+        if (effects.fog_coords) values.push_back(to_float(draw.fog_coords.at(number)));
         for (const VertexProperty& property : properties) {
             const Material& material = draw.materials.at(vertex.material).*property.face;
             if (property.color)

@@ -117,9 +117,12 @@ std::optional<glm::dvec3> upload_origin(const Draw& draw, const VertexFacts& fac
 Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface) {
     const bool is_surface = surface.kind != SurfaceKind::kNone;
     const bool wide_range = !is_surface && has_wide_range(draw, plan);
+    const bool homogeneous = !is_surface && !wide_range && plan.effects.lighting && plan.effects.vertex_w &&
+                             plan.effects.needs_position_eye();
     Code code{.effects = plan.effects,
               .form = {.object_space = !wide_range && lit_in_object_space(draw, plan, is_surface),
                        .wide_range = wide_range,
+                       .homogeneous = homogeneous,
                        .wide_normals = !is_surface && has_wide_normals(draw, plan.effects),
                        .sized_normals = !is_surface && has_sized_normals(draw, plan),
                        .position_w = !plan.vertices.w_is_1,

@@ -55,6 +55,8 @@ struct Form {
     // Vectors from a vertex to lights and viewer lead by way of the nearest vertex, and any length of theirs is squared safely
     // (wide_range.h).
     bool wide_range = false;
+    // Vertices are lit in homogeneous eye coordinates, without a division by w, which may be 0 and differ from vertex to vertex.
+    bool homogeneous = false;
     // Normals are made unit, and the matrix's columns differ so much that the square of a normal's length may leave the floats.
     bool wide_normals = false;
     // Normals are not made unit, and are so short or long that the square of their cosine with the half vector may leave the floats.

@@ -31,13 +31,18 @@ bool have_one_lighting(const LightingState& a, const LightingState& b) {
 // Points, lines and polygons differ in which effects they need.
 int kind_of(Enum mode) { return draws_polygons(mode) ? 2 : mode == kGL_POINTS ? 0 : 1; }
 
+// Whether all values of its vertices are in Draw::vertices.
+bool has_only_vertices(const Draw& draw) {
+    return draw.further_units.empty() && draw.secondary_colors.empty() && draw.fog_coords.empty();
+}
+
 }  // namespace
 
 bool have_one_state(const Draw& a, const Draw& b) {
     return a.eye_from_object == b.eye_from_object && kind_of(a.mode) == kind_of(b.mode) &&
            a.indices.empty() == b.indices.empty() && !a.draws_borders() && a.raster == b.raster &&
            have_one_lighting(a.lighting, b.lighting) && a.clip_from_eye == b.clip_from_eye && a.texture == b.texture &&
-           a.further_units.empty() && b.further_units.empty() && a.fog == b.fog && a.fragment == b.fragment &&
+           has_only_vertices(a) && has_only_vertices(b) && a.fog == b.fog && a.fragment == b.fragment &&
            a.materials == b.materials;
 }
 

@@ -172,7 +172,7 @@ std::string LightingNames::structs() const {
     if (has_surface()) {
         text += "struct Surface {\n";
         if (effects_.needs_position_eye())
-            text += fmt::format("    {} {};  // V\n", form_.wide_range ? "vec4" : "vec3", position_field());
+            text += fmt::format("    {} {};  // V\n", position_is_homogeneous() ? "vec4" : "vec3", position_field());
         if (has_homogeneous()) text += "    vec4 homogeneous_eye;  // V before the division by w\n";
         if (effects_.needs_normal()) text += fmt::format("    vec3 normal_{};  // n\n", space());
         if (effects_.needs_color()) text += "    vec4 color;  // GL_COLOR_MATERIAL (section 2.14.3)\n";

@@ -41,11 +41,14 @@ class LightingNames {
 
     // The position and normal of the vertex, or of the fragment's point in a fragment shader.
     std::string position() const { return "surface." + position_field(); }
-    // In a wide range a homogeneous position of object coordinates, times u_object_scale.
+    // In a wide range a homogeneous position of object coordinates, times u_object_scale. With Form::homogeneous, of eye coordinates.
     std::string position_field() const { return "position_" + (form_.wide_range ? "object" : space()); }
     // The vertex before the division by w, in eye coordinates.
-    std::string homogeneous() const { return "surface.homogeneous_eye"; }
-    bool has_homogeneous() const { return !form_.wide_range && effects_.any_light(&LightEffects::meets_directions); }
+    std::string homogeneous() const { return form_.homogeneous ? position() : "surface.homogeneous_eye"; }
+    bool has_homogeneous() const {
+        return !position_is_homogeneous() && effects_.any_light(&LightEffects::meets_directions);
+    }
+    bool position_is_homogeneous() const { return form_.wide_range || form_.homogeneous; }
     std::string normal() const { return "surface.normal_" + space(); }
 
     // A value of the i-th light: what = "attenuation" gives u_light0_attenuation, or u_light0_attenuation[i] in a loop.

@@ -92,6 +92,9 @@ class Writer : LightingWriter {
         if (effects_.local_viewer && form_.wide_range)
             return fmt::format("unit_of_any({});  // GL_LIGHT_MODEL_LOCAL_VIEWER",
                                vector_to("u_viewer_near_object", "u_viewer_way_eye"));
+        if (effects_.local_viewer && form_.homogeneous)
+            return fmt::format("unit_of_any(vector_from({}, vec3(0.0)));  // GL_LIGHT_MODEL_LOCAL_VIEWER",
+                               names_.position());
         if (effects_.local_viewer)
             return fmt::format("unit({}{});  // GL_LIGHT_MODEL_LOCAL_VIEWER",
                                form_.object_space ? "u_viewer_object - " : "-", names_.position());
@@ -114,7 +117,8 @@ class Writer : LightingWriter {
         if (light.attenuated)
             reach =
                 fmt::format("attenuation({}, {})", names_.light(i, "vec3", "attenuation", "k_0i, k_1i, k_2i"),
-                            form_.wide_range ? fmt::format("distance_of(vp, {}.w)", names_.position()) : "length(vp)");
+                            names_.position_is_homogeneous() ? fmt::format("distance_of(vp, {}.w)", names_.position())
+                                                             : "length(vp)");
         if (!light.spot && !light.smooth_cone) return reach;
         if (!reach.empty()) reach += " *\n            ";
         const std::string spot_dir = names_.light(i, "vec3", "spot_dir_" + names_.space(), "s_dli, of length 1");
@@ -171,14 +175,17 @@ class Writer : LightingWriter {
                                                   "the vertex that is nearest to P_pli");
             const std::string way = names_.light(i, "vec3", "way_eye", "from there to P_pli");
             add("        vec3 vp = {};\n", vector_to(near, way));
-        } else if (!light.directional)
+        } else if (!light.directional && form_.homogeneous)
+            add("        vec3 vp = vector_from({}, {});\n", names_.position(),
+                names_.light(i, "vec3", "position_eye", "P_pli"));
+        else if (!light.directional)
             add("        vec3 vp = {} - {};\n", names_.light(i, "vec3", "position_" + names_.space(), "P_pli"),
                 names_.position());
         if (needs_vp_dir)
             add("        vec3 vp_dir = {};\n",
                 light.directional ? names_.light(i, "vec3", "direction_" + names_.space(), "VP_i, of length 1")
-                : form_.wide_range || light.meets_directions ? "unit_of_any(vp)"
-                                                             : "unit(vp)");
+                : names_.position_is_homogeneous() || light.meets_directions ? "unit_of_any(vp)"
+                                                                             : "unit(vp)");
         if (has_n_dot_vp(light)) add("        float n_dot_vp = positive_dot(n, vp_dir);\n");
         const std::string reach_value = reach(i), reach_times = reach_value.empty() ? "" : "reach * ";
         if (!reach_value.empty()) add("        float reach = {};\n", reach_value);

@@ -150,7 +150,9 @@ struct UploadedFrame::Impl {
         const auto known = kept.known(draws);
         Plan plan = plan_for(draws, options, known->facts);
         if (draws.size() > 1 && has_wide_range(draws, plan)) return false;
-        items.emplace_back(std::in_place_type<PreparedDraw>, draw, draw_program(draw, plan, options.precise),
+        DrawProgram program = draw_program(draw, plan, options.precise);
+        if (draws.size() > 1 && program.code.form.homogeneous) return false;
+        items.emplace_back(std::in_place_type<PreparedDraw>, draw, std::move(program),
                            [&](const EffectSet& effects, const glm::dvec3& origin_object) {
                                return kept.mesh(*known, draws, effects, origin_object);
                            });

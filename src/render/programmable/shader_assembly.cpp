@@ -142,11 +142,18 @@ class Assembler {
                 add("vec4", "primary", effects_.needs_primary());
                 add("vec3", "secondary", effects_.separate_specular);
             }
+            if (effects_.secondary_color)
+                list.push_back({.type = "vec3",
+                                .name = "v_front_secondary",
+                                .value = "clamp(a_secondary_color, 0.0, 1.0)",
+                                .is_color = true});
         }
         if (effects_.has_texture() && !form_.surface.tex_coord) list.push_back(tex_coord_varying(effects_.texture, ""));
         for (const UnitEffects& unit : effects_.units)
             list.push_back(tex_coord_varying(unit.texture, std::to_string(unit.number)));
-        if (effects_.has_fog() && !has_ray())
+        if (effects_.fog_coords)
+            list.push_back({"float", "v_fog_coord", "a_fog_coord"});
+        else if (effects_.has_fog() && !has_ray())
             list.push_back({effects_.vertex_w ? "vec2" : "float", "v_eye_z", eye_z("position"),
                             effects_.vertex_w ? "  // z and w" : ""});
         for (int i = 0; discards_clipped() && i < effects_.clip_plane_count; ++i)
@@ -204,9 +211,9 @@ class Assembler {
 
     // The statements that call light_front() or light_back() with a Surface.
     std::string lit_vertex() const {
-        const std::string position = form_.wide_range     ? lighting_.vertex_position
-                                     : form_.object_space ? "position.xyz"
-                                                          : divided(lighting_.vertex_position);
+        const std::string position = names_.position_is_homogeneous() ? lighting_.vertex_position
+                                     : form_.object_space             ? "position.xyz"
+                                                                      : divided(lighting_.vertex_position);
         const std::string surface = names_.surface(position, lighting_.vertex_position, lighting_.vertex_normal, "a_");
         const char* argument = names_.has_surface() ? "surface" : "";
         std::string text;
@@ -221,6 +228,7 @@ class Assembler {
     }
     std::string lit_fragment() const {
         std::string position = form_.wide_range    ? "v_position_object"
+                               : form_.homogeneous ? "v_position_eye"
                                : effects_.vertex_w ? "divided_by_w(v_position_eye)"
                                                    : "v_position_eye";
         std::string normal = "v_normal_eye";
@@ -262,7 +270,7 @@ class Assembler {
             text += fmt::format("    {} {} = {};\n", type, name, value);
         };
         if (effects_.needs_primary()) add("vec4", "primary");
-        if (effects_.separate_specular) add("vec3", "secondary");
+        if (effects_.separate_specular || effects_.secondary_color) add("vec3", "secondary");
         return text;
     }
 
@@ -483,10 +491,14 @@ class Assembler {
         if (effects_.vertex_w)
             fog_distance = has_ray() ? "abs(dot(u_eye_z_from_object, place) / dot(u_eye_w_from_object, place))"
                                      : "abs(v_eye_z.x / v_eye_z.y)";
+        if (effects_.fog_coords) fog_distance = "v_fog_coord";
         switch (effects_.fog) {
             case FogEffect::kNone: break;
             case FogEffect::kLinear: return fmt::format("fog_linear({}, u_fog_end, u_fog_scale)", fog_distance);
-            case FogEffect::kExp: return fmt::format("fog_exp({}, u_fog_density)", fog_distance);
+            case FogEffect::kExp:
+                // A distance is not negative, so only a fog coordinate needs the clamp to [0, 1].
+                if (effects_.fog_coords) return fmt::format("min(fog_exp({}, u_fog_density), 1.0)", fog_distance);
+                return fmt::format("fog_exp({}, u_fog_density)", fog_distance);
             case FogEffect::kExp2: return fmt::format("fog_exp2({}, u_fog_density)", fog_distance);
         }
         return "";
@@ -533,7 +545,7 @@ class Assembler {
         }
         Scope scope{
             .switches = {{"EFFECT_TEXTURE", effects_.has_texture()},
-                         {"EFFECT_SEPARATE_SPECULAR", effects_.separate_specular},
+                         {"EFFECT_SEPARATE_SPECULAR", effects_.separate_specular || effects_.secondary_color},
                          {"EFFECT_FOG", effects_.has_fog()},
                          {"EFFECT_SRGB_CODED", effects_.srgb_coded},
                          {"EFFECT_TWO_SIDE", effects_.two_side},

@@ -17,8 +17,8 @@ Real fog_distance(Real z, Real w) {
     return ruled(lighting::Ruling::kAtInfinity, z == Real(0) ? Real(0) : Real(kFarthest));
 }
 
-// f, in [0,1], equations 3.24 to 3.26. `distance`: c. The specification allows |z_eye|, used here, instead of the
-// distance from the eye. RULING: linear fog with end = start is a step there: no fog before, full fog from there on.
+// f, in [0,1], equations 3.24 to 3.26. `distance`: c, or the fog coordinate. The specification allows |z_eye|, used
+// here, instead of the distance from the eye. RULING: linear fog with end = start is a step there: no fog before, full fog from there on.
 template <class Real>
 Real fog_factor(const Fog& fog, Real distance) {
     using lighting::select;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "render/reference/coverage.h"
@@ -128,20 +129,34 @@ class FragmentLoop {
                 write(state, shaded, x, y);
             return outcome;
         };
+        const bool is_stippled = raster.polygon_stipple || raster.line_stipple;
         kept_.for_each_fragment(first_id, scissored(state.scissor, window_),
                                 [&](StepId id, int x, int y, Outcome covers, const RayPoint* point) {
-                                    if (raster.polygon_stipple && is_stippled_away(piece, x, y)) return;
+                                    const Outcome seen = is_stippled ? stippled(piece, x, y, covers) : covers;
+                                    if (seen == Outcome::kFails) return;
                                     const Fragment fragment{&stages_.piece(id), pixel_centre(x, y), point};
-                                    watch(fragment, draw_fragment(id, fragment, x, y, covers));
+                                    watch(fragment, draw_fragment(id, fragment, x, y, seen));
                                 });
     }
 
-    // 3.5.2: for filled polygons.
-    bool is_stippled_away(const Piece& piece, int x, int y) const {
+    // What the stipples leave of an outcome: of lines (3.4.2), of filled polygons (3.5.2).
+    Outcome stippled(const Piece& piece, int x, int y, Outcome covers) const {
+        const RasterState& raster = stages_.draw_of(piece).raster;
         const bool is_polygon = piece.shape == Shape::kTriangle || piece.shape == Shape::kSurface;
-        const PolygonStipple& rows = *stages_.draw_of(piece).raster.polygon_stipple;
-        return is_polygon && (rows[static_cast<std::size_t>(y % 32)] >> (x % 32) & 1U) == 0;
+        if (is_polygon && raster.polygon_stipple) {
+            const std::uint32_t row = (*raster.polygon_stipple)[static_cast<std::size_t>(y % 32)];
+            return (row >> (x % 32) & 1U) != 0 ? covers : Outcome::kFails;
+        }
+        if (piece.shape != Shape::kLine || !raster.line_stipple) return covers;
+        int doubt = 0;
+        if constexpr (std::is_same_v<Real, Interval>) {
+            // A driver may find the line's first fragment one pixel farther on.
+            constexpr int kFirst = 1;
+            doubt = piece.stipple_doubt == kAnyCount ? kEveryCount : piece.stipple_doubt + kFirst;
+        }
+        return std::min(covers, stipple_outcome(*raster.line_stipple, stipple_count(piece, x, y), doubt));
     }
+    static constexpr int kEveryCount = 16 * 256;  // the longest pattern
 
     static Face face_of(const Fragment& fragment) {
         return fragment.point ? fragment.point->face : fragment.piece->face;

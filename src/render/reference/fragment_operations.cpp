@@ -27,6 +27,16 @@ int rounding_products(const FragmentState& state, std::size_t i) {
 
 }  // namespace
 
+Outcome stipple_outcome(const LineStipple& stipple, int count, int doubt) {
+    const auto bit = [&](int number) {
+        return (stipple.pattern >> (std::max(number, 0) / stipple.factor % 16) & 1) != 0;
+    };
+    const bool is_even = stipple.pattern == 0 || stipple.pattern == 0xFFFF;
+    for (int i = -doubt; !is_even && i <= doubt; ++i)
+        if (bit(count + i) != bit(count)) return Outcome::kOpen;
+    return bit(count) ? Outcome::kPasses : Outcome::kFails;
+}
+
 bool compares(Enum func, double incoming, double stored) {
     switch (func) {
         case kGL_NEVER: return false;

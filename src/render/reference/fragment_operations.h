@@ -20,6 +20,9 @@ enum class Outcome : std::uint8_t { kFails, kOpen, kPasses };
 // GL_NEVER to GL_ALWAYS (4.1.4 to 4.1.6).
 bool compares(Enum func, double incoming, double stored);
 
+// 3.4.2: whether a stippled line has a fragment at the pixel: its count is within `doubt` of `count`.
+Outcome stipple_outcome(const LineStipple& stipple, int count, int doubt);
+
 // 4.1.2: the part of `rect` inside the scissor.
 PixelRect scissored(const Scissor& scissor, const PixelRect& rect);
 

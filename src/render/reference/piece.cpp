@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 #include <optional>
 
+#include "render/reference/coverage.h"
 #include "render/reference/surface_rays.h"
 
 namespace twinlight::reference {
@@ -105,6 +106,19 @@ std::vector<Corner> outline(const glm::dvec2& centre, double size) {
     return corners;
 }
 
+// The axis along which the line is longer: 0 is x.
+int major_axis(const Ends& line) {
+    const glm::dvec3 way = glm::abs(line.to.position_window - line.from.position_window);
+    return way.x >= way.y ? 0 : 1;
+}
+
+// 1 if the line's fragments follow the axis, -1 if they go against it.
+int direction_along(const Ends& line, int axis) {
+    return line.from.position_window[axis] <= line.to.position_window[axis] ? 1 : -1;
+}
+
+constexpr PixelRect kEverywhere{-(1 << 24), -(1 << 24), 1 << 24, 1 << 24};
+
 class PieceMaker {
   public:
     PieceMaker(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
@@ -181,16 +195,48 @@ class PieceMaker {
     void line(const Primitive& primitive, Face face, const ClipVertex& from, const ClipVertex& to,
               double depth_offset = 0) {
         const std::vector<ClipVertex> ends = volume_.line(from, to);
+        if (draw_.raster.line_stipple) begin_stipple(primitive, ends, from, to);
         if (ends.empty()) return;
         Piece& piece = append(primitive, face, Shape::kLine);
         piece.size = whole_pixels(draw_.raster.line_width);
         Ends placed{window_vertex(draw_.raster, ends[0]), window_vertex(draw_.raster, ends[1])};
         for (WindowVertex* end : {&placed.from, &placed.to}) end->position_window.z += depth_offset;
         piece.place = placed;
+        if (draw_.raster.line_stipple) stipple(piece, placed);
         piece.is_smooth = draw_.raster.line_smooth;
         if (piece.is_smooth)
             piece.corners = Corners(outline(glm::dvec2(placed.from.position_window),
                                             glm::dvec2(placed.to.position_window), draw_.raster.line_width));
+    }
+
+    // Counts the line's fragments: those of a wide line as often as those of a line of width 1 (3.4.2.2).
+    void stipple(Piece& piece, const Ends& ends) {
+        const glm::dvec2 from(ends.from.position_window), to(ends.to.position_window);
+        const PixelRect around = bounds(Corners({{from}, {to}}), kEverywhere, piece.size + 1);
+        const std::vector<std::pair<int, int>> pixels = line_pixels(from, to, piece.size, around);
+        const int axis = major_axis(ends);
+        const int first = pixels.empty() ? 0 : axis == 0 ? pixels.front().first : pixels.front().second;
+        piece.stipple_from = stipple_from_ - direction_along(ends, axis) * first;
+        piece.stipple_doubt = static_cast<std::uint8_t>(stipple_doubt_);
+        const int period = 16 * draw_.raster.line_stipple->factor;
+        stipple_from_ = (stipple_from_ + static_cast<int>(pixels.size()) / piece.size) % period;
+        // A driver that measures the line instead of counting its fragments differs by less than 1.
+        stipple_doubt_ = std::min(stipple_doubt_ + 1, kAnyCount);
+    }
+
+    // 3.4.2: the count begins with each line of GL_LINES, and with each strip and loop.
+    // RULING: it counts only what clipping leaves, and begins anew with each polygon that is drawn as lines. 3.4.2 says
+    // neither, so any count is possible there: Mesa goes on with the count of what it drew before, where the first line
+    // of a strip is outside the view. The same holds for smooth lines, whose fragments have no order.
+    void begin_stipple(const Primitive& primitive, const std::vector<ClipVertex>& ends, const ClipVertex& from,
+                       const ClipVertex& to) {
+        const bool is_border = primitive.shape == Shape::kTriangle;
+        const bool begins = is_border ? stippled_ != primitive.provoking : draw_.mode == kGL_LINES || !stippled_;
+        stippled_ = primitive.provoking;
+        if (begins) stipple_from_ = stipple_doubt_ = 0;
+        const bool is_whole = ends.size() == 2 && ends[0].position_clip == from.position_clip &&
+                              ends[1].position_clip == to.position_clip;
+        if (!is_whole || is_border || draw_.raster.line_smooth) stipple_doubt_ = kAnyCount;
     }
 
     void triangle(const Primitive& primitive) {
@@ -237,6 +283,8 @@ class PieceMaker {
     const ClipVolume whole_volume_;
     ClipVolume volume_;  // what the primitive is clipped to
     std::vector<Piece>& pieces_;
+    std::optional<std::uint32_t> stippled_;  // the provoking vertex of the last stippled line
+    int stipple_from_ = 0, stipple_doubt_ = 0;
 };
 
 }  // namespace
@@ -296,6 +344,11 @@ void add_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<St
     if (draw.raster.viewport.width <= 0 || draw.raster.viewport.height <= 0) return;
     PieceMaker maker(draw, draw_index, vertices, options.in_clip_plane, pieces);
     for (const Primitive& primitive : assemble(draw, options.quad_cut)) maker.add(primitive);
+}
+
+int stipple_count(const Piece& line, int x, int y) {
+    const int axis = major_axis(line.ends());
+    return std::max(0, line.stipple_from + direction_along(line.ends(), axis) * (axis == 0 ? x : y));
 }
 
 double depth_at(const Piece& piece, const glm::dvec2& position_window) {

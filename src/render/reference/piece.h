@@ -77,6 +77,7 @@ struct Piece {
 
     bool is_perhaps_clipped = false;  // see InClipPlane
     bool is_smooth = false;           // a line or point that coverage_of() blends
+    std::uint8_t stipple_doubt = 0;   // of a line: by how much drivers may count stipple_from differently
 
     Shape shape = Shape::kPoint;  // how it is drawn: a triangle may be drawn as lines or points
     int size = 1;                 // the width of a line, the side of a point's square; in pixels
@@ -87,6 +88,8 @@ struct Piece {
     // follow each other in the order of their points.
     std::shared_ptr<const SurfaceRays> rays{};
     int point = 0;
+    // Of a stippled line: which fragment of its strip or loop it would have at coordinate 0 of its longer axis (3.4.2).
+    int stipple_from = 0;
 
     // For lines and points; for polygons. Asking a piece of the other kind is a mistake.
     const Ends& ends() const { return *std::get_if<Ends>(&place); }
@@ -106,6 +109,10 @@ double polygon_offset(const RasterState& raster, Enum mode, const glm::dvec2& sl
 // Appends the pieces of one Draw, in the order of its primitives.
 void add_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
                 const Options& options, std::vector<Piece>& pieces);
+
+// 3.4.2: which fragment of its strip or loop a line has at a pixel, counted from 0.
+int stipple_count(const Piece& line, int x, int y);
+constexpr int kAnyCount = 255;  // Piece::stipple_doubt: any count is possible
 
 // Appends the pieces of a shape's exact surfaces. Only their rays show which fragments there are.
 void add_surface_pieces(const Draw& draw, std::uint32_t draw_index, std::vector<Piece>& pieces);

@@ -67,7 +67,12 @@ void Shader::light_vertices() {
     const auto light = [&](Face face, std::vector<LitColors>& lit) {
         lit.reserve(vertices_.size());
         if (!lighting_.enabled()) {
-            for (const StageVertex& v : vertices_) lit.push_back(clamped_colors(lighting_.colors(v, face)));
+            for (std::size_t i = 0; i < vertices_.size(); ++i) {
+                lit.push_back(clamped_colors(lighting_.colors(vertices_[i], face)));
+                // 3.9: GL_COLOR_SUM.
+                if (!draw_.secondary_colors.empty())
+                    lit.back().secondary = glm::dvec4(glm::clamp(draw_.secondary_colors[i], 0.0, 1.0), 1);
+            }
             return;
         }
         PointBatch batch(lighting_, PointBatch::Normals::kAsTheyAre);
@@ -154,6 +159,12 @@ Shader::Finish<Real> Shader::finish(const Fragment& fragment) const {
 }
 
 double Shader::fog_distance(const Fragment& fragment) const {
+    if (draw_.fog.by_coordinates) {
+        const glm::dvec3 weights = weights_at(*fragment.piece, fragment.position_window);
+        double coordinate = 0;
+        for (int i = 0; i < 3; ++i) coordinate += weights[i] * draw_.fog_coords[fragment.piece->primitive.vertices[i]];
+        return coordinate;
+    }
     const glm::dvec2 zw = eye_zw(fragment);
     return reference::fog_distance(zw.x, zw.y);
 }
@@ -170,7 +181,7 @@ double Shader::fog_of_vertices(const Fragment& fragment) const {
 }
 
 bool Shader::has_linear_fog_behind_eye(const Piece& piece) const {
-    if (!draw_.fog.enabled || draw_.fog.mode != kGL_LINEAR || piece.rays) return false;
+    if (!draw_.fog.enabled || draw_.fog.by_coordinates || draw_.fog.mode != kGL_LINEAR || piece.rays) return false;
     const auto z_eye = [&](int i) { return vertices_[piece.primitive.vertices[i]].position_eye.z; };
     const auto [least, most] = std::minmax({z_eye(0), z_eye(1), z_eye(2)});
     return least < 0 && most > 0;
@@ -238,7 +249,9 @@ Channels<Marked> Shader::marked_color(const Fragment& fragment, const MarkedColo
     Finish<Marked> finish;
     if (draw_.fog.enabled) {
         const glm::dvec2 zw = eye_zw(fragment);
-        finish.fog = fog_factor(draw_.fog, reference::fog_distance(Marked(zw.x, position), Marked(zw.y)));
+        finish.fog = fog_factor(draw_.fog, draw_.fog.by_coordinates
+                                               ? Marked(fog_distance(fragment))
+                                               : reference::fog_distance(Marked(zw.x, position), Marked(zw.y)));
     }
     if (!units_.empty()) {
         Finish<double> unmarked;

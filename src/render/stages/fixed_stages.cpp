@@ -11,7 +11,9 @@ namespace {
 void set_enabled(GLenum capability, bool enabled) { (enabled ? glEnable : glDisable)(capability); }
 
 // The bytes of glPolygonStipple: rows from the bottom, each from the highest bit of its first byte.
-void set_stipple_and_smoothing(const RasterState& raster) {
+void set_stipples_and_smoothing(const RasterState& raster) {
+    set_enabled(GL_LINE_STIPPLE, raster.line_stipple.has_value());
+    if (raster.line_stipple) glLineStipple(raster.line_stipple->factor, raster.line_stipple->pattern);
     set_enabled(GL_POLYGON_STIPPLE, raster.polygon_stipple != nullptr);
     set_enabled(GL_LINE_SMOOTH, raster.line_smooth);
     set_enabled(GL_POINT_SMOOTH, raster.point_smooth);
@@ -46,7 +48,7 @@ void set_raster(const RasterState& raster) {
     set_enabled(GL_DEPTH_TEST, raster.depth_test);
     glDepthFunc(raster.depth_func);
     glDepthMask(raster.depth_mask);
-    set_stipple_and_smoothing(raster);
+    set_stipples_and_smoothing(raster);
 }
 
 void set_logic_op(const std::optional<Enum>& logic_op) {
@@ -92,8 +94,8 @@ FixedStages::FixedStages() {
     glPushAttrib(GL_ALL_ATTRIB_BITS);
     glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
     for (GLenum capability :
-         {GL_LINE_STIPPLE, GL_POLYGON_SMOOTH, GL_POINT_SPRITE, GL_VERTEX_PROGRAM_POINT_SIZE, GL_VERTEX_PROGRAM_TWO_SIDE,
-          GL_DEPTH_CLAMP, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE})
+         {GL_POLYGON_SMOOTH, GL_POINT_SPRITE, GL_VERTEX_PROGRAM_POINT_SIZE, GL_VERTEX_PROGRAM_TWO_SIDE, GL_DEPTH_CLAMP,
+          GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE})
         glDisable(capability);
     glActiveTexture(GL_TEXTURE0);
     glEdgeFlag(GL_TRUE);

@@ -5,8 +5,8 @@
 
 namespace twinlight {
 
-// Saves the context's state, and turns off what no Frame has but would change the picture: line stipples, smooth
-// polygons, point sprites. The destructor restores the state; afterwards no program, arrays or buffers are
+// Saves the context's state, and turns off what no Frame has but would change the picture: smooth polygons, point
+// sprites. The destructor restores the state; afterwards no program, arrays or buffers are
 // bound.
 class FixedStages {
   public:

@@ -75,6 +75,7 @@ Answer of_fragments(const FragmentState& fragment, const Fog& fog, const Clear& 
         case kGL_FOG_START: return one(fog.start);
         case kGL_FOG_END: return one(fog.end);
         case kGL_FOG_COLOR: return list(fog.color);
+        case kGL_FOG_COORD_SRC: return one(fog.by_coordinates ? kGL_FOG_COORD : kGL_FRAGMENT_DEPTH);
         case kGL_COLOR_CLEAR_VALUE: return list(clear.clear_color);
         case kGL_DEPTH_CLEAR_VALUE: return one(clear.clear_depth);
         default: return {};
@@ -100,6 +101,8 @@ Answer of_buffers(const Attributes& a, Enum pname) {
         case kGL_STENCIL_BACK_PASS_DEPTH_FAIL: return one(back.depth_fail);
         case kGL_STENCIL_BACK_PASS_DEPTH_PASS: return one(back.depth_pass);
         case kGL_STENCIL_BACK_WRITEMASK: return one(back.write_mask);
+        case kGL_LINE_STIPPLE_PATTERN: return one(a.line_stipple.pattern);
+        case kGL_LINE_STIPPLE_REPEAT: return one(a.line_stipple.factor);
         case kGL_LOGIC_OP_MODE: return one(a.logic_op);
         case kGL_STENCIL_CLEAR_VALUE: return one(a.clear.clear_stencil);
         case kGL_ACCUM_CLEAR_VALUE: return list(a.clear.clear_accumulation);
@@ -170,6 +173,8 @@ Answer answer(const State& state, Enum pname) {
     const glm::dmat4 &texture = state.texture_matrix(), &m = state.modelview(), &p = state.projection();
     switch (pname) {
         case kGL_CURRENT_COLOR: return list(a.current.color);
+        case kGL_CURRENT_SECONDARY_COLOR: return list(glm::dvec4(a.secondary_color, 1));
+        case kGL_CURRENT_FOG_COORD: return one(a.fog_coord);
         case kGL_CURRENT_NORMAL: {
             const glm::dvec3& n = a.current.normal_object;
             return {n.x, n.y, n.z};
@@ -324,6 +329,7 @@ bool is_fraction(const Command& query) {
     }
     switch (query.enumerant(0)) {
         case kGL_CURRENT_COLOR:
+        case kGL_CURRENT_SECONDARY_COLOR:
         case kGL_CURRENT_NORMAL:
         case kGL_FOG_COLOR:
         case kGL_LIGHT_MODEL_AMBIENT:

@@ -18,11 +18,13 @@ auto capabilities(auto& a) {  // GL_ENABLE_BIT, without lights, clip planes and 
                     a.lighting.rescale_normal, a.raster.cull_enabled, a.raster.depth_test,
                     a.raster.polygon_offset.point, a.raster.polygon_offset.line, a.raster.polygon_offset.fill,
                     a.fragment.scissor.enabled, a.fragment.alpha_test, a.fragment.blend, a.fragment.color_sum,
-                    a.fog.enabled, a.stencil_enabled, a.polygon_stipple_enabled, a.logic_op_enabled,
-                    a.raster.line_smooth, a.raster.point_smooth);
+                    a.fog.enabled, a.stencil_enabled, a.line_stipple_enabled, a.polygon_stipple_enabled,
+                    a.logic_op_enabled, a.raster.line_smooth, a.raster.point_smooth);
 }
 
-auto line(auto& a) { return std::tie(a.raster.line_width, a.raster.line_smooth); }
+auto line(auto& a) {
+    return std::tie(a.raster.line_width, a.raster.line_smooth, a.line_stipple_enabled, a.line_stipple);
+}
 
 auto polygon(auto& a) {
     return std::tie(a.raster.front_face, a.raster.cull_enabled, a.raster.cull_face, a.raster.polygon_mode_front,
@@ -87,6 +89,7 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
         now.current = saved.current;
         now.further_tex_coords = saved.further_tex_coords;
         now.secondary_color = saved.secondary_color;
+        now.fog_coord = saved.fog_coord;
     }
     if (bit(kGL_POINT_BIT)) {
         now.raster.point_size = saved.raster.point_size;
@@ -99,7 +102,6 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
     if (bit(kGL_LIGHTING_BIT)) restore_lighting(now.lighting, saved.lighting);
     if (bit(kGL_FOG_BIT)) {
         now.fog = saved.fog;
-        now.fog_coordinates = saved.fog_coordinates;
         now.fragment.color_sum = saved.fragment.color_sum;
     }
     if (bit(kGL_DEPTH_BUFFER_BIT)) depth(now) = depth(saved);

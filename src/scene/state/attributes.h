@@ -140,9 +140,10 @@ using Hints = std::map<Enum, Enum>;
 // All state that some bit of glPushAttrib saves (6.1.14, tables 6.5 to 6.35).
 struct Attributes {
     LightingState lighting;
-    RasterState raster;      // without what a Draw gets only if it is enabled: clip planes, the polygon stipple
+    RasterState raster;      // without what a Draw gets only if it is enabled: clip planes, stipples
     FragmentState fragment;  // without what a Draw gets only if it is enabled: the stencil test, the logical operation
-    bool polygon_stipple_enabled = false, logic_op_enabled = false;
+    bool line_stipple_enabled = false, polygon_stipple_enabled = false, logic_op_enabled = false;
+    LineStipple line_stipple;
     std::shared_ptr<const PolygonStipple> polygon_stipple = solid_stipple();
     Enum logic_op = kGL_COPY;
     bool stencil_enabled = false;
@@ -151,13 +152,13 @@ struct Attributes {
     std::array<TextureBindings, kMaxTextureUnits> units;
     std::size_t active_unit = 0;  // glActiveTexture's
     std::array<ClipPlane, kMaxClipPlanes> clip_planes;
-    Vertex current;  // colour, normal, texture coordinates of unit 0, edge flag
+    Vertex current;                 // colour, normal, texture coordinates of unit 0, edge flag
+    glm::dvec3 secondary_color{0};  // the current one
+    double fog_coord = 0;           // the current one
     std::array<glm::dvec4, kMaxTextureUnits - 1> further_tex_coords = initial_tex_coords();  // of units 1, 2, ...
     Clear clear;                                                                             // the values to clear with
     bool draws_color = true;  // false: glDrawBuffer(GL_NONE)
     // Places where values were set that only the driver supports; a picture that is drawn with them is partial.
-    std::optional<Place> secondary_color;    // not black
-    std::optional<Place> fog_coordinates;    // GL_FOG_COORD_SRC is GL_FOG_COORD
     std::map<Enum, Place> point_parameters;  // those that differ from GL's initial values
     Hints hints{{kGL_PERSPECTIVE_CORRECTION_HINT, kGL_DONT_CARE},
                 {kGL_POINT_SMOOTH_HINT, kGL_DONT_CARE},

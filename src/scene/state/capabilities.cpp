@@ -10,7 +10,6 @@ namespace twinlight {
 // The last column: whether the capability can change a pixel of what Twinlight draws.
 std::span<const DriverOnlyCapability> driver_only_capabilities() {
     static constexpr DriverOnlyCapability kRows[] = {
-        {kGL_LINE_STIPPLE, kGL_LINE_BIT, true},
         {kGL_POLYGON_SMOOTH, kGL_POLYGON_BIT, true},
         {kGL_INDEX_LOGIC_OP, kGL_COLOR_BUFFER_BIT, false},
         {kGL_DITHER, kGL_COLOR_BUFFER_BIT, false},
@@ -76,6 +75,7 @@ auto* supported_flag(A& a, Enum cap) {
         case kGL_SCISSOR_TEST: return &a.fragment.scissor.enabled;
         case kGL_ALPHA_TEST: return &a.fragment.alpha_test;
         case kGL_STENCIL_TEST: return &a.stencil_enabled;
+        case kGL_LINE_STIPPLE: return &a.line_stipple_enabled;
         case kGL_POLYGON_STIPPLE: return &a.polygon_stipple_enabled;
         case kGL_LINE_SMOOTH: return &a.raster.line_smooth;
         case kGL_POINT_SMOOTH: return &a.raster.point_smooth;

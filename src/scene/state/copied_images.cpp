@@ -34,6 +34,9 @@ int copies_in_a_row(const FrameItems& items) {
     return depth;
 }
 
+// Copies have no proxies.
+bool is_driver_only_copy(Enum target) { return is_driver_only_image(target) && target != kGL_PROXY_TEXTURE_RECTANGLE; }
+
 // Formats of depths, compressed formats, sRGB, and formats of later versions.
 bool is_driver_only_format(Enum format) {
     constexpr std::pair<Enum, Enum> kRanges[] = {{kGL_DEPTH_COMPONENT, kGL_DEPTH_COMPONENT},
@@ -72,8 +75,8 @@ std::shared_ptr<const CopiedPixels> State::copied_pixels(const Command& c, const
 
 void State::copy_tex_image(const Command& c) {
     const bool two = c.id == CommandId::glCopyTexImage2D;
-    if (two && is_driver_only_image(c.enumerant(0))) return note_lasting(c.name(), c.place);
-    const std::optional<ImageTarget> target = image_target(c, two);
+    const bool is_driver_only = two && is_driver_only_copy(c.enumerant(0));
+    const std::optional<ImageTarget> target = is_driver_only ? ImageTarget{} : image_target(c, two);
     if (!target) return;
     const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
     const int level = whole(1), border = whole(two ? 7 : 6);
@@ -96,6 +99,7 @@ void State::copy_tex_image(const Command& c) {
         return raise(kGL_INVALID_ENUM, c, "{} is given the internal format {}; expected GL_RGB, GL_RGBA8, ...",
                      c.name(), enum_name(c.enumerant(2)));
     }
+    if (is_driver_only) return note_lasting(c.name(), c.place);
     // RULING: borders are cut off, as by glTexImage.
     if (border == 1) note_lasting(fmt::format("{} with a border", c.name()), c.place);
     from = {from.x + border, from.y + (two ? border : 0), from.width - 2 * border,
@@ -122,19 +126,16 @@ void State::copy_tex_image(const Command& c) {
 
 void State::copy_tex_sub_image(const Command& c) {
     const bool two = c.id == CommandId::glCopyTexSubImage2D;
-    if (two && is_driver_only_image(c.enumerant(0))) return note_lasting(c.name(), c.place);
-    const std::optional<ImageTarget> target = image_target(c, two);
+    const bool is_driver_only = two && is_driver_only_copy(c.enumerant(0));
+    const std::optional<ImageTarget> target = is_driver_only ? ImageTarget{} : image_target(c, two);
     if (!target) return;
     const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
     const int level = whole(1), x0 = whole(2), y0 = two ? whole(3) : 0;
     const std::size_t at = two ? 4 : 3;
     const Viewport from{whole(at), whole(at + 1), whole(at + 2), two ? whole(at + 3) : 1};
-    if (level < 0 || level >= kMaxTextureLevels || from.width < 0 || from.height < 0) {
-        return raise(
-            kGL_INVALID_VALUE, c,
-            "{} is given level {} and the size {} x {}; the level must be in [0, {}], the size cannot be negative",
-            c.name(), level, from.width, from.height, kMaxTextureLevels - 1);
-    }
+    if (level < 0 || level >= kMaxTextureLevels)
+        return raise(kGL_INVALID_VALUE, c, "the level is {}; it must be in [0, {}]", level, kMaxTextureLevels - 1);
+    if (is_driver_only) return note_lasting(c.name(), c.place);
     const auto index = static_cast<std::size_t>(level);
     const Texture& bound = bound_texture(target->texture);
     const std::vector<TextureImage>& images = bound.face(target->face);
@@ -142,6 +143,9 @@ void State::copy_tex_sub_image(const Command& c) {
         return raise(kGL_INVALID_OPERATION, c, "level {} has no image yet; give it one with {}", level,
                      two ? "glTexImage2D" : "glTexImage1D");
     }
+    if (from.width < 0 || from.height < 0)
+        return raise(kGL_INVALID_VALUE, c, "{} is given the size {} x {}; it cannot be negative", c.name(), from.width,
+                     from.height);
     const TextureImage& old = images[index];
     if (x0 < 0 || y0 < 0 || x0 > old.width - from.width || y0 > old.height - from.height) {
         return raise(kGL_INVALID_VALUE, c, "{} x {} texels at ({}, {}) are not inside the image of {} x {}", from.width,

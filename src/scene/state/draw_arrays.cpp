@@ -53,7 +53,7 @@ void State::draw_arrays(const Command& c) {
 
 void State::draw(const Command& c, const ArrayVertices& read) {
     if (!read.has_position || read.vertices.empty()) return;  // 2.8: no primitives are constructed
-    const std::size_t bytes = bytes_of_draw() + vertex_bytes(read.vertices.size(), read.indices.size());
+    const std::size_t bytes = bytes_of_draw() + vertex_bytes(read.mode, read.vertices.size(), read.indices.size());
     if (!has_room(c, bytes)) return;
     Draw draw = new_draw(read.mode, c.place);
     std::vector<Vertex> vertices;
@@ -65,7 +65,7 @@ void State::draw(const Command& c, const ArrayVertices& read) {
     for (FurtherUnit& further : draw.further_units)
         if (const auto found = read.further_tex_coords.find(further.number); found != read.further_tex_coords.end())
             further.tex_coords = found->second;
-    add_tex_coords(draw);
+    add_further_values(draw);
     show(std::move(draw));
 }
 
@@ -82,10 +82,10 @@ void State::send_element(const Command& c, const ArrayVertices& element) {
     a_.current.edge_flag = values.edge_flag;
     a_.current.color = values.color;
     if (element.has_color) track_color();
-    if (!element.has_position || !open_ || !has_room(c, vertex_bytes(1))) return;
+    if (!element.has_position || !open_ || !has_room(c, vertex_bytes(open_->mode, 1))) return;
     a_.current.position_object = values.position_object;
     open_->vertices.edit().push_back(a_.current);
-    add_tex_coords(*open_);
+    add_further_values(*open_);
 }
 
 }  // namespace twinlight

@@ -10,7 +10,7 @@ namespace twinlight {
 
 // These set state that affects pictures only together with a capability or a command that is itself noted.
 void State::driver_only_state(const Command&) {}
-// The same, but also allowed between Begin and End: fog coordinates, and the indices of color index mode.
+// The same, but also allowed between Begin and End: the indices of color index mode.
 void State::driver_only_attribute(const Command&) {}
 
 // A scene cannot use the results of queries, and only the driver knows all their names.
@@ -20,21 +20,6 @@ void State::driver_only_query(const Command&) {}
 void State::driver_only_drawing(const Command& c) { note_unsupported(std::string(c.name()), c.place); }
 
 // ---- Values that change later drawing ----
-
-namespace {
-
-bool adds_secondary_color(const Draw& draw) { return draw.fragment.color_sum && !draw.lighting.enabled; }
-
-}  // namespace
-
-// 3.9: the current secondary colour is added only if lighting is off and GL_COLOR_SUM is on.
-void State::driver_only_secondary_color(const Command& c) {
-    const bool is_black = std::all_of(c.arguments.begin(), c.arguments.end(), [](double v) { return v == 0; });
-    a_.secondary_color.reset();
-    if (is_black) return;
-    a_.secondary_color = c.place;
-    if (open_ && adds_secondary_color(*open_)) note_unsupported("glSecondaryColor", c.place);
-}
 
 // Section 3.3, table 6.12.
 void State::driver_only_point_parameter(const Command& c) {
@@ -55,8 +40,6 @@ void State::driver_only_point_parameter(const Command& c) {
 
 void State::note_driver_only_values(const Draw& draw) {
     const auto note = [this](const std::string& name, const Place& place) { note_unsupported(name, place); };
-    if (a_.secondary_color && adds_secondary_color(draw)) note("glSecondaryColor", *a_.secondary_color);
-    if (a_.fog_coordinates && draw.fog.enabled) note("glFog(GL_FOG_COORD_SRC, GL_FOG_COORD)", *a_.fog_coordinates);
     if (!draw.draws_points()) return;
     for (const auto& [pname, place] : a_.point_parameters)
         note(fmt::format("glPointParameter({})", enum_name(pname)), place);

@@ -234,9 +234,9 @@ std::optional<Vertex> State::evaluated(double u, std::optional<double> v) const 
 void State::send_evaluated(const Command& c, double u, std::optional<double> v) {
     if (!open_) return;  // as glVertex
     const std::optional<Vertex> vertex = evaluated(u, v);
-    if (!vertex || !has_time(c, 1) || !has_room(c, vertex_bytes(1))) return;
+    if (!vertex || !has_time(c, 1) || !has_room(c, vertex_bytes(open_->mode, 1))) return;
     open_->vertices.edit().push_back(*vertex);
-    add_tex_coords(*open_);
+    add_further_values(*open_);
 }
 
 void State::eval_coord(const Command& c) {
@@ -268,14 +268,14 @@ void State::eval_mesh(const Command& c) {
     const Enum primitive = mode == kGL_POINT ? kGL_POINTS : mode == kGL_LINE ? kGL_LINE_STRIP : kGL_QUAD_STRIP;
     for (const std::vector<GridPoint>& line : lines) {
         if (line.empty()) continue;
-        if (!has_room(c, bytes_of_draw() + vertex_bytes(line.size()))) return;
+        if (!has_room(c, bytes_of_draw() + vertex_bytes(primitive, line.size()))) return;
         Draw draw = new_draw(primitive, c.place);
         std::vector<Vertex> vertices;
         vertices.reserve(line.size());
         for (const GridPoint& at : line) vertices.push_back(*evaluated(at.u, two ? std::optional(at.v) : std::nullopt));
         for (Vertex& vertex : vertices) vertex.material = 0;
         draw.vertices = std::move(vertices);
-        add_tex_coords(draw);
+        add_further_values(draw);
         show(std::move(draw));
     }
 }

@@ -77,9 +77,7 @@ void State::fog(const Command& c) {
         case kGL_FOG_END: a_.fog.end = values->front(); break;
         case kGL_FOG_COLOR: a_.fog.color = clamped({(*values)[0], (*values)[1], (*values)[2], (*values)[3]}); break;
         case kGL_FOG_COORD_SRC:
-            if (!known(c, name, {kGL_FRAGMENT_DEPTH, kGL_FOG_COORD})) break;
-            a_.fog_coordinates.reset();
-            if (name == kGL_FOG_COORD) a_.fog_coordinates = c.place;
+            if (known(c, name, {kGL_FRAGMENT_DEPTH, kGL_FOG_COORD})) a_.fog.by_coordinates = name == kGL_FOG_COORD;
             break;
         default: break;
     }

@@ -231,6 +231,14 @@ struct PolygonOffset {  // 3.5.5
 // 3.5.2: a bit for each pixel of 32 rows, from the bottom; bit 0 is the leftmost. A fragment is drawn if its bit is 1.
 using PolygonStipple = std::array<std::uint32_t, 32>;
 
+// 3.4.2: each bit counts for `factor` fragments of a line, from the lowest bit. A fragment is drawn if its bit is 1.
+struct LineStipple {
+    int factor = 1;  // 1 to 256
+    std::uint16_t pattern = 0xFFFF;
+
+    friend bool operator==(const LineStipple&, const LineStipple&) = default;
+};
+
 inline constexpr int kMaxClipPlanes = 8;  // GL requires at least 6 (table 6.29); Mesa has 8
 
 struct RasterState {
@@ -244,6 +252,7 @@ struct RasterState {
     PolygonOffset polygon_offset;
     double line_width = 1;  // 3.4: without smoothing, rounded to a whole number of pixels, at least 1
     double point_size = 1;  // 3.3: the same
+    std::optional<LineStipple> line_stipple{};                // nothing: off
     std::shared_ptr<const PolygonStipple> polygon_stipple{};  // null: off
     bool line_smooth = false, point_smooth = false;           // 3.3, 3.4.2
     std::array<std::optional<glm::dvec4>, kMaxClipPlanes>
@@ -412,9 +421,10 @@ struct TextureUnit {
     friend bool operator==(const TextureUnit&, const TextureUnit&) = default;
 };
 
-struct Fog {  // 3.10; the factor f depends on the distance |z_eye|
+struct Fog {  // 3.10; the factor f depends on the distance |z_eye|, or on the vertices' fog coordinates
     bool enabled = false;
-    Enum mode = kGL_EXP;  // or GL_LINEAR, GL_EXP2
+    bool by_coordinates = false;  // GL_FOG_COORD_SRC is GL_FOG_COORD
+    Enum mode = kGL_EXP;          // or GL_LINEAR, GL_EXP2
     double density = 1;
     double start = 0;
     double end = 1;
@@ -510,6 +520,10 @@ struct Draw {
     RasterState raster;
     TextureUnit texture;                     // unit 0
     std::vector<FurtherUnit> further_units;  // those with a texture, in ascending order
+    // One for each vertex. The first are added after texturing, without lighting (3.9); empty: all are black, or
+    // GL_COLOR_SUM is off. The second are empty unless fog asks for them.
+    std::vector<glm::dvec3> secondary_colors;
+    std::vector<double> fog_coords;
     Fog fog;
     FragmentState fragment;
     // The materials of the vertices, if glMaterial is called between glBegin and glEnd. Then materials[0] equals
@@ -555,13 +569,15 @@ struct Draw {
     }
 
     // Whether Shading::kExact draws surfaces instead of the mesh. It does so only for filled polygons whose texture
-    // coordinates are not generated (GL generates them for vertices), that have at most one texture and no GL_COMBINE, no cube map,
+    // coordinates are not generated (GL generates them for vertices), that have at most one texture and no GL_COMBINE,
+    // no cube map, no secondary colours without lighting and no fog coordinates,
     // and only if both faces have the same stencil test: shaders draw a surface as a rectangle, whose face is not the
     // surface's.
     bool has_exact_surfaces() const {
         return surfaces && !draws_borders() && !combines_textures() && texture.generated.empty() &&
-               !(texture.texture && texture.texture->is_cube()) && raster.viewport.width > 0 &&
-               raster.viewport.height > 0 && (!fragment.stencil || fragment.stencil->front == fragment.stencil->back);
+               !(texture.texture && texture.texture->is_cube()) && secondary_colors.empty() && fog_coords.empty() &&
+               raster.viewport.width > 0 && raster.viewport.height > 0 &&
+               (!fragment.stencil || fragment.stencil->front == fragment.stencil->back);
     }
 
     std::size_t count() const { return indices.empty() ? vertices.size() : indices.size(); }

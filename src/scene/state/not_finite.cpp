@@ -13,7 +13,7 @@ constexpr double kInsteadOfInfinity = 0x1p32;
 
 // Commands that set a vertex's attributes.
 constexpr CommandSet kTakesAnyNumber = CommandSet::of({"vertex", "normal", "color", "tex_coord", "multi_tex_coord",
-                                                       "driver_only_secondary_color", "driver_only_attribute"});
+                                                       "secondary_color", "fog_coord", "driver_only_attribute"});
 
 }  // namespace
 

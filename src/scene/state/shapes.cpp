@@ -37,7 +37,7 @@ void State::send_shape(const Command& c, std::vector<ShapePart> parts, std::vect
     if (!surfaces.empty()) shared = std::make_shared<const std::vector<Surface>>(std::move(surfaces));
     for (ShapePart& part : parts) {
         if (!has_time(c, static_cast<double>(part.vertices.size()))) return;
-        const std::size_t bytes = bytes_of_draw() + vertex_bytes(part.vertices.size(), part.indices.size());
+        const std::size_t bytes = bytes_of_draw() + vertex_bytes(part.mode, part.vertices.size(), part.indices.size());
         if (!has_room(c, bytes)) return;
         Draw draw = new_draw(part.mode, c.place);
         std::vector<Vertex> vertices;
@@ -53,7 +53,7 @@ void State::send_shape(const Command& c, std::vector<ShapePart> parts, std::vect
         }
         if (!part.immediate) a_.current = before;
         draw.vertices = std::move(vertices);
-        add_tex_coords(draw);
+        add_further_values(draw);
         draw.indices = std::move(part.indices);
         draw.surfaces = shared;
         show(std::move(draw));

@@ -21,26 +21,13 @@ namespace {
 
 // The commands allowed between Begin and End (2.6.3). begin, end and perspective are listed because they raise their
 // own errors, GLU's quadrics because they are not GL commands.
-constexpr CommandSet kLegalInside = CommandSet::of({"vertex",
-                                                    "normal",
-                                                    "color",
-                                                    "tex_coord",
-                                                    "edge_flag",
-                                                    "material",
-                                                    "begin",
-                                                    "end",
-                                                    "multi_tex_coord",
-                                                    "eval_coord",
-                                                    "eval_point",
-                                                    "driver_only_attribute",
-                                                    "driver_only_secondary_color",
-                                                    "call_list",
-                                                    "call_lists",
-                                                    "array_element",
-                                                    "perspective",
-                                                    "new_quadric",
-                                                    "delete_quadric",
-                                                    "set_quadric"});
+constexpr CommandSet kLegalInside =
+    CommandSet::of({"vertex",          "normal",      "color",       "tex_coord",
+                    "edge_flag",       "material",    "begin",       "end",
+                    "multi_tex_coord", "eval_coord",  "eval_point",  "driver_only_attribute",
+                    "secondary_color", "fog_coord",   "call_list",   "call_lists",
+                    "array_element",   "perspective", "new_quadric", "delete_quadric",
+                    "set_quadric"});
 
 // Adds one to the count of `name`.
 void count(std::vector<Unsupported>& list, std::string_view name, const Place& place, MissingFrom missing_from) {
@@ -112,12 +99,12 @@ bool State::has_room(const Command& command, std::size_t bytes) {
     return false;
 }
 
-std::size_t State::vertex_bytes(std::size_t vertices, std::size_t indices) const {
+std::size_t State::vertex_bytes(Enum mode, std::size_t vertices, std::size_t indices) const {
     const auto is_in_use = [](const TextureBindings& unit) { return unit.is_enabled(); };
     const std::size_t further =
         open_ ? open_->further_units.size()
               : static_cast<std::size_t>(std::count_if(a_.units.begin() + 1, a_.units.end(), is_in_use));
-    return bytes_of_vertices(a_.raster, vertices, indices) + further * bytes_of_tex_coords(vertices);
+    return bytes_of_vertices(a_.raster, mode, vertices, indices) + further * bytes_of_tex_coords(vertices);
 }
 
 bool State::has_time(const Command& command, double work) {
@@ -173,12 +160,12 @@ void State::end(const Command& c) {
 
 void State::vertex(const Command& c) {
     if (!open_) return;  // 2.7: undefined outside Begin and End; ignored here, as by the driver
-    if (!has_room(c, vertex_bytes(1))) return;
+    if (!has_room(c, vertex_bytes(open_->mode, 1))) return;
     a_.current.position_object = {0, 0, 0, 1};
     for (std::size_t i = 0; i < c.arguments.size(); ++i) a_.current.position_object[static_cast<int>(i)] = c.number(i);
     sanitize(a_.current);
     open_->vertices.edit().push_back(a_.current);
-    add_tex_coords(*open_);
+    add_further_values(*open_);
 }
 
 void State::normal(const Command& c) {
@@ -195,6 +182,16 @@ void State::color(const Command& c) {
     sanitize(a_.current);
     track_color();
 }
+
+void State::secondary_color(const Command& c) {
+    const Kind kind = c.sig().parameters[0].kind;
+    for (int i = 0; i < 3; ++i) {
+        const double value = to_real(c.number(static_cast<std::size_t>(i)), kind);
+        a_.secondary_color[i] = is_in_float_range(value) ? value : 0;
+    }
+}
+
+void State::fog_coord(const Command& c) { a_.fog_coord = is_in_float_range(c.number(0)) ? c.number(0) : 0; }
 
 void State::tex_coord(const Command& c) {
     a_.current.tex_coord = {0, 0, 0, 1};
@@ -247,9 +244,12 @@ TextureUnit State::texture_unit(std::size_t number) const {
     return unit;
 }
 
-void State::add_tex_coords(Draw& draw) const {
+void State::add_further_values(Draw& draw) const {
     for (FurtherUnit& further : draw.further_units)
         further.tex_coords.resize(draw.vertices.size(), a_.tex_coord(further.number));
+    if (draw.fragment.color_sum && !draw.lighting.enabled)
+        draw.secondary_colors.resize(draw.vertices.size(), a_.secondary_color);
+    if (draw.fog.enabled && draw.fog.by_coordinates) draw.fog_coords.resize(draw.vertices.size(), a_.fog_coord);
 }
 
 Draw State::new_draw(Enum mode, const Place& place) {
@@ -277,6 +277,7 @@ Draw State::new_draw(Enum mode, const Place& place) {
     if (!a_.draws_color) draw.fragment.color_mask.fill(false);
     if (a_.stencil_enabled) draw.fragment.stencil = a_.stencil_test;
     if (a_.logic_op_enabled) draw.fragment.logic_op = a_.logic_op;
+    if (a_.line_stipple_enabled && draw.draws_lines()) draw.raster.line_stipple = a_.line_stipple;
     if (a_.polygon_stipple_enabled && draws_polygons(mode)) draw.raster.polygon_stipple = a_.polygon_stipple;
     draw.raster.line_smooth &= draw.draws_lines();
     draw.raster.point_smooth &= draw.draws_points();
@@ -300,19 +301,22 @@ Draw State::new_draw(Enum mode, const Place& place) {
 
 // 5.2, 5.3: in selection and feedback mode drawing and clearing change no pixel.
 void State::show(FrameItem item) {
+    Draw* draw = std::get_if<Draw>(&item);
+    if (draw && std::ranges::all_of(draw->secondary_colors, [](const glm::dvec3& c) { return c == glm::dvec3(0); }))
+        draw->secondary_colors.clear();
     if (render_mode_ == kGL_RENDER) items_.push_back(std::move(item));
 }
 
 // 2.10: the same as a GL_POLYGON with four vertices.
 void State::rect(const Command& c) {
-    if (!has_room(c, bytes_of_draw() + vertex_bytes(4))) return;
+    if (!has_room(c, bytes_of_draw() + vertex_bytes(kGL_POLYGON, 4))) return;
     const double x1 = c.number(0), y1 = c.number(1), x2 = c.number(2), y2 = c.number(3);
     Draw draw = new_draw(kGL_POLYGON, c.place);
     for (const auto& [x, y] : {std::pair(x1, y1), {x2, y1}, {x2, y2}, {x1, y2}}) {
         a_.current.position_object = {x, y, 0, 1};
         draw.vertices.edit().push_back(a_.current);
     }
-    add_tex_coords(draw);
+    add_further_values(draw);
     show(std::move(draw));
 }
 
@@ -435,7 +439,8 @@ std::size_t State::bytes_of(const FrameItems& items) const {
     std::size_t bytes = 0;
     for (const FrameItem& item : items)
         if (const Draw* draw = std::get_if<Draw>(&item))
-            bytes += bytes_of_draw() + bytes_of_vertices(draw->raster, draw->vertices.size(), draw->indices.size()) +
+            bytes += bytes_of_draw() +
+                     bytes_of_vertices(draw->raster, draw->mode, draw->vertices.size(), draw->indices.size()) +
                      draw->further_units.size() * bytes_of_tex_coords(draw->vertices.size());
     return bytes;
 }

@@ -46,11 +46,13 @@ inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; all
 // What `twinlight compare` needs at its peak for the vertices of a Draw, which are drawn in the order of the indices, if there are
 // any: their Vertex and StageVertex, the meshes of two renderers, and the reference's Pieces. A triangle that is drawn as lines or
 // points becomes three of these. Measured: up to 1,050 bytes for each of 150,000 points, 950 of a million vertices of a line, 690 of a
-// strip, 1,630 of one that is drawn as lines.
-constexpr std::size_t bytes_of_vertices(const RasterState& raster, std::size_t vertices, std::size_t indices = 0) {
+// strip, 1,630 of one that is drawn as lines; 1,260 of a sphere's million vertices, which two million indices draw.
+inline std::size_t bytes_of_vertices(const RasterState& raster, Enum mode, std::size_t vertices,
+                                     std::size_t indices = 0) {
     const bool fills = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
-    constexpr std::size_t kVertex = 600, kPiece = 600;
-    return vertices * kVertex + (indices > 0 ? indices : vertices) * (fills ? 1 : 3) * kPiece;
+    constexpr std::size_t kVertex = 600, kPoint = 600, kTriangle = 350;
+    const std::size_t of_index = !draws_polygons(mode) ? kPoint : fills ? kTriangle : 3 * kPoint;
+    return vertices * kVertex + (indices > 0 ? indices : vertices) * of_index;
 }
 // The same for the texture coordinates of a texture unit above 0.
 constexpr std::size_t bytes_of_tex_coords(std::size_t vertices) { return 100 * vertices; }
@@ -135,10 +137,10 @@ class State {
     Effect enable, disable;
     Effect client_arrays, array_element, draw_arrays;
     Effect draw_buffer, driver_only_state, driver_only_drawing, driver_only_attribute, driver_only_query,
-        driver_only_secondary_color, driver_only_point_parameter, driver_only_pixel_transfer, driver_only_bitmap;
+        driver_only_point_parameter, driver_only_pixel_transfer, driver_only_bitmap;
     Effect stencil_func, stencil_op, stencil_mask, clear_stencil;
     Effect accumulate, clear_accumulation;
-    Effect polygon_stipple, logic_op;
+    Effect line_stipple, polygon_stipple, logic_op;
     Effect clear_depth, clear_color, clear, scissor, alpha_func, blend_func, blend_color, color_mask, fog,
         blend_equation;
     Effect light, material, light_model, color_material, shade_model, get_light, get_material, specular_model,
@@ -154,7 +156,7 @@ class State {
     Effect render_mode, hit_buffer, is_enabled, query_clip_plane;
     Effect shape, mesh_file, new_quadric, delete_quadric, set_quadric, quadric_shape;
     Effect spectrum, reflectance, illuminant, transfer;
-    Effect begin, end, normal, color, vertex, tex_coord, multi_tex_coord, rect;
+    Effect begin, end, normal, color, secondary_color, fog_coord, vertex, tex_coord, multi_tex_coord, rect;
     Effect pixel_store, tex_image, tex_sub_image, copy_tex_image, copy_tex_sub_image;
     Effect bind_texture, active_texture, tex_parameter, tex_env, tex_gen, query_tex_env, query_tex_gen,
         query_tex_parameter, gen_textures, delete_textures, prioritize_textures;
@@ -170,8 +172,8 @@ class State {
     std::optional<ArrayVertices> array_vertices(
         const Command& draw);  // raises the error and returns nullopt if it is wrong
     void draw(const Command& command, const ArrayVertices& read);
-    // Gives the Draw's newest vertices the current texture coordinates of its further units.
-    void add_tex_coords(Draw& draw) const;
+    // Gives the Draw's newest vertices the current values that a Vertex does not hold.
+    void add_further_values(Draw& draw) const;
     TextureUnit texture_unit(std::size_t number) const;  // of a Draw made now
     void set_combine(const Command& command, Enum pname, double value);
     void send_element(const Command& command, const ArrayVertices& element);  // glArrayElement
@@ -184,7 +186,7 @@ class State {
         return sizeof(Draw) + (lights.is_shared() ? 0 : lights.size() * sizeof(LightSource));
     }
     // bytes_of_vertices(), with the texture coordinates of the units that are in use now.
-    std::size_t vertex_bytes(std::size_t vertices, std::size_t indices = 0) const;
+    std::size_t vertex_bytes(Enum mode, std::size_t vertices, std::size_t indices = 0) const;
     bool has_time(const Command& command, double work);
     // The faces that a command of the stencil sets. Raises GL_INVALID_ENUM and returns nullopt for another name.
     std::optional<std::vector<StencilFace*>> stencil_faces(const Command& command, bool names_face);

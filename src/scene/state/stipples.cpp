@@ -1,4 +1,6 @@
-// The polygon stipple (3.5.2) and logical operations (4.1.10).
+// The stipples of lines (3.4.2) and polygons (3.5.2), and logical operations (4.1.10).
+#include <algorithm>
+
 #include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
 
@@ -11,6 +13,11 @@ std::shared_ptr<const PolygonStipple> solid_stipple() {
         return std::make_shared<const PolygonStipple>(bits);
     }();
     return solid;
+}
+
+void State::line_stipple(const Command& c) {
+    a_.line_stipple = {.factor = static_cast<int>(std::clamp(c.number(0), 1.0, 256.0)),
+                       .pattern = static_cast<std::uint16_t>(c.enumerant(1))};
 }
 
 // Unpacked like a bitmap (3.6.4).

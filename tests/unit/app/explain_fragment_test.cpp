@@ -251,5 +251,26 @@ TEST_F(ExplainFragment, ShowsTheTextureOfAnExactSurface) {
     EXPECT_NE(text.find("of this point of the surface, times the texture matrix"), std::string::npos) << text;
 }
 
+// A shadow flattened onto its floor: both are at one depth but for rounding.
+TEST_F(ExplainFragment, SaysWhereRoundingDecidesWhichSurfaceShows) {
+    const auto floor_and_shadow = [](const std::string& offset) {
+        return "glEnable(GL_DEPTH_TEST); glMatrixMode(GL_PROJECTION); gluPerspective(45, 1, 1, 20);\n"
+               "glMatrixMode(GL_MODELVIEW); gluLookAt(0, 3, 7, 0, 0, 0, 0, 1, 0);\n"
+               "glBegin(GL_QUADS); glVertex3f(-9, 0, -9); glVertex3f(-9, 0, 9); glVertex3f(9, 0, 9);\n"
+               "glVertex3f(9, 0, -9); glEnd();\n" +
+               offset + "glMultMatrixf((GLfloat[]){1, 0, 0, 0, -0.4, 0, -0.6, 0, 0, 0, 1, 0, 0, 0, 0, 1});\n" +
+               "glBegin(GL_QUADS); glVertex3f(-9, 1, -9); glVertex3f(-9, 1, 9); glVertex3f(9, 1, 9);\n"
+               "glVertex3f(9, 1, -9); glEnd();\n";
+    };
+    const std::string note =
+        "Surfaces of draws 1, 2 have almost the same depth here, so rounding decides which one shows.";
+    EXPECT_NE(explained(floor_and_shadow("")).find(note), std::string::npos);
+    EXPECT_NE(explained(floor_and_shadow(""), {"--json"}).find(note), std::string::npos);
+    const std::string apart =
+        explained(floor_and_shadow("glPolygonOffset(-1, -32); glEnable(GL_POLYGON_OFFSET_FILL);"));
+    EXPECT_EQ(apart.find("almost the same depth"), std::string::npos) << apart;
+    EXPECT_EQ(explained(kQuad).find("almost the same depth"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace twinlight

@@ -264,6 +264,16 @@ TEST(MemoryLimit, CountsAtLeastWhatAComparisonUses) {
         EXPECT_EQ(refused.status, 2) << mode << " " << polygon_mode << ": " << used / 150'000 << " bytes a vertex";
         EXPECT_NE(refused.err.find("--memory"), std::string::npos) << refused.err;
     }
+    // A shape's indices draw each vertex twice. Its pictures fit where they are said to need no more.
+    const std::string sphere = folder / "sphere.gl";
+    const auto compare_sphere = [&](const std::string& memory) {
+        return std::vector<std::string>{"compare", sphere, "--size", "64x64", "--memory", memory, "-o", report};
+    };
+    write_file_atomically(sphere, "glutSolidSphere(1, 400, 400);");
+    const double used = peak_of(compare_sphere("2")) - without;
+    EXPECT_GT(used, 100e6);
+    EXPECT_EQ(run_program("twinlight", compare_sphere(std::to_string(used / 1e9))).status, 2);
+    EXPECT_EQ(run_program("twinlight", compare_sphere(std::to_string(1.4 * used / 1e9))).status, 0);
 }
 
 }  // namespace

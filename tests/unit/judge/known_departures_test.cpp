@@ -74,6 +74,31 @@ TEST(KnownDepartures, OfFogAreThoseOfPrimitivesOnBothSidesOfTheEye) {
     EXPECT_EQ(names("GL_EXP", lines + "glVertex3f(0, 0, -1); glVertex3f(0, 1, -2); glEnd();"), Names{});
 }
 
+TEST(KnownDepartures, OfFogCoordinatesAreThoseBelow0) {
+    const auto names = [](const std::string& text) {
+        return names_of("glEnable(GL_FOG); glFogi(GL_FOG_MODE, GL_LINEAR); glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);" +
+                            text + "glutSolidCube(1);",
+                        kLlvmpipe);
+    };
+    EXPECT_EQ(names("glFogCoordf(-1);"), Names{"fog coordinates below 0"});
+    EXPECT_EQ(names("glFogCoordf(1);"), Names{});
+    EXPECT_EQ(names("glFogCoordf(-1); glFogi(GL_FOG_COORD_SRC, GL_FRAGMENT_DEPTH);"), Names{});
+    EXPECT_EQ(names("glFogCoordf(-1); glDisable(GL_FOG);"), Names{});
+}
+
+TEST(KnownDepartures, OfLineStipplesAreThoseOfStripsInLists) {
+    const auto names = [](const std::string& mode, const std::string& before) {
+        return names_of(before + "glNewList(1, GL_COMPILE_AND_EXECUTE); glBegin(" + mode +
+                            "); glVertex2f(0, 0); glVertex2f(1, 0); glVertex2f(1, 1); glEnd(); glEndList();",
+                        kLlvmpipe);
+    };
+    const std::string enable = "glEnable(GL_LINE_STIPPLE);";
+    for (const char* mode : {"GL_LINE_STRIP", "GL_LINE_LOOP"})
+        EXPECT_EQ(names(mode, enable), Names{"stippled line strips in a display list"});
+    EXPECT_EQ(names("GL_LINES", enable), Names{});
+    EXPECT_EQ(names("GL_LINE_STRIP", ""), Names{});
+}
+
 TEST(KnownDepartures, AreListedForADriverOrNotAtAll) {
     EXPECT_TRUE(is_listed(kLlvmpipe));
     EXPECT_TRUE(is_listed(kSoftpipe));

@@ -9,6 +9,7 @@
 
 #include "judge/fuzz/fuzzer.h"
 #include "render/reference/allowed_difference.h"
+#include "render/reference/copied_pixels.h"
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
@@ -30,7 +31,10 @@ double largest_difference(const Image& a, const Image& b) {
 }
 
 // Both cuts over the whole window, without any rectangle.
-OpenDifference whole_difference(const Frame& frame, const Look& look) {
+OpenDifference whole_difference(const Frame& given, const Look& look) {
+    const Options in_gl{look};
+    const DrawableFrame drawable = drawable_with_ranges(given, in_gl);
+    const Frame& frame = *drawable;
     OpenDifference found{std::vector<char>(std::size_t{kWidth} * kHeight), Image(kWidth, kHeight)};
     for (const QuadCut cut : {QuadCut::kFirstToThird, QuadCut::kSecondToFourth}) {
         Options options{look, cut};

@@ -85,25 +85,6 @@ TEST(Extensions, AreReadAsTheCoreCommandsOfTheSameMeaning) {
 
 // ---- Commands are reported as unsupported only if they change a picture ----
 
-TEST(SecondaryColor, IsNamedWhereItIsAdded) {
-    const std::string sum = "glEnable(GL_COLOR_SUM);\n", red = "glSecondaryColor3ub(255, 0, 0);\n";
-    EXPECT_EQ(unsupported(red + kPoint), Names());
-    EXPECT_EQ(unsupported(sum + kPoint), Names());
-    EXPECT_EQ(unsupported(sum + "glSecondaryColor3f(0, 0, 0);\n" + kPoint), Names());
-    EXPECT_EQ(unsupported(sum + red + kPoint), Names{"glSecondaryColor"});
-    EXPECT_EQ(unsupported(sum + "glEnable(GL_LIGHTING);\n" + red + kPoint), Names());
-    EXPECT_EQ(unsupported(sum + "glBegin(GL_POINTS);" + red + "glVertex2f(0, 0); glEnd();"), Names{"glSecondaryColor"});
-    EXPECT_EQ(unsupported(sum + "glPushAttrib(GL_CURRENT_BIT);" + red + "glPopAttrib();" + kPoint), Names());
-}
-
-TEST(FogCoordinates, AreNamedWhereFogAsksForThem) {
-    const std::string source = "glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);\n", fog = "glEnable(GL_FOG);\n";
-    EXPECT_EQ(unsupported("glFogCoordf(2);" + fog + kPoint), Names());
-    EXPECT_EQ(unsupported(source + kPoint), Names());
-    EXPECT_EQ(unsupported(source + fog + kPoint), Names{"glFog(GL_FOG_COORD_SRC, GL_FOG_COORD)"});
-    EXPECT_EQ(unsupported(source + "glFogi(GL_FOG_COORD_SRC, GL_FRAGMENT_DEPTH);" + fog + kPoint), Names());
-}
-
 TEST(PointParameters, AreNamedWherePointsAreDrawn) {
     const std::string set = "glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, (GLfloat[]){1, 0.5, 0});\n";
     EXPECT_EQ(unsupported(set + kSquare), Names());

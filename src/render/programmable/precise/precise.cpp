@@ -84,7 +84,7 @@ void set_all_effects(EffectSet& effects, const Draw& draw, const LightingState& 
     effects.separate_specular = lighting.light_model.color_control != kGL_SINGLE_COLOR;
     effects.highlight = Highlight::kHalfVector;
     effects.normalize = draw.lighting.normalize;  // not lighting.normalize, which the plan may have turned off
-    effects.vertex_w = (effects.needs_position_eye() || effects.has_fog()) && may_have_w(draw);
+    effects.vertex_w = (effects.needs_position_eye() || (effects.has_fog() && !effects.fog_coords)) && may_have_w(draw);
 }
 
 std::vector<float> floats(const glm::vec3& v) { return {v.x, v.y, v.z}; }

@@ -28,6 +28,12 @@ vec3 vector_to_vertex(vec4 place_object, vec4 vertex_object) {
     return vertex_object.w < 0.0 ? -way : way;
 }
 
+// The same from a vertex of homogeneous eye coordinates to a place in eye coordinates.
+vec3 vector_from(vec4 vertex_eye, vec3 place_eye) {
+    vec3 way = place_eye * vertex_eye.w - vertex_eye.xyz;
+    return vertex_eye.w < 0.0 ? -way : way;
+}
+
 // The largest component of a normal, so that the rest of it is neither short nor long.
 float size_of(vec3 v) {
     vec3 size = abs(v);
@@ -40,11 +46,12 @@ vec3 between_directions(vec3 toward_light, vec3 vertex, float vertex_w) {
     return vertex_w == 0.0 ? toward_light - vertex : toward_light;
 }
 
-// The distance to a light whose VP times |w| is vp.
+// The distance to a light whose VP times |w| is vp. That to a vertex at infinity (w = 0) is the greatest there is here.
 float distance_of(vec3 vp, float w) {
+    const float greatest = 1e37;
     vec3 size = abs(vp);
     float largest = max(max(max(size.x, size.y), size.z), 1e-37);
-    return min(length(vp / largest) * largest / max(abs(w), 1e-37), 1e37);
+    return w == 0.0 ? greatest : min(length(vp / largest) * largest / abs(w), greatest);
 }
 
 // p.xyz / p.w (section 2.14.1). A point at infinity (w = 0) becomes a very distant point.
