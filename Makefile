@@ -2,7 +2,7 @@
 #
 #   config=release|debug|sanitize   release builds into build/, the others into build/<config>/; `make fuzz` into build/fuzz/
 #   GL=osmesa|egl                   how to draw without a window: Mesa's OSMesa (build/) or EGL's drivers (build/egl/)
-#   units=rooms|files               compile each folder as one file (release: takes less than half the time), or each file by itself
+#   units=rooms|files               compile each folder as one file (release and fuzz: takes less than half the time), or each file by itself
 #   CI=true                         warnings are errors
 
 config ?= release
@@ -10,7 +10,7 @@ GL ?= osmesa
 CXX ?= g++
 $(if $(filter release debug sanitize fuzz,$(config)),,$(error config must be release, debug or sanitize, not '$(config)'))
 $(if $(filter osmesa egl,$(GL)),,$(error GL must be osmesa or egl, not '$(GL)'))
-units ?= $(if $(filter release,$(config)),rooms,files)
+units ?= $(if $(filter release fuzz,$(config)),rooms,files)
 $(if $(filter rooms files,$(units)),,$(error units must be rooms or files, not '$(units)'))
 BUILD := $(if $(filter release,$(config)),build,build/$(config))
 # The programs. Both values of GL share the objects in $(BUILD).
@@ -169,7 +169,7 @@ OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # Programs without a window link this as well as their own objects.
 OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(BUILD)/libtwinlight.a
 
-.PHONY: all deps demo test test-binary bench fuzz gallery programs golden tables instructions format check includes each-file tidy clean help force
+.PHONY: all deps demo test test-binary bench fuzz bad-input gallery programs golden tables instructions format check includes each-file tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -186,10 +186,11 @@ demo: deps  ## build, then open the window; without a display, write a compariso
 	    mkdir -p build/report && $(PROGRAMS)/twinlight compare report -o build/report && \
 	    echo "Open build/report/index.html in a browser."; fi
 
+test_environment := LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks_of_drivers.supp:print_suppressions=0
 test: deps  ## build, then run every test; needs no display (TEST='Spot*' runs some)
 	@$(MAKE) test-binary
 	@if pkg-config --exists egl; then $(MAKE) GL=egl $(BUILD)/egl/twinlight; fi
-	@LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks_of_drivers.supp:print_suppressions=0 TWINLIGHT_BUILD=$(PROGRAMS) \
+	@$(test_environment) TWINLIGHT_BUILD=$(PROGRAMS) \
 	    tests/run.sh $(PROGRAMS)/twinlight-tests '$(or $(TEST),*)'
 
 bench: deps  ## measure speed: print medians, write ratios to build/bench.json (BENCH=Regex runs some, QUICK=1 runs each once)
@@ -206,6 +207,12 @@ fuzz: deps  ## look for crashes on random input (TIME=seconds per target; TARGET
 	    echo "fuzz: skipped, because clang++ or its fuzzer runtime is not installed (Debian packages clang and libclang-rt-dev)"; exit 0; fi; \
 	$(MAKE) config=fuzz CXX=clang++ CI= $(patsubst %,build/fuzz/%-fuzzer,$(or $(TARGET),$(fuzz_targets))) build/fuzz/write-seeds && \
 	printf '%s\n' $(or $(TARGET),$(fuzz_targets)) | xargs -P $$(nproc) -I TARGET tests/fuzz/run.sh TARGET $(TIME)
+
+bad-input: deps  ## try each row of tests/bad_input under the address and undefined-behaviour sanitizers (needs what fuzz needs)
+	@if ! { $(try_fuzzer); } 2>/dev/null; then \
+	    echo "bad-input: skipped, because clang++ or its sanitizers are not installed (Debian packages clang and libclang-rt-dev)"; exit 0; fi; \
+	$(MAKE) config=fuzz CXX=clang++ CI= build/fuzz/twinlight build/fuzz/bad-input && $(test_environment) TWINLIGHT_BUILD=build/fuzz \
+	    tests/run.sh build/fuzz/bad-input
 
 gallery: deps  ## draw all scenes and their steps with every renderer: build/gallery/index.html (SCENES='lab report' draws some)
 	@$(MAKE) $(PROGRAMS)/twinlight
@@ -320,6 +327,10 @@ $(PROGRAMS)/twinlight-bench: $(call object,$(SOURCES_bench) $(SOURCES_bench_libr
 OBJECTS_fuzz := $(call object,$(SOURCES_fuzz_common) $(SOURCES_fuzz_library)) $(patsubst %,$(BUILD)/embedded/%.o,scenes scene_assets)
 $(fuzz_targets:%=$(BUILD)/%-fuzzer): $(BUILD)/%-fuzzer: $(BUILD)/objects/tests/fuzz/%_fuzzer.o $(OBJECTS_fuzz)
 	$(link) -fsanitize=fuzzer $(LIBS_fuzz)
+
+# The tables of bad input as a program of their own, for the sanitizers.
+$(BUILD)/bad-input: $(BUILD)/objects/tests/property/bad_input_test.o $(OFFSCREEN)
+	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
 
 $(BUILD)/write-seeds: $(call object,$(SOURCES_fuzz_seeds)) $(OBJECTS_fuzz)
 	$(link) $(LIBS_fuzz)

@@ -230,13 +230,25 @@ CommandRule lists_edge_flags() {
                 }));
 }
 
-// Where the cut is visible: with lighting, whose colours are not linear; and with several rectangles, by their depths.
+// Where the cut is visible: with lighting and with coordinates generated from directions, which are not linear; and with several
+// rectangles, by their depths.
 CommandRule shows_cut_of_rectangles() {
-    return [lit = false, rectangles = 0](const Command& command) mutable {
-        lit = lit || (command.id == Id::glEnable && command.enumerant(0) == kGL_LIGHTING);
+    return [curved = false, rectangles = 0](const Command& command) mutable {
+        curved = curved || (command.id == Id::glEnable && command.enumerant(0) == kGL_LIGHTING) ||
+                 (command.name().starts_with("glTexGen") && command.enumerant(1) == kGL_TEXTURE_GEN_MODE &&
+                  (command.enumerant(2) == kGL_SPHERE_MAP || command.enumerant(2) == kGL_REFLECTION_MAP));
         if (rectangles < 2 && command.name().starts_with("glRect")) ++rectangles;
-        return rectangles > 1 || (rectangles > 0 && lit);
+        return rectangles > 1 || (rectangles > 0 && curved);
     };
+}
+
+CommandRule shades_evaluated_meshes_flat() {
+    return both(any_command([](const Command& command) {
+                    return command.id == Id::glShadeModel && command.enumerant(0) == kGL_FLAT;
+                }),
+                any_command([](const Command& command) {
+                    return command.id == Id::glEvalMesh2 && command.enumerant(0) == kGL_FILL;
+                }));
 }
 
 }  // namespace twinlight::compare

@@ -28,12 +28,11 @@ constexpr CommandSet kArrayCommands = CommandSet::of({"client_arrays"});
 
 // Arrays that no pointer command of the table sets. Drivers also accept glEnable instead of glEnableClientState.
 bool enables_unknown_array(const Command& c) {
-    const Enum array = c.sig().parameters.empty() ? 0 : c.enumerant(0);
-    if (c.id == CommandId::glEnableClientState) {
-        return array == GL_INDEX_ARRAY || array == GL_SECONDARY_COLOR_ARRAY || array == GL_FOG_COORD_ARRAY;
-    }
-    return c.id == CommandId::glEnable && ((array >= GL_VERTEX_ARRAY && array <= GL_EDGE_FLAG_ARRAY) ||
-                                           array == GL_SECONDARY_COLOR_ARRAY || array == GL_FOG_COORD_ARRAY);
+    const bool enables = c.id == CommandId::glEnable;
+    if (!enables && c.id != CommandId::glEnableClientState) return false;
+    const Enum array = c.enumerant(0);
+    if (array == GL_SECONDARY_COLOR_ARRAY || array == GL_FOG_COORD_ARRAY) return true;
+    return enables ? array >= GL_VERTEX_ARRAY && array <= GL_EDGE_FLAG_ARRAY : array == GL_INDEX_ARRAY;
 }
 
 // The driver's answer, or `unanswered` if there is none.

@@ -66,30 +66,37 @@ void for_each_size(const Draw& draw, const Visit& visit) {
 }
 // The unit of length where vertices keep their w, so that only the largest and the smallest lengths of all need one.
 double unit_of_homogeneous(const Draw& draw, const Plan& plan) {
-    // In scenes that are tiny as a whole, products of lengths would vanish. Other scenes need no unit for that: attenuation at a
-    // vertex far away would lose its factors.
+    double vertices = 0, places = 0;
+    for_each_size(draw, [&](double of_vertex) { vertices = std::max(vertices, of_vertex); });
+    for (const glm::dvec3& place : places_eye(plan)) places = std::max(places, largest_component(place));
+    // In scenes that are tiny as a whole, products of lengths would vanish.
     constexpr double kTiny = 1e-15;
-    // Vertices at infinity, or this far away, need one if a light grows weaker so slowly that k_1 times the greatest distance of
-    // the shader (distance_of() in equation.glsl) would not be large.
-    constexpr double kFar = 1e28, kSlow = 1e-30;
-    double largest = 0;
-    for_each_size(draw, [&](double of_vertex) { largest = std::max(largest, of_vertex); });
-    for (const glm::dvec3& place : places_eye(plan)) largest = std::max(largest, largest_component(place));
-    if (largest < kTiny) return power_of_two(largest);
-    double unit = 1, quickest = 0;
+    if (std::max(vertices, places) < kTiny) return power_of_two(std::max(vertices, places));
+    double least = HUGE_VAL, quickest = 0;  // factors that multiply a distance, or its square
+    double slowest = HUGE_VAL;              // k_1
     for (std::size_t i = 0; i < plan.lights.size(); ++i) {
         if (!plan.effects.lights[i].attenuated) continue;
         const LightSource& light = plan.lighting.lights[static_cast<std::size_t>(plan.lights[i].number)];
-        if (light.linear_attenuation > 0) unit = std::max(unit, kSlow / light.linear_attenuation);
-        quickest = std::max({quickest, light.linear_attenuation, light.quadratic_attenuation});
+        const double k1 = light.linear_attenuation, k2 = light.quadratic_attenuation;
+        if (k1 > 0) slowest = std::min(slowest, k1);
+        for (const double k : {k1, k2}) {
+            if (k > 0) least = std::min(least, k);
+            quickest = std::max(quickest, k);
+        }
     }
+    // Neither may the parts of vectors between tiny vertices, though a light be far away. Attenuation must keep its factors.
+    constexpr double kVeryTiny = 1e-25, kUnit = 0x1p-50;
+    if (vertices > 0 && vertices < kVeryTiny && least * kUnit * kUnit > 1e-36) return kUnit;
+    // Vertices at infinity, or this far away, need one if a light grows weaker so slowly that k_1 times the greatest distance of
+    // the shader (distance_of() in equation.glsl) would not be large.
+    constexpr double kFar = 1e28, kSlow = 1e-30;
     const auto is_far = [&](const Vertex& vertex) {
         const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
         return at.w == 0 || largest_component(glm::dvec3(at) / at.w) > kFar;
     };
-    // The factors of all lights must stay floats.
-    if (unit == 1 || !(quickest * unit * unit < 1e30) || !std::ranges::any_of(draw.vertices, is_far)) return 1;
-    return power_of_two(unit);
+    const double unit = power_of_two(kSlow / slowest);
+    if (slowest < kSlow && quickest * unit * unit < 1e30 && std::ranges::any_of(draw.vertices, is_far)) return unit;
+    return 1;
 }
 // What to divide homogeneous coordinates by, whose largest x, y or z is `longest` and whose largest w is `w`: neither this scale nor
 // its inverse is a denormal, and products with it do not overflow. Not all come down to 1: the driver divides what it interpolates
