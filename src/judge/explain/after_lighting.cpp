@@ -55,6 +55,11 @@ Lines coordinates_lines(const TextureSteps& steps, const TextureUnit& unit, bool
     lines += line("s, t, r, q", quadruple(steps.coordinates),
                   is_exact ? "of this point of the surface, times the texture matrix (2.11.2)"
                            : "times the texture matrix (2.11.2), interpolated (3.5.1)");
+    if (unit.texture->is_cube()) {
+        const char* const faces[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
+        return lines + line("face", faces[steps.face], "the largest of |s|, |t| and |r|, with its sign (3.8.7)") +
+               line("s, t", fmt::format("({:.5g}, {:.5g})", steps.st.x, steps.st.y), "the place on that face");
+    }
     constexpr double kRounding = 1e-9;  // of the interpolation
     if (std::abs(steps.coordinates.w - 1) > kRounding)
         lines += line("s/q, t/q", fmt::format("({:.5g}, {:.5g})", steps.st.x, steps.st.y), "the place in the texture");
@@ -246,6 +251,7 @@ Json texture_json(const TextureSteps& steps, const Draw& draw) {
                                   {"weight", image.weight},
                                   {"texels", texels}});
     }
+    if (unit.texture->is_cube()) json["face"] = steps.face;
     json["texel"] = rgba_json(steps.texel);
     json["format"] = enum_name(unit.texture->levels[0].base_format);
     json["environment"] = enum_name(unit.env_mode);

@@ -26,6 +26,7 @@ class Builder {
           more_values_(~seed.values + 1),
           stipples_(seed.structure + 4),
           copies_(seed.structure + 5),
+          cubes_(seed.structure + 6),
           departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
@@ -41,6 +42,7 @@ class Builder {
                                  shows("glTexCoord1 to 3 after glTexCoord4") || shows("level of detail of points") ||
                                  shows("GL_GENERATE_MIPMAP after glPopAttrib");
         if (of_textures || (structure_.chance(0.7) && !shows("the colour sum in fog"))) texture();
+        if (departure_.empty() && cubes_.chance(0.1)) cube_map();
         if (departure_.empty() && units_.chance(0.25)) further_units();
         secondary_ = departure_.empty() && more_.chance(0.12);
         if (secondary_) add("glEnable(GL_COLOR_SUM);");
@@ -168,6 +170,46 @@ class Builder {
                 random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(0, 360));
         add("glEnable({});", target);
         if (departure_.empty() && generated_.chance(0.2)) generated();
+    }
+
+    // A cube map in place of the texture of unit 0. Its numbers are its own, so that the rest of the scene does not depend on
+    // them.
+    void cube_map() {
+        const int size = 1 << cubes_.below(4), filter = cubes_.below(4);
+        const char* const formats[] = {"GL_RGB", "GL_RGBA", "GL_LUMINANCE", "GL_ALPHA", "GL_INTENSITY"};
+        const char* const wraps[] = {"GL_CLAMP_TO_EDGE", "GL_CLAMP_TO_EDGE", "GL_REPEAT", "GL_MIRRORED_REPEAT"};
+        const char* const filters[] = {"GL_NEAREST", "GL_LINEAR", "GL_NEAREST_MIPMAP_NEAREST",
+                                       "GL_LINEAR_MIPMAP_LINEAR"};
+        const char* const format = formats[cubes_.below(5)];
+        add("glBindTexture(GL_TEXTURE_CUBE_MAP, 30);");
+        for (int face = 0; face < 6; ++face)
+            for (int level = 0, side = size; side > 0; ++level, side /= 2) {
+                std::string texels;
+                for (int i = 0; i < side * side * 4; ++i)
+                    texels += fmt::format("{}{}", i ? "," : "", cubes_.below(256));
+                add("glTexImage2D({}, {}, {}, {}, {}, 0, GL_RGBA, GL_UNSIGNED_BYTE, (GLubyte[]){{{}}});",
+                    enum_name(kGL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<Enum>(face)), level, format, side, side,
+                    texels);
+            }
+        add("glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, {}); "
+            "glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, {});",
+            filters[filter], filters[filter % 2]);
+        for (const char* axis : {"S", "T"})
+            add("glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_{}, {});", axis, wraps[cubes_.below(4)]);
+        add("glMatrixMode(GL_MODELVIEW); glPushMatrix(); glLoadIdentity();");
+        const int mode = cubes_.below(3);
+        for (const char coordinate : std::string_view("STR")) {
+            const char* const modes[] = {"GL_REFLECTION_MAP", "GL_NORMAL_MAP", "GL_EYE_LINEAR"};
+            add("glTexGenfv(GL_{}, GL_EYE_PLANE, (GLfloat[]){{{:.4f}, {:.4f}, {:.4f}, {:.4f}}});", coordinate,
+                cubes_.uniform(-1, 1), cubes_.uniform(-1, 1), cubes_.uniform(-1, 1), cubes_.uniform(-1, 1));
+            add("glTexGeni(GL_{0}, GL_TEXTURE_GEN_MODE, {1}); glEnable(GL_TEXTURE_GEN_{0});", coordinate, modes[mode]);
+        }
+        add("glPopMatrix(); glDisable(GL_TEXTURE_GEN_Q);");
+        if (cubes_.chance(0.3))
+            add("glMatrixMode(GL_TEXTURE); glRotatef({:.1f}, 1, 2, {:.3f});", cubes_.uniform(0, 360),
+                cubes_.uniform(-1, 1));
+        if (cubes_.chance(0.5)) add("glEnable(GL_NORMALIZE);");
+        add("glEnable(GL_TEXTURE_CUBE_MAP);");
     }
 
     // One to three texture units above unit 0, which may have no texture.
@@ -651,7 +693,7 @@ class Builder {
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
     Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_, more_, more_values_, stipples_,
-        copies_;
+        copies_, cubes_;
     bool secondary_ = false, fog_coords_ = false;  // vertices have secondary colours, fog coordinates
     std::vector<int> further_units_;               // the numbers of those with a texture
     std::string_view departure_;

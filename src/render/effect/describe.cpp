@@ -84,7 +84,10 @@ const char* name_of(Generated generated) {
 }
 
 std::string describe(const TextureEffects& texture) {
-    std::string text = fmt::format("{} texture with {}, {}", texture.one_dimensional ? "1D" : "2D",
+    std::string text = fmt::format("{} texture with {}, {}",
+                                   texture.one_dimensional ? "1D"
+                                   : texture.cube          ? "cube map"
+                                                           : "2D",
                                    name_of(texture.texels), name_of(texture.environment));
     const auto add = [&](bool fact, const char* name) {
         if (fact) text += fmt::format(", {}", name);

@@ -25,6 +25,8 @@
 //   texture.*                                texture.environment
 //   texture.texels kIntensity                the environment is kBlend or kAdd; otherwise kColorAndAlpha is used
 //   texture.texels kAlpha                    the environment is kModulate or kReplace; kBlend and kAdd become kModulate
+//   texture.one_dimensional, .cube           at most one of them
+//   texture.q, .clamp_s, .clamp_t            no cube
 //   texture.clamp_t                          the texture has two dimensions
 //   texture.clamp_s, .clamp_t                a filter is linear; otherwise GL_CLAMP equals GL_CLAMP_TO_EDGE
 //   texture.gradients                        texture.clamp_s or .clamp_t, and the filters differ
@@ -121,6 +123,7 @@ struct TextureEffects {
     TextureEnvironment environment = TextureEnvironment::kNone;
     Texels texels = Texels::kColor;
     bool one_dimensional = false;
+    bool cube = false;     // a cube map, whose coordinates s, t and r are a direction
     bool matrix = false;   // the texture matrix is not the identity
     bool q = false;        // a texture coordinate's q may be other than 1
     bool clamp_s = false;  // GL_CLAMP, that core GL and some drivers lack: the shader does it
@@ -131,7 +134,9 @@ struct TextureEffects {
     bool generated_w = false;  // w in eye coordinates may be negative
 
     // Whether coordinate i (0 to 3: s, t, r, q) can change a pixel.
-    bool uses(std::size_t i) const { return matrix || i == 0 || (i == 1 && !one_dimensional) || (i == 3 && q); }
+    bool uses(std::size_t i) const {
+        return matrix || i == 0 || (i == 1 && !one_dimensional) || (i == 2 && cube) || (i == 3 && q);
+    }
     bool generates() const { return generated != std::array<Generated, 4>{}; }
     bool generates_all() const {
         for (std::size_t i = 0; i < 4; ++i)

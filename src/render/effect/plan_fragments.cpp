@@ -81,12 +81,14 @@ void plan_lookup(const Draw& draw, std::size_t number, const TextureUnit& unit, 
     };
     const Texture& texture = *unit.texture;
     facts.one_dimensional = texture.target == kGL_TEXTURE_1D;
+    facts.cube = texture.is_cube();
     facts.matrix = unit.texture_matrix != glm::dmat4(1);
-    facts.q = !q_is_1(unit, has_q_1);
+    facts.q = !facts.cube && !q_is_1(unit, has_q_1);
     if (!facts.matrix) leave_out("texture matrix", "it is the identity", true);
-    if (!facts.q) leave_out("division by q", "q is 1 at every vertex");
+    if (!facts.q) leave_out("division by q", facts.cube ? "a cube map has none" : "q is 1 at every vertex");
     if (!unit.generated.empty()) plan_generated(draw, unit, vertices, facts, plan);
 
+    if (facts.cube) return;
     const bool clamp_t = !facts.one_dimensional && texture.wrap_t == kGL_CLAMP;
     const bool clamps = clamp_t || texture.wrap_s == kGL_CLAMP;
     if (clamps && !texture.filters_linearly())

@@ -113,16 +113,23 @@ void reset_texture(GLenum target) {
     glTexParameterf(target, GL_TEXTURE_MAX_LOD, static_cast<float>(start.max_lod));
     glTexParameteri(target, GL_TEXTURE_BASE_LEVEL, start.base_level);
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, start.max_level);
-    const GLint largest = integer(GL_MAX_TEXTURE_SIZE);
-    for (GLint level = 0; largest >> level > 0; ++level) {
-        GLint width = 0;
-        glGetTexLevelParameteriv(target, level, GL_TEXTURE_WIDTH, &width);
-        if (width == 0) continue;
-        if (target == GL_TEXTURE_1D) {
-            glTexImage1D(target, level, GL_RGBA, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-        } else {
-            glTexImage2D(target, level, GL_RGBA, 0, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    const bool is_cube = target == GL_TEXTURE_CUBE_MAP;
+    const GLint largest = integer(is_cube ? GL_MAX_CUBE_MAP_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE);
+    const auto empty_images = [&](GLenum image) {
+        for (GLint level = 0; largest >> level > 0; ++level) {
+            GLint width = 0;
+            glGetTexLevelParameteriv(image, level, GL_TEXTURE_WIDTH, &width);
+            if (width == 0) continue;
+            if (image == GL_TEXTURE_1D) {
+                glTexImage1D(image, level, GL_RGBA, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+            } else {
+                glTexImage2D(image, level, GL_RGBA, 0, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+            }
         }
+    };
+    if (!is_cube) return empty_images(target);
+    for (GLenum face = GL_TEXTURE_CUBE_MAP_POSITIVE_X; face <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z; ++face) {
+        empty_images(face);
     }
 }
 
@@ -133,10 +140,12 @@ void reset_texture_units(const Vertex& current) {
         glActiveTexture(unit);
         set_enabled(GL_TEXTURE_1D, start.enabled_1d);
         set_enabled(GL_TEXTURE_2D, start.enabled_2d);
+        set_enabled(GL_TEXTURE_CUBE_MAP, start.enabled_cube);
         for (const DriverOnlyCapability& row : driver_only_capabilities())
             if (row.is_per_unit()) glDisable(row.cap);
         reset_texture(GL_TEXTURE_1D);
         reset_texture(GL_TEXTURE_2D);
+        reset_texture(GL_TEXTURE_CUBE_MAP);
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, static_cast<GLint>(start.env_mode));
         glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, &glm::vec4(start.env_color)[0]);
         set_combine(start.combine);

@@ -91,6 +91,7 @@ struct PreparedDraw {
     void set_texture(Textures& textures) const {
         glDisable(GL_TEXTURE_1D);
         glDisable(GL_TEXTURE_2D);
+        glDisable(GL_TEXTURE_CUBE_MAP);
         if (textured) {
             textures.bind(draw->texture);
             set_unit(draw->texture);

@@ -278,7 +278,7 @@ class Assembler {
 
     // `suffix`: "" for the only texture; for a Draw that combines textures, the unit's number.
     static std::string tex_coord_type(const TextureEffects& texture) {
-        const int parts = (texture.one_dimensional ? 1 : 2) + (texture.q ? 1 : 0);
+        const int parts = (texture.one_dimensional ? 1 : texture.cube ? 3 : 2) + (texture.q ? 1 : 0);
         return parts == 1 ? "float" : fmt::format("vec{}", parts);
     }
     static Varying tex_coord_varying(const TextureEffects& texture, const std::string& suffix) {
@@ -286,7 +286,10 @@ class Assembler {
         return {tex_coord_type(texture), "v_tex_coord" + suffix,
                 fmt::format("{}.{}",
                             texture.matrix ? fmt::format("(u_texture_matrix{} * {})", suffix, tex_coord) : tex_coord,
-                            std::string(texture.one_dimensional ? "s" : "st") + (texture.q ? "q" : ""))};
+                            std::string(texture.one_dimensional ? "s"
+                                        : texture.cube          ? "stp"
+                                                                : "st") +
+                                (texture.q ? "q" : ""))};
     }
 
     // In the vertex shader's main(): the vec4 tex_coord (section 2.11.4), or tex_coord0, tex_coord1, ...
@@ -514,7 +517,9 @@ class Assembler {
     // of_ray: the coordinates are those of an exact surface's point.
     static Words texture_words(const TextureEffects& texture, bool of_ray) {
         const bool one = texture.one_dimensional, q = texture.q;
-        return {{"SAMPLER", one ? "sampler1D" : "sampler2D"},
+        return {{"SAMPLER", one            ? "sampler1D"
+                            : texture.cube ? "samplerCube"
+                                           : "sampler2D"},
                 {"DIVIDED_TYPE", one ? "float" : "vec2"},
                 {"DIVIDED_PARTS", one ? "s" : "st"},
                 {"DIVIDED_TEX_COORD", of_ray ? (one ? "tex_place.s" : "tex_place.st")

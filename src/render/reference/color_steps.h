@@ -24,7 +24,8 @@ struct TextureSteps {
 
     std::size_t unit = 0;
     glm::dvec4 coordinates{0, 0, 0, 1};  // s, t, r, q after the texture matrix; interpolated
-    glm::dvec2 st{0};                    // s/q and t/q
+    glm::dvec2 st{0};                    // s/q and t/q; on the face of a cube map
+    std::size_t face = 0;                // of a cube map
     bool of_point = false;               // rho is 1 by definition (3.8.8)
     double rho = 1, lambda = 0;
     bool is_magnified = false;

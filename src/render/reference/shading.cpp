@@ -200,7 +200,8 @@ void Shader::add_fog(const Fragment& fragment, Finish<Interval>& finish) const {
 
 TexturePlace Shader::texture_place_of(const Fragment& fragment, const Unit& unit) const {
     return fragment.point ? fragment.point->place
-                          : texture_place(unit.tex_coords, *fragment.piece, fragment.position_window);
+                          : texture_place(unit.tex_coords, *fragment.piece, fragment.position_window,
+                                          unit.state->texture->is_cube());
 }
 
 template <class Real>
@@ -216,7 +217,7 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<dou
     const Texture& texture = *unit.state->texture;
     const TexturePlace place = texture_place_of(fragment, unit);
     const double lambda = level_of_detail(scale_factor(texture, place), *unit.state);
-    texel = channels<double>(sample(texture, place.st, lambda));
+    texel = channels<double>(sample(texture, place.st, lambda, place.face));
 }
 
 // `has_choice` stays true if it is.
@@ -225,6 +226,17 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<Int
     if (!unit.state->generated.empty())
         for (const std::uint32_t i : fragment.piece->primitive.vertices)
             error = std::max(error, generated_error(draw_, *unit.state, draw_.vertices[i], vertices_[i]));
+    if (unit.state->texture->is_cube()) {
+        std::optional<TexelBounds> all;
+        for (const TexturePlaceBounds& place : cube_place_bounds(
+                 unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, error)) {
+            const TexelBounds one = sample_bounds(*unit.state, place.st, place.st_error, place.rho, place.face);
+            all = all ? choice(*all, one) : one;
+        }
+        texel = all->texel;
+        has_choice |= all->has_choice;
+        return;
+    }
     const TexturePlaceBounds place =
         texture_place_bounds(unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, error);
     const TexelBounds bounds = sample_bounds(*unit.state, place.st, place.st_error, place.rho);
@@ -246,8 +258,9 @@ Channels<Marked> Shader::marked_color(const Fragment& fragment, const MarkedColo
         add_texels(fragment, unmarked);
         const auto marked = [&](const Channels<double>& texel, const Unit& unit) {
             const lighting::RulingSet rulings =
-                fragment.point ? lighting::RulingSet{}
-                               : texture_rulings(unit.tex_coords, *fragment.piece, fragment.position_window);
+                fragment.point || unit.state->texture->is_cube()
+                    ? lighting::RulingSet{}
+                    : texture_rulings(unit.tex_coords, *fragment.piece, fragment.position_window);
             Channels<Marked> result;
             for (std::size_t i = 0; i < result.size(); ++i) result[i] = {texel[i], rulings};
             return result;

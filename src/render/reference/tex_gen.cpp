@@ -94,7 +94,7 @@ double generated_error(const Draw& draw, const TextureUnit& unit, const Vertex& 
         if (!one.needs_normal()) error *= kRoundings;
     }
     const glm::dvec4 after = magnitudes(unit.texture_matrix, errors);
-    return std::max({after.x, after.y, after.w});
+    return std::max({after.x, after.y, unit.texture->is_cube() ? after.z : after.w});
 }
 
 }  // namespace twinlight::reference

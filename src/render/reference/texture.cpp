@@ -1,6 +1,7 @@
 #include "render/reference/texture.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -138,10 +139,39 @@ FilteredImages filtered_images(const Texture& texture, double lambda) {
     return images;
 }
 
-glm::dvec4 sample(const Texture& texture, const glm::dvec2& st, double lambda) {
+// In the order of Texture::face().
+CubePlace place_on_face(const glm::dvec3& direction, std::size_t face) {
+    struct Row {
+        std::array<int, 3> axes;  // of s_c, t_c and m_a: 0 to 2 for s, t and r
+        std::array<double, 3> signs;
+    };
+    static constexpr Row kFaces[] = {
+        {{2, 1, 0}, {-1, -1, 1}}, {{2, 1, 0}, {1, -1, -1}}, {{0, 2, 1}, {1, 1, 1}},
+        {{0, 2, 1}, {1, -1, -1}}, {{0, 1, 2}, {1, -1, 1}},  {{0, 1, 2}, {-1, -1, -1}},
+    };
+    const Row& row = kFaces[face];
+    CubePlace place{.face = face, .axes = row.axes, .signs = row.signs};
+    place.major = row.signs[2] * direction[row.axes[2]];
+    for (int i = 0; i < 2; ++i) {
+        const auto n = static_cast<std::size_t>(i);
+        const double quotient = place.major > 0 ? row.signs[n] * direction[row.axes[n]] / place.major : 0;
+        place.st[i] = (quotient + 1) / 2;
+    }
+    return place;
+}
+
+CubePlace cube_place(const glm::dvec3& direction) {
+    const glm::dvec3 size = glm::abs(direction);
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    return place_on_face(direction, static_cast<std::size_t>(2 * axis + (direction[axis] < 0 ? 1 : 0)));
+}
+
+glm::dvec4 sample(const Texture& texture, const glm::dvec2& st, double lambda, std::size_t face) {
     assert(!texture.levels.empty() && !image_of(texture, 0).texels.empty());
     const FilteredImages images = filtered_images(texture, lambda);
-    const auto level = [&](int number) { return sample_image(texture, image_of(texture, number), images.filter, st); };
+    const auto level = [&](int number) {
+        return sample_image(texture, texture.face(face)[static_cast<std::size_t>(number)], images.filter, st);
+    };
     if (images.first == images.second) return level(images.first);
     return glm::mix(level(images.first), level(images.second), images.weight);
 }

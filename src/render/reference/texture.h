@@ -1,11 +1,15 @@
-// Texturing (3.8.7 to 3.8.10): from texture coordinates to a filtered texel, in one and two dimensions.
+// Texturing (3.8.7 to 3.8.10): from texture coordinates to a filtered texel, in one and two dimensions and on the faces of a
+// cube.
 //
 // In: a complete texture (3.8.10), the place in it, and lambda, the level of detail. Out: (R, G, B, A) in the base
 // internal format. texture_environment.h applies table 3.21.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "lighting/real.h"
 #include "scene/state/frame.h"
@@ -17,7 +21,21 @@ struct TexturePlace {
     glm::dvec2 st{0};
     glm::dvec2 per_x{0}, per_y{0};
     bool of_point = false;  // the fragment is part of a point, where rho is 1 (3.8.8)
+    std::size_t face = 0;   // of a cube map: see Texture::face()
 };
+
+// The face of a cube map that a direction (s, t, r) points to, and (s, t) on it (3.8.7, table 3.21). RULING: between two faces
+// with equally large coordinates it is that of s, then that of t.
+struct CubePlace {
+    std::size_t face = 0;
+    glm::dvec2 st{0.5};
+    double major = 0;  // |m_a|
+    // The signed coordinates of the direction that are s_c, t_c and m_a.
+    std::array<int, 3> axes{};
+    std::array<double, 3> signs{};
+};
+CubePlace cube_place(const glm::dvec3& direction);
+CubePlace place_on_face(const glm::dvec3& direction, std::size_t face);
 
 // rho of 3.8.8, exactly by equation 3.18. (The specification also allows approximations between half and twice of it.)
 double scale_factor(const Texture& texture, const TexturePlace& place);
@@ -31,7 +49,7 @@ double magnification_limit(const Texture& texture);
 // The number of the last level in use: q of 3.8.8.
 int last_level(const Texture& texture);
 
-glm::dvec4 sample(const Texture& texture, const glm::dvec2& st, double lambda);
+glm::dvec4 sample(const Texture& texture, const glm::dvec2& st, double lambda, std::size_t face = 0);
 
 // ---- The parts of sampling ----
 

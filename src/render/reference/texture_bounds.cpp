@@ -26,13 +26,16 @@ void join(TexelBounds& all, const TexelBounds& more) {
 
 TexelBounds exactly(const glm::dvec4& texel) { return {channels<Interval>(texel), false}; }
 
-// The outcomes of a choice between `a` and `b`.
+}  // namespace
+
 TexelBounds choice(const TexelBounds& a, const TexelBounds& b) {
     TexelBounds result = a;
     join(result, b);
     result.has_choice = result.has_choice || a.texel != b.texel;
     return result;
 }
+
+namespace {
 
 // Coordinates on one axis that together show everything in an interval: the ends; for GL_LINEAR also the centres of
 // texels between them, where the weights have corners.
@@ -57,11 +60,11 @@ Looks looks(Enum filter, double coordinate, double error, int size) {
 
 class Sampler {
   public:
-    Sampler(const Texture& texture, const glm::dvec2& st, const glm::dvec2& st_error)
-        : texture_(texture), st_(st), st_error_(st_error) {}
+    Sampler(const Texture& texture, std::size_t face, const glm::dvec2& st, const glm::dvec2& st_error)
+        : texture_(texture), face_(texture.face(face)), st_(st), st_error_(st_error) {}
 
     TexelBounds level(int number, Enum filter) const {
-        const TextureImage& image = texture_.levels[static_cast<std::size_t>(number)];
+        const TextureImage& image = face_[static_cast<std::size_t>(number)];
         const bool flat = texture_.target == kGL_TEXTURE_1D;
         const glm::dvec2 size(image.width, image.height);
         const glm::dvec2 error = filter == kGL_NEAREST ? st_error_ : st_error_ + kWeightStep / size;
@@ -144,13 +147,14 @@ class Sampler {
     }
 
     const Texture& texture_;
+    const std::vector<TextureImage>& face_;
     const glm::dvec2 st_, st_error_;
 };
 
 // With the images of `texture` in place of the unit's.
 TexelBounds bounds_of(const Texture& texture, const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
-                      const Interval& rho) {
-    const Sampler sampler(texture, st, st_error);
+                      const Interval& rho, std::size_t face) {
+    const Sampler sampler(texture, face, st, st_error);
     const LevelChoice levels = level_choice(texture.min_filter);
     const Enum filter = image_filter(texture.min_filter);
     if (levels == LevelChoice::kBase && filter == texture.mag_filter) return sampler.level(0, filter);
@@ -186,10 +190,10 @@ TexelBounds bounds_of(const Texture& texture, const TextureUnit& unit, const glm
 
 // Weights are not negative, so the smallest texels give the smallest mean.
 TexelBounds sample_bounds(const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
-                          const Interval& rho) {
-    if (!unit.texture->range) return bounds_of(*unit.texture, unit, st, st_error, rho);
-    TexelBounds bounds = bounds_of(unit.texture->range->low, unit, st, st_error, rho);
-    join(bounds, bounds_of(unit.texture->range->high, unit, st, st_error, rho));
+                          const Interval& rho, std::size_t face) {
+    if (!unit.texture->range) return bounds_of(*unit.texture, unit, st, st_error, rho, face);
+    TexelBounds bounds = bounds_of(unit.texture->range->low, unit, st, st_error, rho, face);
+    join(bounds, bounds_of(unit.texture->range->high, unit, st, st_error, rho, face));
     return bounds;
 }
 

@@ -26,6 +26,8 @@ struct TexelBounds {
 
 // `st_error`: the largest error of s and t. `rho`: the scale factors that correct implementations may find.
 TexelBounds sample_bounds(const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
-                          const Interval& rho);
+                          const Interval& rho, std::size_t face = 0);
+// Either of two.
+TexelBounds choice(const TexelBounds& a, const TexelBounds& b);
 
 }  // namespace twinlight::reference

@@ -9,13 +9,13 @@ namespace twinlight::reference {
 
 namespace {
 
-// s, t and q divided by w; they are linear in the window.
-Linear3 stq_over_w(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window) {
+// s, t and q divided by w; they are linear in the window. `third`: 2 for r in place of q.
+Linear3 stq_over_w(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window, int third = 3) {
     const Linear3 weights = weights_over_w_at(piece, position_window);
     Linear3 result;
     for (int i = 0; i < 3; ++i) {
         const glm::dvec4& t = tex_coords[piece.primitive.vertices[i]];
-        const glm::dvec3 stq(t.x, t.y, t.w);
+        const glm::dvec3 stq(t.x, t.y, t[third]);
         result.value += weights.value[i] * stq;
         result.per_x += weights.per_x[i] * stq;
         result.per_y += weights.per_y[i] * stq;
@@ -42,9 +42,71 @@ Interval rho_of_differences(const Texture& texture, const Linear3& stq, const Te
     return {std::max(0.0, std::max(along_x.low, along_y.low) - error), std::max(along_x.high, along_y.high) + error};
 }
 
+constexpr int kR = 2;
+
+// `str`: the direction, times a factor.
+TexturePlace place_of(const Linear3& str, const CubePlace& on_face) {
+    TexturePlace place{.st = on_face.st, .face = on_face.face};
+    const auto change = [&](const glm::dvec3& d) {  // the quotient rule
+        const double of_major = on_face.signs[2] * d[on_face.axes[2]];
+        glm::dvec2 result;
+        for (int i = 0; i < 2; ++i) {
+            const auto n = static_cast<std::size_t>(i);
+            const double of_part = on_face.signs[n] * d[on_face.axes[n]];
+            result[i] = quotient((of_part - (2 * on_face.st[i] - 1) * of_major) / 2, on_face.major);
+        }
+        return result;
+    };
+    place.per_x = change(str.per_x);
+    place.per_y = change(str.per_y);
+    return place;
+}
+
 }  // namespace
 
-TexturePlace texture_place(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window) {
+std::vector<TexturePlaceBounds> cube_place_bounds(const TexCoords& tex_coords, const Piece& piece,
+                                                  const glm::dvec2& position_window, const Texture& texture,
+                                                  double vertex_error) {
+    constexpr double kRoundings = 8 * 0x1p-24;
+    const Linear3 str = stq_over_w(tex_coords, piece, position_window, kR);
+    const glm::dvec3 weights = glm::abs(weights_over_w_at(piece, position_window).value);
+    const glm::dvec3 error = kRoundings * (glm::abs(str.value) + glm::abs(str.per_x) * std::abs(position_window.x) +
+                                           glm::abs(str.per_y) * std::abs(position_window.y)) +
+                             kSnap * (glm::abs(str.per_x) + glm::abs(str.per_y)) +
+                             vertex_error * (weights.x + weights.y + weights.z);
+    const glm::dvec3 least = glm::abs(str.value) - error;
+    const double major = std::max({least.x, least.y, least.z});
+    std::vector<TexturePlaceBounds> bounds;
+    for (std::size_t face = 0; face < texture.face_count(); ++face) {
+        const CubePlace on_face = place_on_face(str.value, face);
+        const double of_major = error[on_face.axes[2]];
+        if (on_face.major <= 0 || on_face.major + of_major < major) continue;
+        TexturePlace place = place_of(str, on_face);
+        place.of_point = piece.shape == Shape::kPoint;
+        TexturePlaceBounds one{.st = glm::clamp(on_face.st, 0.0, 1.0), .face = face};
+        for (int i = 0; i < 2; ++i)
+            one.st_error[i] = quotient(
+                (error[on_face.axes[static_cast<std::size_t>(i)]] + std::abs(2 * on_face.st[i] - 1) * of_major) / 2,
+                on_face.major);
+        const double rho = scale_factor(texture, place);
+        one.rho = place.of_point ? Interval(rho) : Interval(rho / 2, 2 * rho);
+        bounds.push_back(one);
+    }
+    if (bounds.empty()) {  // the direction is 0
+        const TexturePlace place = texture_place(tex_coords, piece, position_window, true);
+        bounds.push_back({.st = place.st, .rho = Interval(scale_factor(texture, place)), .face = place.face});
+    }
+    return bounds;
+}
+
+TexturePlace texture_place(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window,
+                           bool is_cube) {
+    if (is_cube) {
+        const Linear3 str = stq_over_w(tex_coords, piece, position_window, kR);
+        TexturePlace place = place_of(str, cube_place(str.value));
+        place.of_point = piece.shape == Shape::kPoint;
+        return place;
+    }
     const Linear3 stq = stq_over_w(tex_coords, piece, position_window);
     TexturePlace place{.st = divided(stq.value), .of_point = piece.shape == Shape::kPoint};
     const auto change = [&](const glm::dvec3& d) {  // the quotient rule
@@ -69,7 +131,7 @@ TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece
     // Float arithmetic: the rounding of the texture matrix, of the plane (a constant plus slope times pixel number) and
     // of the division, each at most half a unit in the last place of the magnitudes added.
     constexpr double kRoundings = 8 * 0x1p-24;
-    const TexturePlace place = texture_place(tex_coords, piece, position_window);
+    const TexturePlace place = texture_place(tex_coords, piece, position_window, false);
     Linear3 stq = stq_over_w(tex_coords, piece, position_window);
     const glm::dvec3 added_up = glm::abs(stq.value) + glm::abs(stq.per_x) * std::abs(position_window.x) +
                                 glm::abs(stq.per_y) * std::abs(position_window.y);

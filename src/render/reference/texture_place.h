@@ -27,17 +27,26 @@ class TexCoords {
     const std::vector<glm::dvec4>* further_ = nullptr;
 };
 
-TexturePlace texture_place(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window);
+// `is_cube`: the place on a face of a cube map.
+TexturePlace texture_place(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window,
+                           bool is_cube);
 
 // The input of texture_bounds.h.
 struct TexturePlaceBounds {
     glm::dvec2 st{0}, st_error{0};
-    Interval rho;
+    Interval rho{};
+    std::size_t face = 0;
 };
 // `vertex_error`: the largest error of a vertex's s, t and q.
 TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece& piece,
                                         const glm::dvec2& position_window, const Texture& texture,
                                         double vertex_error = 0);
+
+// The same for a cube map: a place on each face that the direction may point to. 3.8.8 allows any rho between half and twice
+// the ideal one. That is used here, because drivers find the change of the direction in ways of their own.
+std::vector<TexturePlaceBounds> cube_place_bounds(const TexCoords& tex_coords, const Piece& piece,
+                                                  const glm::dvec2& position_window, const Texture& texture,
+                                                  double vertex_error = 0);
 
 // Rasterisers snap vertices to a grid of 1/256 pixel (llvmpipe and most GPUs).
 inline constexpr double kSnap = 1.0 / 256;

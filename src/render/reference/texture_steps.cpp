@@ -18,9 +18,11 @@ std::vector<Weighted> texels_on_axis(Enum filter, Enum wrap, double coordinate, 
     return texels;
 }
 
-TextureSteps::Image image_steps(const Texture& texture, int level, double weight, Enum filter, const glm::dvec2& st) {
+TextureSteps::Image image_steps(const Texture& texture, int level, double weight, Enum filter,
+                                const TexturePlace& place) {
     TextureSteps::Image steps{.level = level, .weight = weight};
-    const TextureImage& image = texture.levels[static_cast<std::size_t>(level)];
+    const glm::dvec2& st = place.st;
+    const TextureImage& image = texture.face(place.face)[static_cast<std::size_t>(level)];
     const bool is_flat = texture.target == kGL_TEXTURE_1D;
     const std::vector<Weighted> rows =
         is_flat ? std::vector<Weighted>{{0, 1}} : texels_on_axis(filter, texture.wrap_t, st.y, image.height);
@@ -39,16 +41,16 @@ TextureSteps::Image image_steps(const Texture& texture, int level, double weight
 
 TextureSteps texture_steps(const TextureUnit& unit, const glm::dvec4& coordinates, const TexturePlace& place) {
     const Texture& texture = *unit.texture;
-    TextureSteps steps{.coordinates = coordinates, .st = place.st, .of_point = place.of_point};
+    TextureSteps steps{.coordinates = coordinates, .st = place.st, .face = place.face, .of_point = place.of_point};
     steps.rho = scale_factor(texture, place);
     steps.lambda = level_of_detail(steps.rho, unit);
     const FilteredImages images = filtered_images(texture, steps.lambda);
     steps.is_magnified = images.is_magnified;
     steps.filter = images.is_magnified ? texture.mag_filter : texture.min_filter;
-    steps.images.push_back(image_steps(texture, images.first, 1 - images.weight, images.filter, place.st));
+    steps.images.push_back(image_steps(texture, images.first, 1 - images.weight, images.filter, place));
     if (images.weight > 0)
-        steps.images.push_back(image_steps(texture, images.second, images.weight, images.filter, place.st));
-    steps.texel = sample(texture, place.st, steps.lambda);
+        steps.images.push_back(image_steps(texture, images.second, images.weight, images.filter, place));
+    steps.texel = sample(texture, place.st, steps.lambda, place.face);
     return steps;
 }
 

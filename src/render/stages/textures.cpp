@@ -22,21 +22,24 @@ void set_unpacking() {
 
 void upload(const Texture& texture) {
     set_unpacking();
-    for (std::size_t i = 0; i < texture.levels.size(); ++i) {
-        const TextureImage& image = texture.levels[i];
-        if (image.texels.empty()) continue;
+    const auto upload_level = [&](std::size_t face, std::size_t i) {
+        const TextureImage& image = texture.face(face)[i];
+        if (image.texels.empty()) return;
         // The requested internal format: the driver then uses as many bits as for the commands themselves.
         const auto level = static_cast<GLint>(i), format = static_cast<GLint>(image.internal_format);
+        const GLenum target =
+            texture.is_cube() ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face) : GLenum{GL_TEXTURE_2D};
         if (texture.target == kGL_TEXTURE_1D)
             glTexImage1D(GL_TEXTURE_1D, level, format, image.width, 0, GL_RGBA, GL_FLOAT, image.texels.data());
         else
-            glTexImage2D(GL_TEXTURE_2D, level, format, image.width, image.height, 0, GL_RGBA, GL_FLOAT,
-                         image.texels.data());
+            glTexImage2D(target, level, format, image.width, image.height, 0, GL_RGBA, GL_FLOAT, image.texels.data());
         if (const GLenum error = glGetError(); error != GL_NO_ERROR)
             throw std::runtime_error(
                 fmt::format("the driver refuses level {} of a texture, {} x {} texels: GL error {:#x}", level,
                             image.width, image.height, error));
-    }
+    };
+    for (std::size_t face = 0; face < texture.face_count(); ++face)
+        for (std::size_t i = 0; i < texture.face(face).size(); ++i) upload_level(face, i);
 }
 
 void set_parameters(const Texture& texture, Clamping clamping) {
@@ -45,7 +48,7 @@ void set_parameters(const Texture& texture, Clamping clamping) {
     set(GL_TEXTURE_MAG_FILTER, texture.mag_filter);
     // If the shader clamps, a linear filter must see half of the border.
     Enum clamped = texture.filters_linearly() ? kGL_CLAMP_TO_BORDER : kGL_CLAMP_TO_EDGE;
-    if (clamping == Clamping::kDriver) clamped = kGL_CLAMP;
+    if (clamping == Clamping::kDriver || texture.is_cube()) clamped = kGL_CLAMP;
     set(GL_TEXTURE_WRAP_S, texture.wrap_s == kGL_CLAMP ? clamped : texture.wrap_s);
     set(GL_TEXTURE_WRAP_T, texture.wrap_t == kGL_CLAMP ? clamped : texture.wrap_t);
     const glm::vec4 border(texture.border_color);
@@ -83,16 +86,21 @@ bool are_same(const TextureImage& a, const TextureImage& b) {
            (texels.empty() || std::memcmp(texels.data(), b.texels.data(), texels.size() * sizeof(glm::vec4)) == 0);
 }
 
+bool are_same(const std::vector<TextureImage>& a, const std::vector<TextureImage>& b) {
+    return std::ranges::equal(a, b, [](const TextureImage& x, const TextureImage& y) { return are_same(x, y); });
+}
+
 // Compares all members, as above.
 bool are_same(const Texture& a, const Texture& b) {
-    const auto& [target, levels, min_filter, mag_filter, wrap_s, wrap_t, border_color, priority, generate_mipmap,
-                 lod_bias, min_lod, max_lod, base_level, max_level, range] = a;
+    const auto& [target, levels, further_faces, min_filter, mag_filter, wrap_s, wrap_t, border_color, priority,
+                 generate_mipmap, lod_bias, min_lod, max_lod, base_level, max_level, range] = a;
     return target == b.target && min_filter == b.min_filter && mag_filter == b.mag_filter && wrap_s == b.wrap_s &&
            wrap_t == b.wrap_t && border_color == b.border_color && priority == b.priority &&
            generate_mipmap == b.generate_mipmap && lod_bias == b.lod_bias && min_lod == b.min_lod &&
            max_lod == b.max_lod && base_level == b.base_level && max_level == b.max_level && range == b.range &&
-           std::ranges::equal(levels, b.levels,
-                              [](const TextureImage& x, const TextureImage& y) { return are_same(x, y); });
+           are_same(levels, b.levels) &&
+           std::ranges::equal(further_faces, b.further_faces,
+                              [](const auto& x, const auto& y) { return are_same(x, y); });
 }
 
 }  // namespace

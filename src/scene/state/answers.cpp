@@ -197,6 +197,7 @@ Answer answer(const State& state, Enum pname) {
         case kGL_LIST_BASE: return one(a.list_base);
         case kGL_TEXTURE_BINDING_1D: return one(unit.bound_1d);
         case kGL_TEXTURE_BINDING_2D: return one(unit.bound_2d);
+        case kGL_TEXTURE_BINDING_CUBE_MAP: return one(unit.bound_cube);
         case kGL_LIST_INDEX: return one(state.lists().open_name);
         case kGL_LIST_MODE: return one(state.lists().open_name == 0 ? 0 : state.lists().open_mode);
         case kGL_MAX_LIST_NESTING: return one(kMaxListNesting);
@@ -260,7 +261,7 @@ Answer tex_gen_answer(const State& state, Enum coord, Enum pname) {
 }
 
 Answer tex_parameter_answer(const State& state, Enum target, Enum pname) {
-    if (target != kGL_TEXTURE_1D && target != kGL_TEXTURE_2D) return {};
+    if (std::ranges::find(kTextureTargets, target) == kTextureTargets.end()) return {};
     const Texture& texture = state.bound_texture(target);
     switch (pname) {
         case kGL_TEXTURE_MIN_FILTER: return one(texture.min_filter);
@@ -280,11 +281,12 @@ Answer tex_parameter_answer(const State& state, Enum target, Enum pname) {
 }
 
 Answer tex_level_answer(const State& state, Enum target, int level, Enum pname) {
-    if ((target != kGL_TEXTURE_1D && target != kGL_TEXTURE_2D) || level < 0) return {};
-    const Texture& texture = state.bound_texture(target);
+    const std::optional<ImageTarget> named = image_target(target);
+    if (!named || level < 0) return {};
+    const std::vector<TextureImage>& levels = state.bound_texture(named->texture).face(named->face);
     const auto index = static_cast<std::size_t>(level);
-    const bool has_image = index < texture.levels.size() && !texture.levels[index].texels.empty();
-    const TextureImage* const image = has_image ? &texture.levels[index] : nullptr;
+    const bool has_image = index < levels.size() && !levels[index].texels.empty();
+    const TextureImage* const image = has_image ? &levels[index] : nullptr;
     switch (pname) {
         case kGL_TEXTURE_WIDTH: return one(image ? image->width : 0);
         case kGL_TEXTURE_HEIGHT: return one(image ? image->height : 0);

@@ -58,6 +58,7 @@ void restore_enables(Attributes& now, const Attributes& saved) {
     for (std::size_t i = 0; i < saved.units.size(); ++i) {
         now.units[i].enabled_1d = saved.units[i].enabled_1d;
         now.units[i].enabled_2d = saved.units[i].enabled_2d;
+        now.units[i].enabled_cube = saved.units[i].enabled_cube;
         for (std::size_t n = 0; n < saved.units[i].tex_gen.size(); ++n)
             now.units[i].tex_gen[n].enabled = saved.units[i].tex_gen[n].enabled;
     }
@@ -141,9 +142,8 @@ void State::push_attrib(const Command& c) {
     SavedAttributes saved{a_, c.enumerant(0), {}, c.place};
     if (saved.mask & kGL_TEXTURE_BIT)  // 6.1.14: of the textures that are bound in any unit
         for (const TextureBindings& one : a_.units)
-            for (const Enum target : {kGL_TEXTURE_1D, kGL_TEXTURE_2D}) {
-                const auto [at, is_new] =
-                    saved.textures.try_emplace({target, target == kGL_TEXTURE_1D ? one.bound_1d : one.bound_2d});
+            for (const Enum target : kTextureTargets) {
+                const auto [at, is_new] = saved.textures.try_emplace({target, one.bound(target)});
                 if (is_new) parameters(at->second) = parameters(*texture_of(one, target));
             }
     attribute_stack_.push_back(std::move(saved));
@@ -160,13 +160,11 @@ void State::pop_attrib(const Command& c) {
         const auto found = textures_.named.find(bound);
         if (found == textures_.named.end() || !found->second || found->second->target != target) bound = 0;
     };
-    for (TextureBindings& one : a_.units) {
-        keep(one.bound_1d, kGL_TEXTURE_1D);
-        keep(one.bound_2d, kGL_TEXTURE_2D);
-    }
+    for (TextureBindings& one : a_.units)
+        for (const Enum target : kTextureTargets) keep(one.bound(target), target);
     for (const TextureBindings& one : a_.units)
-        for (const Enum target : {kGL_TEXTURE_1D, kGL_TEXTURE_2D}) {
-            const auto found = saved.textures.find({target, target == kGL_TEXTURE_1D ? one.bound_1d : one.bound_2d});
+        for (const Enum target : kTextureTargets) {
+            const auto found = saved.textures.find({target, one.bound(target)});
             if (found == saved.textures.end() ||
                 parameters(*texture_of(one, target)) == parameters(found->second))  // avoids a copy
                 continue;

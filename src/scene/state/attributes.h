@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <variant>
@@ -16,6 +17,7 @@ struct TextureObjects {
     // The textures of name 0 (3.8.12).
     std::shared_ptr<Texture> default_1d = std::make_shared<Texture>(Texture{.target = kGL_TEXTURE_1D});
     std::shared_ptr<Texture> default_2d = std::make_shared<Texture>();
+    std::shared_ptr<Texture> default_cube = std::make_shared<Texture>(Texture{.target = kGL_TEXTURE_CUBE_MAP});
     std::size_t texels = 0;  // in all of them
 };
 
@@ -31,6 +33,18 @@ inline constexpr std::size_t kClientAttributeStackDepth = 16;
 inline constexpr double kMaxLodBias = 16;           // GL_MAX_TEXTURE_LOD_BIAS: at least 2 (table 6.31); 16 in Mesa
 inline constexpr std::size_t kMaxTextureUnits = 8;  // GL_MAX_TEXTURE_UNITS: at least 2 (table 6.31); 8 in Mesa
 
+// The kinds of textures that all renderers draw.
+inline constexpr std::initializer_list<Enum> kTextureTargets{kGL_TEXTURE_1D, kGL_TEXTURE_2D, kGL_TEXTURE_CUBE_MAP};
+
+// An image of a texture, by the target of glTexImage.
+struct ImageTarget {
+    Enum texture = kGL_TEXTURE_2D;
+    std::size_t face = 0;  // see Texture::face()
+};
+
+// nullopt for other targets, proxies among them.
+std::optional<ImageTarget> image_target(Enum target);
+
 // How a texture coordinate is generated (2.11.4), and whether it is.
 struct TexGen {
     bool enabled = false;
@@ -41,8 +55,8 @@ struct TexGen {
 
 // The bindings, capabilities and environment of a texture unit (3.8.13, 3.8.16).
 struct TextureBindings {
-    std::uint32_t bound_1d = 0, bound_2d = 0;
-    bool enabled_1d = false, enabled_2d = false;
+    std::uint32_t bound_1d = 0, bound_2d = 0, bound_cube = 0;
+    bool enabled_1d = false, enabled_2d = false, enabled_cube = false;
     Enum env_mode = kGL_MODULATE;
     glm::dvec4 env_color{0, 0, 0, 0};
     Combine combine;
@@ -50,6 +64,15 @@ struct TextureBindings {
     // Of s, t, r and q.
     std::array<TexGen, 4> tex_gen{TexGen{.object_plane = {1, 0, 0, 0}, .plane_eye = {1, 0, 0, 0}},
                                   TexGen{.object_plane = {0, 1, 0, 0}, .plane_eye = {0, 1, 0, 0}}, TexGen{}, TexGen{}};
+
+    bool is_enabled() const { return enabled_1d || enabled_2d || enabled_cube; }
+    // The name of the texture that is bound to one of kTextureTargets.
+    std::uint32_t& bound(Enum target) {
+        return target == kGL_TEXTURE_1D ? bound_1d : target == kGL_TEXTURE_2D ? bound_2d : bound_cube;
+    }
+    std::uint32_t bound(Enum target) const {
+        return target == kGL_TEXTURE_1D ? bound_1d : target == kGL_TEXTURE_2D ? bound_2d : bound_cube;
+    }
 };
 
 // Those that are enabled, in the order s, t, r, q.

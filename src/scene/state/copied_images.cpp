@@ -26,7 +26,8 @@ int copies_in_a_row(const TextureImage& image) {
 int copies_in_a_row(const FrameItems& items) {
     int depth = 0;
     const auto add = [&](std::size_t, const TextureUnit& unit) {
-        for (const TextureImage& image : unit.texture->levels) depth = std::max(depth, copies_in_a_row(image));
+        for (std::size_t i = 0; i < unit.texture->face_count(); ++i)
+            for (const TextureImage& image : unit.texture->face(i)) depth = std::max(depth, copies_in_a_row(image));
     };
     for (const FrameItem& item : items)
         if (const Draw* draw = std::get_if<Draw>(&item)) draw->for_each_unit(add);
@@ -34,10 +35,7 @@ int copies_in_a_row(const FrameItems& items) {
 }
 
 // Copies have no proxies.
-bool is_driver_only_copy(Enum target) {
-    return is_driver_only_image(target) && target != kGL_PROXY_TEXTURE_RECTANGLE &&
-           target != kGL_PROXY_TEXTURE_CUBE_MAP;
-}
+bool is_driver_only_copy(Enum target) { return is_driver_only_image(target) && target != kGL_PROXY_TEXTURE_RECTANGLE; }
 
 // Formats of depths, compressed formats, sRGB, and formats of later versions.
 bool is_driver_only_format(Enum format) {
@@ -77,9 +75,9 @@ std::shared_ptr<const CopiedPixels> State::copied_pixels(const Command& c, const
 
 void State::copy_tex_image(const Command& c) {
     const bool two = c.id == CommandId::glCopyTexImage2D;
-    const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
     const bool is_driver_only = two && is_driver_only_copy(c.enumerant(0));
-    if (!is_driver_only && !known(c, c.enumerant(0), {target})) return;
+    const std::optional<ImageTarget> target = is_driver_only ? ImageTarget{} : image_target(c, two);
+    if (!target) return;
     const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
     const int level = whole(1), border = whole(two ? 7 : 6);
     Viewport from{whole(3), whole(4), whole(5), two ? whole(6) : 1};
@@ -91,6 +89,9 @@ void State::copy_tex_image(const Command& c) {
                      "most {}, and the border must be 0 or 1",
                      c.name(), level, from.width, from.height, border, kMaxTextureSize);
     }
+    if (target->texture == kGL_TEXTURE_CUBE_MAP && from.width != from.height)
+        return raise(kGL_INVALID_VALUE, c, "the image is {} x {}; those of a cube map must be square", from.width,
+                     from.height);
     const std::optional<InternalFormat> format = internal_format(c.number(2));
     if (is_driver_only_format(c.enumerant(2)))
         return note_lasting(fmt::format("{}({})", c.name(), enum_name(c.enumerant(2))), c.place);
@@ -104,8 +105,8 @@ void State::copy_tex_image(const Command& c) {
     from = {from.x + border, from.y + (two ? border : 0), from.width - 2 * border,
             from.height - (two ? 2 * border : 0)};
     const auto index = static_cast<std::size_t>(level);
-    const Texture& bound = bound_texture(target);
-    const std::size_t replaced = index < bound.levels.size() ? bound.levels[index].texels.size() : 0;
+    const std::vector<TextureImage>& bound = bound_texture(target->texture).face(target->face);
+    const std::size_t replaced = index < bound.size() ? bound[index].texels.size() : 0;
     const auto count = static_cast<std::size_t>(from.width) * static_cast<std::size_t>(from.height);
     if (!has_texels(c, static_cast<double>(count), replaced)) return;
     TextureImage image{from.width, from.height, format->base_format, c.enumerant(2),
@@ -113,20 +114,21 @@ void State::copy_tex_image(const Command& c) {
     if (count > 0)
         if (auto pixels = copied_pixels(c, from))
             image.parts.push_back({.width = from.width, .height = from.height, .copied = std::move(pixels)});
-    Texture* texture = writable_texture(c, target);
+    Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
     textures_.texels -= texels_of(*texture);
-    if (texture->levels.size() <= index) texture->levels.resize(index + 1);
-    texture->levels[index] = std::move(image);
-    if (level == texture->base_level) generate_mipmaps(*texture);
+    std::vector<TextureImage>& levels = texture->face(target->face);
+    if (levels.size() <= index) levels.resize(index + 1);
+    levels[index] = std::move(image);
+    if (level == texture->base_level) generate_mipmaps(*texture, target->face);
     textures_.texels += texels_of(*texture);
 }
 
 void State::copy_tex_sub_image(const Command& c) {
     const bool two = c.id == CommandId::glCopyTexSubImage2D;
-    const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
     const bool is_driver_only = two && is_driver_only_copy(c.enumerant(0));
-    if (!is_driver_only && !known(c, c.enumerant(0), {target})) return;
+    const std::optional<ImageTarget> target = is_driver_only ? ImageTarget{} : image_target(c, two);
+    if (!target) return;
     const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
     const int level = whole(1), x0 = whole(2), y0 = two ? whole(3) : 0;
     const std::size_t at = two ? 4 : 3;
@@ -135,15 +137,16 @@ void State::copy_tex_sub_image(const Command& c) {
         return raise(kGL_INVALID_VALUE, c, "the level is {}; it must be in [0, {}]", level, kMaxTextureLevels - 1);
     if (is_driver_only) return note_lasting(c.name(), c.place);
     const auto index = static_cast<std::size_t>(level);
-    const Texture& bound = bound_texture(target);
-    if (bound.levels.size() <= index || bound.levels[index].texels.empty()) {
+    const Texture& bound = bound_texture(target->texture);
+    const std::vector<TextureImage>& images = bound.face(target->face);
+    if (images.size() <= index || images[index].texels.empty()) {
         return raise(kGL_INVALID_OPERATION, c, "level {} has no image yet; give it one with {}", level,
                      two ? "glTexImage2D" : "glTexImage1D");
     }
     if (from.width < 0 || from.height < 0)
         return raise(kGL_INVALID_VALUE, c, "{} is given the size {} x {}; it cannot be negative", c.name(), from.width,
                      from.height);
-    const TextureImage& old = bound.levels[index];
+    const TextureImage& old = images[index];
     if (x0 < 0 || y0 < 0 || x0 > old.width - from.width || y0 > old.height - from.height) {
         return raise(kGL_INVALID_VALUE, c, "{} x {} texels at ({}, {}) are not inside the image of {} x {}", from.width,
                      from.height, x0, y0, old.width, old.height);
@@ -151,14 +154,14 @@ void State::copy_tex_sub_image(const Command& c) {
     if (from.width == 0 || from.height == 0) return;
     const bool is_base = level == bound.base_level;
     if (is_base && bound.generate_mipmap && !has_time(c, static_cast<double>(texels_of(bound)))) return;
-    Texture* texture = writable_texture(c, target);
+    Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
     auto pixels = copied_pixels(c, from);
     if (!pixels) return;
     textures_.texels -= texels_of(*texture);
-    add_part(texture->levels[index],
+    add_part(texture->face(target->face)[index],
              {.x = x0, .y = y0, .width = from.width, .height = from.height, .copied = std::move(pixels)});
-    if (is_base) generate_mipmaps(*texture);
+    if (is_base) generate_mipmaps(*texture, target->face);
     textures_.texels += texels_of(*texture);
 }
 

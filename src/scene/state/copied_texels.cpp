@@ -79,7 +79,8 @@ class Copier {
         for (const FrameItem& item : items)
             if (const Draw* draw = std::get_if<Draw>(&item))
                 draw->for_each_unit([&](std::size_t, const TextureUnit& unit) {
-                    for (const TextureImage& image : unit.texture->levels) note_uses(image, used_);
+                    for (std::size_t i = 0; i < unit.texture->face_count(); ++i)
+                        for (const TextureImage& image : unit.texture->face(i)) note_uses(image, used_);
                 });
     }
     bool is_used(const FrameItem& item) const {
@@ -146,8 +147,9 @@ class Copier {
     }
 
     Texture with_levels(Texture texture, Of of) const {
-        for (TextureImage& image : texture.levels)
-            if (image.has_copies()) image = whole(image, of);
+        for (std::size_t i = 0; i < texture.face_count(); ++i)
+            for (TextureImage& image : texture.face(i))
+                if (image.has_copies()) image = whole(image, of);
         return texture;
     }
 

@@ -312,8 +312,10 @@ struct TextureImage {
 struct TextureRange;
 
 struct Texture {                         // 3.8.4, table 3.18
-    Enum target = kGL_TEXTURE_2D;        // or GL_TEXTURE_1D
+    Enum target = kGL_TEXTURE_2D;        // or GL_TEXTURE_1D, GL_TEXTURE_CUBE_MAP
     std::vector<TextureImage> levels{};  // levels[0] is the base; missing levels are empty images
+    // Of the faces -x, +y, -y, +z and -z of a cube map; `levels` are those of +x. Row 0 is the face's t = 0.
+    std::array<std::vector<TextureImage>, 5> further_faces{};
     Enum min_filter = kGL_NEAREST_MIPMAP_LINEAR;
     Enum mag_filter = kGL_LINEAR;
     Enum wrap_s = kGL_REPEAT;
@@ -329,7 +331,16 @@ struct Texture {                         // 3.8.4, table 3.18
     // pictures.
     std::shared_ptr<const TextureRange> range{};
 
-    bool has_copies() const { return std::ranges::any_of(levels, &TextureImage::has_copies); }
+    bool is_cube() const { return target == kGL_TEXTURE_CUBE_MAP; }
+    std::size_t face_count() const { return is_cube() ? 1 + further_faces.size() : 1; }
+    const std::vector<TextureImage>& face(std::size_t i) const { return i == 0 ? levels : further_faces.at(i - 1); }
+    std::vector<TextureImage>& face(std::size_t i) { return i == 0 ? levels : further_faces.at(i - 1); }
+    bool has_copies() const {
+        const auto has = [](const std::vector<TextureImage>& images) {
+            return std::ranges::any_of(images, &TextureImage::has_copies);
+        };
+        return has(levels) || std::ranges::any_of(further_faces, has);
+    }
     // The border's colour with the components that the texels have (table 3.15).
     glm::dvec4 border_texel() const {
         const glm::dvec4 c = glm::clamp(border_color, 0.0, 1.0);
@@ -559,13 +570,14 @@ struct Draw {
 
     // Whether Shading::kExact draws surfaces instead of the mesh. It does so only for filled polygons whose texture
     // coordinates are not generated (GL generates them for vertices), that have at most one texture and no GL_COMBINE,
-    // no secondary colours without lighting and no fog coordinates,
+    // no cube map, no secondary colours without lighting and no fog coordinates,
     // and only if both faces have the same stencil test: shaders draw a surface as a rectangle, whose face is not the
     // surface's.
     bool has_exact_surfaces() const {
         return surfaces && !draws_borders() && !combines_textures() && texture.generated.empty() &&
-               secondary_colors.empty() && fog_coords.empty() && raster.viewport.width > 0 &&
-               raster.viewport.height > 0 && (!fragment.stencil || fragment.stencil->front == fragment.stencil->back);
+               !(texture.texture && texture.texture->is_cube()) && secondary_colors.empty() && fog_coords.empty() &&
+               raster.viewport.width > 0 && raster.viewport.height > 0 &&
+               (!fragment.stencil || fragment.stencil->front == fragment.stencil->back);
     }
 
     std::size_t count() const { return indices.empty() ? vertices.size() : indices.size(); }

@@ -99,7 +99,7 @@ double largest_of(Enum type) {
 // For a wrong argument GLU returns its own error code and leaves the texture unchanged. So does this.
 void State::build_mipmaps(const Command& c) {
     const bool two = c.id == CommandId::gluBuild2DMipmaps;
-    const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
+    const std::optional<ImageTarget> target = twinlight::image_target(c.enumerant(0));
     const std::size_t after_size = two ? 4 : 3;
     const PixelSource source{.width = static_cast<int>(c.number(2)),
                              .height = two ? static_cast<int>(c.number(3)) : 1,
@@ -108,7 +108,9 @@ void State::build_mipmaps(const Command& c) {
     const std::optional<InternalFormat> format = internal_format(c.number(1));
     const bool fits =
         source.width >= 1 && source.height >= 1 && source.width <= kMaxTextureSize && source.height <= kMaxTextureSize;
-    if (c.enumerant(0) != target || !format || !fits || !pixel_bytes(source.format, source.type)) return;
+    if (!target || two == (target->texture == kGL_TEXTURE_1D) || !format || !fits ||
+        !pixel_bytes(source.format, source.type))
+        return;
     if (!c.memory) return raise(kGL_INVALID_OPERATION, c, "{} is given NULL; it needs an array of pixels", c.name());
     const int width = nearest_power(source.width), height = nearest_power(source.height);
     // The images of this arithmetic need four times the memory.
@@ -125,10 +127,10 @@ void State::build_mipmaps(const Command& c) {
         image.rgba.insert(image.rgba.end(), row.begin(), row.end());
     }
     if (width != source.width || height != source.height) image = scaled(image, width, height);
-    Texture* texture = writable_texture(c, target);
+    Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
     textures_.texels -= texels_of(*texture);
-    fill_levels(texture->levels, std::move(image), *format, static_cast<Enum>(c.number(1)));
+    fill_levels(texture->face(target->face), std::move(image), *format, static_cast<Enum>(c.number(1)));
     textures_.texels += texels_of(*texture);
 }
 

@@ -100,7 +100,7 @@ bool State::has_room(const Command& command, std::size_t bytes) {
 }
 
 std::size_t State::vertex_bytes(Enum mode, std::size_t vertices, std::size_t indices) const {
-    const auto is_in_use = [](const TextureBindings& unit) { return unit.enabled_1d || unit.enabled_2d; };
+    const auto is_in_use = [](const TextureBindings& unit) { return unit.is_enabled(); };
     const std::size_t further =
         open_ ? open_->further_units.size()
               : static_cast<std::size_t>(std::count_if(a_.units.begin() + 1, a_.units.end(), is_in_use));
@@ -263,7 +263,7 @@ Draw State::new_draw(Enum mode, const Place& place) {
     draw.in_list = lists_.nesting > 0 || lists_.open_name != 0;
     draw.texture = texture_unit(0);
     for (std::size_t i = 1; i < a_.units.size(); ++i)
-        if (a_.units[i].enabled_1d || a_.units[i].enabled_2d)
+        if (a_.units[i].is_enabled())
             if (TextureUnit unit = texture_unit(i); unit.texture)
                 draw.further_units.push_back({.number = i, .unit = std::move(unit)});
     // 3.8.13: then the result is undefined.

@@ -221,7 +221,10 @@ class State {
     const TextureBindings& unit() const { return a_.units[a_.active_unit]; }
     bool check_pixel_type(const Command& command, const PixelSource& source);
     std::optional<PixelRows> pixels(const Command& command, const PixelSource& source);
-    void generate_mipmaps(Texture& texture) const;
+    void generate_mipmaps(Texture& texture, std::size_t face) const;
+    // What a command with images in one or two dimensions names. Raises GL_INVALID_ENUM and returns nullopt for a wrong
+    // target; for one of a proxy only if not `allows_proxy`.
+    std::optional<ImageTarget> image_target(const Command& command, bool two, bool allows_proxy = false);
     // Adds a CopyPixels to the picture. Raises the error and returns null if there is no room.
     std::shared_ptr<const CopiedPixels> copied_pixels(const Command& command, const Viewport& from);
     // Before the first items are deleted: keeps those that textures have copies of.

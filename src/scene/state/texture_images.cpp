@@ -98,7 +98,8 @@ std::optional<PixelRows> State::pixels(const Command& c, const PixelSource& sour
 
 std::size_t texels_of(const Texture& texture) {
     std::size_t count = 0;
-    for (const TextureImage& image : texture.levels) count += image.texels.size();
+    for (std::size_t i = 0; i < texture.face_count(); ++i)
+        for (const TextureImage& image : texture.face(i)) count += image.texels.size();
     return count;
 }
 
@@ -112,17 +113,32 @@ bool State::has_texels(const Command& c, double count, std::size_t replaced) {
 
 // Images of textures that only the driver supports.
 bool is_driver_only_image(Enum target) {
-    return target == kGL_TEXTURE_RECTANGLE || target == kGL_PROXY_TEXTURE_RECTANGLE ||
-           (target >= kGL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= kGL_PROXY_TEXTURE_CUBE_MAP);
+    return target == kGL_TEXTURE_RECTANGLE || target == kGL_PROXY_TEXTURE_RECTANGLE;
+}
+
+std::optional<ImageTarget> image_target(Enum target) {
+    if (target == kGL_TEXTURE_1D || target == kGL_TEXTURE_2D) return ImageTarget{target, 0};
+    if (target < kGL_TEXTURE_CUBE_MAP_POSITIVE_X || target > kGL_TEXTURE_CUBE_MAP_NEGATIVE_Z) return std::nullopt;
+    return ImageTarget{kGL_TEXTURE_CUBE_MAP, target - kGL_TEXTURE_CUBE_MAP_POSITIVE_X};
+}
+
+std::optional<ImageTarget> State::image_target(const Command& c, bool two, bool allows_proxy) {
+    const Enum target = c.enumerant(0);
+    const std::optional<ImageTarget> result = twinlight::image_target(target);
+    if (result && two != (target == kGL_TEXTURE_1D)) return result;
+    if (allows_proxy && two && target == kGL_PROXY_TEXTURE_CUBE_MAP) return ImageTarget{kGL_TEXTURE_CUBE_MAP, 0};
+    const Enum flat = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D, proxy = two ? kGL_PROXY_TEXTURE_2D : kGL_PROXY_TEXTURE_1D;
+    if (allows_proxy && target == proxy) return ImageTarget{flat, 0};
+    known(c, target, {flat});  // raises the error
+    return std::nullopt;
 }
 
 void State::tex_image(const Command& c) {
     const ImageArguments a(c);
     const bool two = c.id == CommandId::glTexImage2D;
-    const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
-    const Enum proxy = two ? kGL_PROXY_TEXTURE_2D : kGL_PROXY_TEXTURE_1D;
     if (two && is_driver_only_image(a.target)) return;
-    if (!known(c, a.target, {target, proxy})) return;
+    const std::optional<ImageTarget> target = image_target(c, two, true);
+    if (!target) return;
     const PixelSource& source = a.source;
     if (a.level < 0 || a.level >= kMaxTextureLevels)
         return raise(kGL_INVALID_VALUE, c, "the level is {}; it must be in [0, {}]", a.level, kMaxTextureLevels - 1);
@@ -135,15 +151,18 @@ void State::tex_image(const Command& c) {
                          source.width, source.height, a.level, largest);
         }
     }
+    if (target->texture == kGL_TEXTURE_CUBE_MAP && source.width != source.height)
+        return raise(kGL_INVALID_VALUE, c, "the image is {} x {}; those of a cube map must be square", source.width,
+                     source.height);
     const std::optional<InternalFormat> format = internal_format(a.internal_format);
     if (!format) {
         return raise(kGL_INVALID_VALUE, c, "{} is given the internal format {}; expected 1 to 4, GL_RGB, GL_RGBA8, ...",
                      c.name(), enum_name(static_cast<Enum>(std::max(a.internal_format, 0.0))));
     }
-    if (!check_pixel_type(c, source) || a.target == proxy) return;
+    if (!check_pixel_type(c, source) || !twinlight::image_target(a.target)) return;
     const auto level = static_cast<std::size_t>(a.level);
-    const Texture& bound = bound_texture(target);
-    const std::size_t replaced = level < bound.levels.size() ? bound.levels[level].texels.size() : 0;
+    const std::vector<TextureImage>& bound = bound_texture(target->texture).face(target->face);
+    const std::size_t replaced = level < bound.size() ? bound[level].texels.size() : 0;
     if (!has_texels(c, static_cast<double>(source.width) * source.height, replaced)) return;
     const auto rows = pixels(c, source);
     if (!rows) return;
@@ -159,20 +178,21 @@ void State::tex_image(const Command& c) {
         for (int x = 0; x < image.width; ++x)
             image.texels.push_back(stored(row[static_cast<std::size_t>(x + dx)], *format));
     }
-    Texture* texture = writable_texture(c, target);
+    Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
     textures_.texels -= texels_of(*texture);
-    if (texture->levels.size() <= level) texture->levels.resize(level + 1);
-    texture->levels[level] = std::move(image);
-    if (a.level == texture->base_level) generate_mipmaps(*texture);
+    std::vector<TextureImage>& levels = texture->face(target->face);
+    if (levels.size() <= level) levels.resize(level + 1);
+    levels[level] = std::move(image);
+    if (a.level == texture->base_level) generate_mipmaps(*texture, target->face);
     textures_.texels += texels_of(*texture);
 }
 
 void State::tex_sub_image(const Command& c) {
     const bool two = c.id == CommandId::glTexSubImage2D;
-    const Enum target = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D;
     if (two && is_driver_only_image(c.enumerant(0))) return;
-    if (!known(c, c.enumerant(0), {target})) return;
+    const std::optional<ImageTarget> target = image_target(c, two);
+    if (!target) return;
     const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
     const int level = whole(1), x0 = whole(2), y0 = two ? whole(3) : 0;
     const PixelSource source{.width = whole(two ? 4 : 3),
@@ -186,13 +206,13 @@ void State::tex_sub_image(const Command& c) {
             c.name(), level, source.width, source.height, kMaxTextureLevels - 1);
     }
     if (!check_pixel_type(c, source)) return;
-    const Texture& bound = bound_texture(target);
-    if (bound.levels.size() <= static_cast<std::size_t>(level) ||
-        bound.levels[static_cast<std::size_t>(level)].texels.empty()) {
+    const Texture& bound = bound_texture(target->texture);
+    const std::vector<TextureImage>& images = bound.face(target->face);
+    if (images.size() <= static_cast<std::size_t>(level) || images[static_cast<std::size_t>(level)].texels.empty()) {
         return raise(kGL_INVALID_OPERATION, c, "level {} has no image yet; give it one with {}", level,
                      two ? "glTexImage2D" : "glTexImage1D");
     }
-    const TextureImage& old = bound.levels[static_cast<std::size_t>(level)];
+    const TextureImage& old = images[static_cast<std::size_t>(level)];
     if (x0 < 0 || y0 < 0 || x0 > old.width - source.width || y0 > old.height - source.height) {
         return raise(kGL_INVALID_VALUE, c, "{} x {} texels at ({}, {}) are not inside the image of {} x {}",
                      source.width, source.height, x0, y0, old.width, old.height);
@@ -204,10 +224,10 @@ void State::tex_sub_image(const Command& c) {
     if (!has_time(
             c, static_cast<double>(mipmaps ? texels_of(bound) : 0) + static_cast<double>(source.width) * source.height))
         return;
-    Texture* texture = writable_texture(c, target);
+    Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
     textures_.texels -= texels_of(*texture);
-    TextureImage& image = texture->levels[static_cast<std::size_t>(level)];
+    TextureImage& image = texture->face(target->face)[static_cast<std::size_t>(level)];
     const InternalFormat format = *internal_format(image.internal_format);
     std::vector<glm::dvec4> row;
     ImagePart part{.x = x0, .y = y0, .width = source.width, .height = source.height};
@@ -220,22 +240,22 @@ void State::tex_sub_image(const Command& c) {
         for (std::size_t x = 0; x < row.size(); ++x) image.texels[to + x] = stored(row[x], format);
     }
     if (image.has_copies()) add_part(image, std::move(part));
-    if (is_base) generate_mipmaps(*texture);
+    if (is_base) generate_mipmaps(*texture, target->face);
     textures_.texels += texels_of(*texture);
 }
 
 // 3.8.8, "Automatic mipmap generation".
-void State::generate_mipmaps(Texture& texture) const {
+void State::generate_mipmaps(Texture& texture, std::size_t face) const {
     const auto base = static_cast<std::size_t>(texture.base_level);
-    if (!texture.generate_mipmap || texture.levels[base].texels.empty()) return;
-    const InternalFormat format = *internal_format(texture.levels[base].internal_format);
-    texture.levels.resize(base + 1);
-    while ((texture.levels.back().width > 1 || texture.levels.back().height > 1) &&
-           texture.levels.size() <= static_cast<std::size_t>(texture.max_level)) {
-        TextureImage next = half(texture.levels.back(), format);
-        if (texture.levels.back().has_copies())
-            next.half_of = std::make_shared<const TextureImage>(texture.levels.back());
-        texture.levels.push_back(std::move(next));
+    std::vector<TextureImage>& levels = texture.face(face);
+    if (!texture.generate_mipmap || levels[base].texels.empty()) return;
+    const InternalFormat format = *internal_format(levels[base].internal_format);
+    levels.resize(base + 1);
+    while ((levels.back().width > 1 || levels.back().height > 1) &&
+           levels.size() <= static_cast<std::size_t>(texture.max_level)) {
+        TextureImage next = half(levels.back(), format);
+        if (levels.back().has_copies()) next.half_of = std::make_shared<const TextureImage>(levels.back());
+        levels.push_back(std::move(next));
     }
 }
 

@@ -13,13 +13,16 @@
 namespace twinlight {
 
 const std::shared_ptr<Texture>& State::texture_of(const TextureBindings& bindings, Enum target) const {
-    const std::uint32_t name = target == kGL_TEXTURE_1D ? bindings.bound_1d : bindings.bound_2d;
-    if (name == 0) return target == kGL_TEXTURE_1D ? textures_.default_1d : textures_.default_2d;
+    const std::uint32_t name = bindings.bound(target);
+    if (name == 0)
+        return target == kGL_TEXTURE_1D   ? textures_.default_1d
+               : target == kGL_TEXTURE_2D ? textures_.default_2d
+                                          : textures_.default_cube;
     return textures_.named.at(name);
 }
 
 Texture* State::writable_texture(const Command& c, Enum target) {
-    if (!known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return nullptr;
+    if (!known(c, target, kTextureTargets)) return nullptr;
     return writable_texture(c, unit(), target);
 }
 
@@ -34,15 +37,13 @@ Texture* State::writable_texture(const Command& c, const TextureBindings& bindin
 }
 
 // 3.8.12. GL allows names that were never generated.
-bool is_driver_only_texture(Enum target) {
-    return target == kGL_TEXTURE_3D || target == kGL_TEXTURE_CUBE_MAP || target == kGL_TEXTURE_RECTANGLE;
-}
+bool is_driver_only_texture(Enum target) { return target == kGL_TEXTURE_3D || target == kGL_TEXTURE_RECTANGLE; }
 
 void State::bind_texture(const Command& c) {
     const Enum target = c.enumerant(0);
     const std::uint32_t name = c.enumerant(1);
     const bool driver_only = is_driver_only_texture(target);
-    if (!driver_only && !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
+    if (!driver_only && !known(c, target, kTextureTargets)) return;
     if (name != 0) {
         std::shared_ptr<Texture>& texture = textures_.named[name];
         if (!texture) texture = std::make_shared<Texture>(Texture{.target = target});
@@ -52,7 +53,7 @@ void State::bind_texture(const Command& c) {
         }
     }
     if (driver_only) return;
-    (target == kGL_TEXTURE_1D ? unit().bound_1d : unit().bound_2d) = name;
+    unit().bound(target) = name;
 }
 
 // 3.8.16: the unit that commands on textures and on the texture matrix affect.
@@ -91,7 +92,7 @@ int level_number(double value, bool is_array) {
 
 void State::query_tex_parameter(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
-    if (is_driver_only_texture(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
+    if (is_driver_only_texture(target) || !known(c, target, kTextureTargets)) return;
     if (pname == kGL_TEXTURE_RESIDENT || driver_only_parameter(pname) || find_parameter(Owner::kTexture, pname)) return;
     raise(kGL_INVALID_ENUM, c, "{} is given {}; expected GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, ...", c.name(),
           enum_name(pname));
@@ -109,7 +110,7 @@ void State::query_tex_env(const Command& c) {
 
 void State::tex_parameter(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
-    if (is_driver_only_texture(target) || !known(c, target, {kGL_TEXTURE_1D, kGL_TEXTURE_2D})) return;
+    if (is_driver_only_texture(target) || !known(c, target, kTextureTargets)) return;
     if (const DriverOnlyParameter* row = driver_only_parameter(pname)) {
         const bool changes = row->initial && c.arguments.size() > 2 && c.number(2) != *row->initial;
         if (changes) note_lasting(fmt::format("glTexParameter({})", enum_name(pname)), c.place);
@@ -226,13 +227,21 @@ void State::set_combine(const Command& c, Enum pname, double value) {
 // levels in use. A complete texture has its base level and, for a mipmap filter, all levels from there to 1 x 1 or the
 // last level in use, each half the size of the one before and in one format.
 std::shared_ptr<const Texture> State::complete_texture(const TextureBindings& bindings) const {
-    if (!bindings.enabled_1d && !bindings.enabled_2d) return nullptr;
-    std::shared_ptr<const Texture> texture =
-        texture_of(bindings, bindings.enabled_2d ? kGL_TEXTURE_2D : kGL_TEXTURE_1D);
+    if (!bindings.is_enabled()) return nullptr;
+    std::shared_ptr<const Texture> texture = texture_of(bindings, bindings.enabled_cube ? kGL_TEXTURE_CUBE_MAP
+                                                                  : bindings.enabled_2d ? kGL_TEXTURE_2D
+                                                                                        : kGL_TEXTURE_1D);
+    // Null also if the faces of a cube map differ (3.8.10).
     const auto image = [&](int level) -> const TextureImage* {
         const auto index = static_cast<std::size_t>(level);
-        return index < texture->levels.size() && !texture->levels[index].texels.empty() ? &texture->levels[index]
-                                                                                        : nullptr;
+        for (std::size_t i = 0; i < texture->face_count(); ++i) {
+            const std::vector<TextureImage>& levels = texture->face(i);
+            if (index >= levels.size() || levels[index].texels.empty() ||
+                levels[index].width != texture->levels[index].width ||
+                levels[index].internal_format != texture->levels[index].internal_format)
+                return nullptr;
+        }
+        return &texture->levels[index];
     };
     const TextureImage* base = image(texture->base_level);
     if (!base || texture->base_level > texture->max_level) return nullptr;
@@ -256,14 +265,18 @@ std::shared_ptr<const Texture> State::complete_texture(const TextureBindings& bi
 // A copy that has only these levels. It is kept as long as the State or a Draw has the texture, so that Draws share it.
 std::shared_ptr<const Texture> State::with_levels(const std::shared_ptr<const Texture>& texture, int first,
                                                   int last) const {
-    if (first == 0 && static_cast<std::size_t>(last) + 1 >= texture->levels.size()) return texture;
+    bool has_more = first > 0;
+    for (std::size_t i = 0; i < texture->face_count(); ++i)
+        has_more = has_more || static_cast<std::size_t>(last) + 1 < texture->face(i).size();
+    if (!has_more) return texture;
     auto& [of, part] = parts_of_textures_[texture.get()];
     if (!part) {
         std::erase_if(parts_of_textures_, [&](const auto& entry) {
             return entry.first != texture.get() && entry.second.first.use_count() == 1;
         });
         Texture levels = *texture;
-        levels.levels.assign(texture->levels.begin() + first, texture->levels.begin() + last + 1);
+        for (std::size_t i = 0; i < levels.face_count(); ++i)
+            levels.face(i).assign(texture->face(i).begin() + first, texture->face(i).begin() + last + 1);
         levels.base_level = Texture().base_level;
         levels.max_level = Texture().max_level;
         of = texture;
@@ -307,10 +320,9 @@ void State::delete_textures(const Command& c) {
         if (name == 0 || found == textures_.named.end()) continue;
         if (found->second) textures_.texels -= texels_of(*found->second);
         textures_.named.erase(found);
-        for (TextureBindings& unit : a_.units) {
-            if (unit.bound_1d == name) unit.bound_1d = 0;
-            if (unit.bound_2d == name) unit.bound_2d = 0;
-        }
+        for (TextureBindings& unit : a_.units)
+            for (const Enum target : kTextureTargets)
+                if (unit.bound(target) == name) unit.bound(target) = 0;
     }
 }
 
