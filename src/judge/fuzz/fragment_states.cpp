@@ -57,7 +57,7 @@ class Builder {
         if (has_stencil) stencil();
         std::string first = batch();
         if (departure_.empty() && structure_.chance(0.3)) first = solid();
-        if (departure_.empty() && generated_.chance(0.1)) first = evaluated();
+        if (shows("flat shading of glEvalMesh2") || (departure_.empty() && generated_.chance(0.1))) first = evaluated();
         text_ += first;
         if (has_stencil) {  // a pass that shows what the first left in the stencil buffer
             stencil();
@@ -645,7 +645,9 @@ class Builder {
 
     // A Bezier surface, in front of the eye.
     std::string evaluated() {
+        const bool flat = shows("flat shading of glEvalMesh2");
         std::string text = attributes(true, false);
+        if (flat) text += "glDisable(GL_LIGHTING); glShadeModel(GL_FLAT);\n";
         text += fmt::format("glPushMatrix(); glTranslatef(0, 0, {:.3f}); glRotatef({:.2f}, {:.3f}, 1, 0.5);\n",
                             generated_.uniform(-7, -5), generated_.uniform(-180, 180), generated_.uniform(-1, 1));
         const auto map = [&](const char* target, int size, double low, double high) {
@@ -663,13 +665,14 @@ class Builder {
                                 target, size * order_v, order_u, size, order_v, points);
         };
         map("GL_MAP2_VERTEX_3", 3, -1, 1);
-        if (generated_.chance(0.5)) map("GL_MAP2_COLOR_4", 4, 0, 1);
+        if (flat || generated_.chance(0.5)) map("GL_MAP2_COLOR_4", 4, 0, 1);
         if (generated_.chance(0.5)) map("GL_MAP2_TEXTURE_COORD_2", 2, -1, 2);
         if (generated_.chance(0.7)) text += "glEnable(GL_AUTO_NORMAL);\n";
         text += fmt::format("glMapGrid2f({}, 0, 1, {}, 0, 1);\n", 2 + generated_.below(5), 2 + generated_.below(5));
         const char* const modes[] = {"GL_FILL", "GL_FILL", "GL_LINE", "GL_POINT"};
         text +=
-            generated_.chance(0.7)
+            flat ? "glEvalMesh2(GL_FILL, 0, 2, 0, 2);\n"
+            : generated_.chance(0.7)
                 ? fmt::format("glEvalMesh2({}, 0, 2, 0, 2);\n", modes[generated_.below(4)])
                 : "glBegin(GL_TRIANGLES); glEvalCoord2f(0, 0); glEvalCoord2f(1, 0.2); glEvalPoint2(1, 2); glEnd();\n";
         return text + "glDisable(GL_MAP2_COLOR_4); glDisable(GL_MAP2_TEXTURE_COORD_2); glPopMatrix();\n";
