@@ -170,6 +170,9 @@ class Judged {
             if (is_beyond_colors(moved)) return {kBeyondColors, error};
             // A light on the horizon may have a half vector or none.
             if (is_lost_with(other.at(vertex).shortest_half_vector, error, limits)) return {kOpposite, error};
+            // So may one that the direction to a light so near does not know.
+            const double uncertainty = kRoundings * limits.value_rounding / other.at(vertex).closest_light;
+            if (other.at(vertex).shortest_half_vector < uncertainty) return {kOpposite, error};
         }
         // Random roundings of some sixteen values add up to a quarter of the worst. Beyond kLost no digit of the colour is known.
         constexpr double kOperations = 4, kLost = 0.01;
@@ -290,6 +293,9 @@ class Judged {
                 denormal |= is_denormal(v - l);
                 size = std::max({size, std::abs(v), std::abs(l)});
             }
+            const double divisor = light.constant_attenuation +
+                                   distance * (light.linear_attenuation + distance * light.quadratic_attenuation);
+            denormal |= is_denormal(divisor);
             // The reference in floats starts from eye coordinates; all others take the difference in doubles, or of object coordinates.
             cancels |= distance > 0 && distance < (type == NumberType::kFloat ? 0x1p-16 : 0x1p-45) * size;
             interpolated |= per_pixel && distance < 0x1p-18 * size;

@@ -60,7 +60,7 @@ double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, cons
 struct Sizes {
     double vertices = 0;    // after the division by w
     double places = 0;      // of places_eye()
-    double directions = 0;  // of vertices and lights with w = 0 that meet (between_directions() in equation.glsl)
+    double directions = 0;  // of vertices with w = 0, and of lights that meet them (between_directions())
 };
 Sizes sizes_of(const Draw& draw, const Plan& plan) {
     Sizes sizes;
@@ -70,7 +70,7 @@ Sizes sizes_of(const Draw& draw, const Plan& plan) {
         const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
         if (at.w != 0)
             enlarge(sizes.vertices, glm::dvec3(at) / at.w);
-        else if (meet)
+        else
             enlarge(sizes.directions, glm::dvec3(at));
     }
     for (const glm::dvec3& place : places_eye(plan)) enlarge(sizes.places, place);
@@ -86,18 +86,19 @@ double unit_of_homogeneous(const Draw& draw, const Plan& plan) {
     // In scenes that are tiny as a whole, products of lengths would vanish.
     constexpr double kTiny = 1e-15;
     const double largest = std::max(sizes.vertices, sizes.places);
-    if (std::max(largest, sizes.directions) < kTiny) return power_of_two(largest);
-    double least = HUGE_VAL, quickest = 0;  // factors that multiply a distance, or its square
-    double slowest = HUGE_VAL;              // k_1
+    if (largest > 0 && std::max(largest, sizes.directions) < kTiny) return power_of_two(largest);
+    double least = HUGE_VAL;           // factors that multiply a distance, or its square
+    double slowest = HUGE_VAL;         // k_1
+    double quickest = 0, squared = 0;  // the largest k_1, the largest k_2
     for (std::size_t i = 0; i < plan.lights.size(); ++i) {
         if (!plan.effects.lights[i].attenuated) continue;
         const LightSource& light = plan.lighting.lights[static_cast<std::size_t>(plan.lights[i].number)];
         const double k1 = light.linear_attenuation, k2 = light.quadratic_attenuation;
         if (k1 > 0) slowest = std::min(slowest, k1);
-        for (const double k : {k1, k2}) {
+        for (const double k : {k1, k2})
             if (k > 0) least = std::min(least, k);
-            quickest = std::max(quickest, k);
-        }
+        quickest = std::max(quickest, k1);
+        squared = std::max(squared, k2);
     }
     // Neither may the parts of vectors between tiny vertices, though a light be far away. Attenuation must keep its factors.
     constexpr double kVeryTiny = 1e-25, kUnit = 0x1p-50;
@@ -105,13 +106,14 @@ double unit_of_homogeneous(const Draw& draw, const Plan& plan) {
         return kUnit;
     // Vertices at infinity, or this far away, need one if a light grows weaker so slowly that k_1 times the greatest distance of
     // the shader (distance_of() in equation.glsl) would not be large.
-    constexpr double kFar = 1e28, kSlow = 1e-30;
+    constexpr double kFar = 1e28, kSlow = 1e-30, kMost = 1e37;
     const auto is_far = [&](const Vertex& vertex) {
         const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
         return at.w == 0 || largest_component(glm::dvec3(at) / at.w) > kFar;
     };
     const double unit = power_of_two(kSlow / slowest);
-    if (slowest < kSlow && quickest * unit * unit < 1e30 && std::ranges::any_of(draw.vertices, is_far)) return unit;
+    const bool keeps_factors = quickest * unit < kMost && squared * unit * unit < kMost;
+    if (slowest < kSlow && keeps_factors && std::ranges::any_of(draw.vertices, is_far)) return unit;
     return 1;
 }
 // What to divide homogeneous coordinates by, whose largest x, y or z is `longest` and whose largest w is `w`: neither this scale nor
@@ -272,6 +274,11 @@ class DrawUniforms {
         const double unit_of_xyz =
             longest > 0 && longest * kMuchLarger < reach.w ? homogeneous_scale(0, longest) : unit_of_w;
         unit_ = unit_of_homogeneous(draw_, plan_);
+        // Directions stay floats, so that their difference does.
+        constexpr double kMostDirection = 1e36;
+        if (const double directions = sizes_of(draw_, plan_).directions / unit_of_w;
+            directions > kMostDirection * unit_)
+            unit_ = power_of_two(directions / kMostDirection);
         scale_of_xyz_ = unit_of_w / unit_of_xyz;
         unit_of_directions_ = unit_of_w * unit_ * eye_from_object_[3][3];  // keeping_w()
         vector("u_object_scale", glm::dvec4(glm::dvec3(1 / unit_of_xyz), 1 / unit_of_w));
@@ -503,9 +510,14 @@ class DrawUniforms {
         }
         each({"attenuation"}, [&](const LightSource& light) {
             const double length_unit = placed(light).length_unit;
-            return attenuation_scale(light) * glm::dvec3(light.constant_attenuation,
-                                                         light.linear_attenuation * length_unit,
-                                                         light.quadratic_attenuation * length_unit * length_unit);
+            // In the unit of a tiny scene a factor may vanish. Infinitely far from the light it still counts.
+            const auto in_unit = [](double k, double factor) {
+                constexpr double kLeast = 1e-36;
+                return k > 0 && factor < 1 ? std::max(k * factor, kLeast) : k * factor;
+            };
+            return attenuation_scale(light) *
+                   glm::dvec3(light.constant_attenuation, in_unit(light.linear_attenuation, length_unit),
+                              in_unit(light.quadratic_attenuation, length_unit * length_unit));
         });
         each({"spot_dir", space}, [&](const LightSource& light) { return direction(unit(light.spot_direction_eye)); });
         each({"cos_cutoff"},
