@@ -1,5 +1,5 @@
 // Bad input, as tables: tests/bad_input/*.txt. Each row has a part of the error and the input. Whatever is wrong ends with exit
-// status 2 and one clear line for each error, without control characters. CI runs this under the sanitizers, too.
+// status 2 and one clear line for each error, without control characters. `make bad-input` runs this under the sanitizers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
