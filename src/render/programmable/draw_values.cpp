@@ -58,9 +58,10 @@ double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, cons
 
 // The largest components, in eye coordinates.
 struct Sizes {
-    double vertices = 0;    // after the division by w
-    double places = 0;      // of places_eye()
-    double directions = 0;  // of vertices with w = 0, and of lights that meet them (between_directions())
+    double vertices = 0;          // after the division by w
+    double places = 0;            // of places_eye()
+    double directions = 0;        // of vertices with w = 0, and of lights that meet them (between_directions())
+    bool has_directions = false;  // a vertex has w = 0
 };
 Sizes sizes_of(const Draw& draw, const Plan& plan) {
     Sizes sizes;
@@ -68,10 +69,12 @@ Sizes sizes_of(const Draw& draw, const Plan& plan) {
     const bool meet = plan.effects.any_light(&LightEffects::meets_directions);
     for (const Vertex& vertex : draw.vertices) {
         const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
-        if (at.w != 0)
+        if (at.w != 0) {
             enlarge(sizes.vertices, glm::dvec3(at) / at.w);
-        else
+        } else {
             enlarge(sizes.directions, glm::dvec3(at));
+            sizes.has_directions = true;
+        }
     }
     for (const glm::dvec3& place : places_eye(plan)) enlarge(sizes.places, place);
     for (const PlannedLight& planned : plan.lights) {
@@ -81,8 +84,7 @@ Sizes sizes_of(const Draw& draw, const Plan& plan) {
     return sizes;
 }
 // The unit of length where vertices keep their w, so that only the largest and the smallest lengths of all need one.
-double unit_of_homogeneous(const Draw& draw, const Plan& plan) {
-    const Sizes sizes = sizes_of(draw, plan);
+double unit_of_homogeneous(const Sizes& sizes, const Plan& plan) {
     // In scenes that are tiny as a whole, products of lengths would vanish.
     constexpr double kTiny = 1e-15;
     const double largest = std::max(sizes.vertices, sizes.places);
@@ -107,14 +109,10 @@ double unit_of_homogeneous(const Draw& draw, const Plan& plan) {
     // Vertices at infinity, or this far away, need one if a light grows weaker so slowly that k_1 times the greatest distance of
     // the shader (distance_of() in equation.glsl) would not be large.
     constexpr double kFar = 1e28, kSlow = 1e-30, kMost = 1e37;
-    const auto is_far = [&](const Vertex& vertex) {
-        const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
-        return at.w == 0 || largest_component(glm::dvec3(at) / at.w) > kFar;
-    };
+    const bool is_far = sizes.has_directions || sizes.vertices > kFar;
     const double unit = power_of_two(kSlow / slowest);
     const bool keeps_factors = quickest * unit < kMost && squared * unit * unit < kMost;
-    if (slowest < kSlow && keeps_factors && std::ranges::any_of(draw.vertices, is_far)) return unit;
-    return 1;
+    return slowest < kSlow && keeps_factors && is_far ? unit : 1;
 }
 // What to divide homogeneous coordinates by, whose largest x, y or z is `longest` and whose largest w is `w`: neither this scale nor
 // its inverse is a denormal, and products with it do not overflow. Not all come down to 1: the driver divides what it interpolates
@@ -227,7 +225,7 @@ class DrawUniforms {
 
     void eye_space() {
         if (effects_.needs_position_eye())
-            unit_ = form_.homogeneous ? unit_of_homogeneous(draw_, plan_)
+            unit_ = form_.homogeneous ? unit_of_homogeneous(sizes_of(draw_, plan_), plan_)
                                       : eye_unit(eye_from_object_, reach_object(), plan_);
         glm::dmat4 eye_from_object = eye_from_object_;
         for (int column = 0; column < 4; ++column)
@@ -273,11 +271,11 @@ class DrawUniforms {
         const double unit_of_w = homogeneous_scale(longest, reach.w);
         const double unit_of_xyz =
             longest > 0 && longest * kMuchLarger < reach.w ? homogeneous_scale(0, longest) : unit_of_w;
-        unit_ = unit_of_homogeneous(draw_, plan_);
+        const Sizes sizes = sizes_of(draw_, plan_);
+        unit_ = unit_of_homogeneous(sizes, plan_);
         // Directions stay floats, so that their difference does.
         constexpr double kMostDirection = 1e36;
-        if (const double directions = sizes_of(draw_, plan_).directions / unit_of_w;
-            directions > kMostDirection * unit_)
+        if (const double directions = sizes.directions / unit_of_w; directions > kMostDirection * unit_)
             unit_ = power_of_two(directions / kMostDirection);
         scale_of_xyz_ = unit_of_w / unit_of_xyz;
         unit_of_directions_ = unit_of_w * unit_ * eye_from_object_[3][3];  // keeping_w()
