@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../unit/compare_three_ways.h"
+#include "../unit/one_pixel.h"
 #include "render/fixed/replay.h"
 #include "scene/command/text.h"
 #include "scene/state/recorded_frame.h"
@@ -14,21 +15,8 @@
 namespace twinlight {
 namespace {
 
-constexpr int kSide = 16;
-
-std::shared_ptr<const CommandList> list_of(const std::string& text) {
-    return std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene"));
-}
-Scene scene_of(const std::string& text) { return make_scene(list_of(text), {.width = kSide, .height = kSide}); }
-
-class CopiedPixelsTest : public testing::Test {
+class CopiedPixelsTest : public OnePixel {
   protected:
-    static void expect_color(const char* name, const Rgba& found, const Rgba& expected, const std::string& text) {
-        constexpr float kRounding = 0.51F;  // to 8 bits, in 1/255
-        for (std::size_t i = 0; i < 4; ++i)
-            EXPECT_NEAR(255 * found[i], 255 * expected[i], kRounding) << name << " channel " << i << "\n" << text;
-    }
-
     // The codes at a pixel (y up), which all renderers must agree on.
     std::array<int, 4> codes(const Scene& scene, int x, int y, const std::string& text) {
         EXPECT_TRUE(scene.frame.unsupported.empty()) << text;
@@ -47,9 +35,6 @@ class CopiedPixelsTest : public testing::Test {
     std::array<int, 4> codes(const std::string& text, int x = 8, int y = 8) {
         return codes(scene_of(text), x, y, text);
     }
-
-    std::unique_ptr<OffscreenContext> context_ = make_offscreen_context(kSide, kSide);
-    programmable::Renderer renderer_;
 };
 
 using Codes = std::array<int, 4>;

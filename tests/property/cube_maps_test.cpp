@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "../unit/compare_three_ways.h"
-#include "render/fixed/replay.h"
+#include "../unit/one_pixel.h"
 #include "render/reference/texture.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
@@ -14,36 +14,10 @@
 namespace twinlight {
 namespace {
 
-constexpr int kSide = 16;
-
-class CubeMaps : public testing::Test {
+class CubeMaps : public OnePixel {
   protected:
-    static Scene scene_of(const std::string& text) {
-        const auto list = std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene"));
-        return make_scene(list, {.width = kSide, .height = kSide});
-    }
-    static void expect_color(const char* name, const Rgba& found, const Rgba& expected, const std::string& text) {
-        constexpr float kRounding = 0.51F;  // to 8 bits, in 1/255
-        for (std::size_t i = 0; i < 4; ++i)
-            EXPECT_NEAR(255 * found[i], 255 * expected[i], kRounding) << name << " channel " << i << "\n" << text;
-    }
-    // The red code at a pixel (y up), which all renderers must agree on.
-    int red(const std::string& text, int x = 8, int y = 8) {
-        const Scene scene = scene_of(text);
-        EXPECT_TRUE(scene.frame.unsupported.empty()) << text;
-        const auto at = [&](const Image& image) { return image.at(x, kSide - 1 - y); };
-        const Rgba expected = at(reference::render(scene.frame, {}));
-        expect_color("fixed", at(fixed::render(scene)), expected, text);
-        fixed::Replay(scene.frame, {}).draw();
-        expect_color("replayed", at(read_pixels(kSide, kSide)), expected, text);
-        fixed::Replay(scene.frame, {.scrub = fixed::Scrub::kState}).draw();
-        expect_color("replayed, scrubbed", at(read_pixels(kSide, kSide)), expected, text);
-        expect_color("programmable", at(renderer_.render(scene.frame, {}).image), expected, text);
-        return channel_code(expected[0]);
-    }
-
-    std::unique_ptr<OffscreenContext> context_ = make_offscreen_context(kSide, kSide);
-    programmable::Renderer renderer_;
+    // The red code at a pixel (y up).
+    int red(const std::string& text, int x = 8, int y = 8) { return channel_code(color(text, x, y)[0]); }
 };
 
 const char* const kFaces[] = {"POSITIVE_X", "NEGATIVE_X", "POSITIVE_Y", "NEGATIVE_Y", "POSITIVE_Z", "NEGATIVE_Z"};
