@@ -225,9 +225,9 @@ class PieceMaker {
     }
 
     // 3.4.2: the count begins with each line of GL_LINES, and with each strip and loop.
-    // RULING: it counts only what clipping leaves, and begins anew with each polygon that is drawn as lines. 3.4.2 says
-    // neither, so any count is possible there: Mesa goes on with the count of what it drew before, where the first line
-    // of a strip is outside the view. The same holds for smooth lines, whose fragments have no order.
+    // RULING: only fragments inside the view count, and each polygon drawn as lines starts again. 3.4.2 says neither, so the
+    // judge allows any count there. (If the first line of a strip is outside the view, Mesa continues the count of what it
+    // drew before.) It allows any count for smooth lines too, because their fragments have no order.
     void begin_stipple(const Primitive& primitive, const std::vector<ClipVertex>& ends, const ClipVertex& from,
                        const ClipVertex& to) {
         const bool is_border = primitive.shape == Shape::kTriangle;

@@ -88,7 +88,7 @@ struct Piece {
     // follow each other in the order of their points.
     std::shared_ptr<const SurfaceRays> rays{};
     int point = 0;
-    // Of a stippled line: which fragment of its strip or loop it would have at coordinate 0 of its longer axis (3.4.2).
+    // For a stippled line: the stipple counter, extended to coordinate 0 of the line's longer axis (3.4.2).
     int stipple_from = 0;
 
     // For lines and points; for polygons. Asking a piece of the other kind is a mistake.

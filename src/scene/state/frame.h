@@ -314,7 +314,7 @@ struct TextureRange;
 struct Texture {                         // 3.8.4, table 3.18
     Enum target = kGL_TEXTURE_2D;        // or GL_TEXTURE_1D, GL_TEXTURE_CUBE_MAP
     std::vector<TextureImage> levels{};  // levels[0] is the base; missing levels are empty images
-    // Of the faces -x, +y, -y, +z and -z of a cube map; `levels` are those of +x. Row 0 is the face's t = 0.
+    // A cube map's levels for the faces -x, +y, -y, +z and -z; `levels` holds those of +x. Row 0 is at t = 0 of the face.
     std::array<std::vector<TextureImage>, 5> further_faces{};
     Enum min_filter = kGL_NEAREST_MIPMAP_LINEAR;
     Enum mag_filter = kGL_LINEAR;

@@ -39,7 +39,7 @@ glm::dmat4 rotation(double angle_deg, const glm::dvec3& axis) {
     if (std::abs(quarter_turns) == 2) c = -c, s = -s;
     if (quarter_turns == 1) std::tie(c, s) = std::pair(-s, c);
     if (quarter_turns == -1) std::tie(c, s) = std::pair(s, -c);
-    // Of a small angle the difference has few digits.
+    // For a small angle, 1 - c would lose digits.
     const double half = std::sin(radians(rest_deg / 2)), one_minus_c = quarter_turns == 0 ? 2 * half * half : 1 - c;
     const glm::dvec3 u = glm::normalize(axis);
     const glm::dmat3 cross({0, u.z, -u.y}, {-u.z, 0, u.x}, {u.y, -u.x, 0});
