@@ -462,9 +462,11 @@ class DrawUniforms {
         }
         if (effects.meets_directions)
             each({"toward_eye"}, [&](const LightSource& light) {
+                // It stays a normal float: vertices with another w need its direction.
+                constexpr double kLeast = 1e-36;
                 const glm::dvec3 toward = rgb(light.position_eye) / unit_of_directions_;
-                const double largest = largest_component(toward);
-                return largest > kMostDistant ? toward * (kMostDistant / largest) : toward;
+                const double size = largest_component(toward);
+                return size > 0 ? toward * (std::clamp(size, kLeast, kMostDistant) / size) : toward;
             });
         // A place that floats cannot hold comes nearer, in the same direction; then its distance has another unit.
         struct Placed {
