@@ -56,6 +56,9 @@ xvfb                command -v Xvfb
 xdotool             command -v xdotool
 apitrace            command -v apitrace
 mesa-utils          command -v glxgears
+$(if $(filter real,$(BENCH)),xscreensaver-gl        ls /usr/libexec/xscreensaver/endgame)
+$(if $(filter real,$(BENCH)),xscreensaver-gl-extra  ls /usr/libexec/xscreensaver/atlantis)
+$(if $(filter real,$(BENCH)),crack-attack           PATH=$$PATH:/usr/games command -v crack-attack)
 $(if $(CI),valgrind            command -v valgrind)
 $(if $(CI),clang               command -v clang++)
 $(if $(CI),libclang-rt-dev     $(try_fuzzer))
@@ -194,6 +197,7 @@ test: deps  ## build, then run every test; needs no display (TEST='Spot*' runs s
 	    tests/run.sh $(PROGRAMS)/twinlight-tests '$(or $(TEST),*)'
 
 bench: deps  ## measure speed: print medians, write ratios to build/bench.json (BENCH=Regex runs some, QUICK=1 runs each once)
+	@$(if $(filter real,$(BENCH)),[ -d $(BUILD)/recorded ] || tests/traces/record.sh -m -o $(BUILD)/recorded || [ $$? -eq 1 ])
 	@$(MAKE) $(PROGRAMS)/twinlight-demo
 	@$(MAKE) $(PROGRAMS)/twinlight-bench
 	@TWINLIGHT_BUILD=$(PROGRAMS) $(PROGRAMS)/twinlight-bench $(if $(QUICK),--quick) '$(or $(BENCH),.)'

@@ -35,8 +35,7 @@ int main(int argc, char** argv) try {
         return 2;
     }
     results.print_ratios();
-    const char* build = std::getenv("TWINLIGHT_BUILD");
-    const std::string file = std::string(build ? build : "build") + (is_quick ? "/bench-quick.json" : "/bench.json");
+    const std::string file = bench::build_folder() + (is_quick ? "/bench-quick.json" : "/bench.json");
     write_file_atomically(file, results.json());
     fmt::print("wrote {}\n", file);
     return 0;

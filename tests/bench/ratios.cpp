@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <nlohmann/json.hpp>
 
@@ -50,6 +51,11 @@ std::map<std::string, Part>& all_parts() {
 }
 
 }  // namespace
+
+std::string build_folder() {
+    const char* folder = std::getenv("TWINLIGHT_BUILD");
+    return folder ? folder : "build";
+}
 
 double median(std::vector<double> values) {
     std::ranges::sort(values);

@@ -42,6 +42,9 @@ struct Timed {
 // How many times faster `fast` is than `slow`: both of one compare().
 double times_faster(const Timed& fast, const Timed& slow);
 
+// Where the results and what is recorded for them are: $TWINLIGHT_BUILD, which make bench sets, or "build".
+std::string build_folder();
+
 double median(std::vector<double> values);
 double geometric_mean(const std::vector<double>& values);
 

@@ -1,8 +1,10 @@
-// The recordings of tests/traces, drawn by the fixed function and by shaders.
+// The recordings of tests/traces, and those that `make bench BENCH=real` makes of other programs, drawn by the fixed function and by
+// shaders.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,13 +21,16 @@
 namespace twinlight {
 namespace {
 
-std::vector<std::string> recordings() {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator("tests/traces")) {
-        if (std::filesystem::exists(entry.path() / "dump.txt")) names.push_back(entry.path().filename());
+// Name and folder.
+std::map<std::string, std::string> recordings() {
+    std::map<std::string, std::string> found;
+    for (const std::string& parent : {std::string("tests/traces"), bench::build_folder() + "/recorded"}) {
+        if (!std::filesystem::exists(parent)) continue;
+        for (const auto& entry : std::filesystem::directory_iterator(parent))
+            if (std::filesystem::exists(entry.path() / "dump.txt"))
+                found.emplace(entry.path().filename(), entry.path());
     }
-    std::ranges::sort(names);
-    return names;
+    return found;
 }
 
 // Two comparisons for each. Prepared: all is in the driver's buffers. From commands: the fixed function executes the
@@ -33,8 +38,8 @@ std::vector<std::string> recordings() {
 void measure_recordings(bench::Results& results) {
     std::vector<double> prepared, from_commands;
     double least = 1e300;
-    for (const std::string& name : recordings()) {
-        const RecordedFrame recorded = make_recorded_frame(load_recording("tests/traces/" + name + "/dump.txt"), {});
+    for (const auto& [name, folder] : recordings()) {
+        const RecordedFrame recorded = make_recorded_frame(load_recording(folder + "/dump.txt"), {});
         const Frame& frame = recorded.scene.frame;
         const auto context = make_offscreen_context(frame.width, frame.height);
         const auto renderer = std::make_shared<programmable::Renderer>();

@@ -10,11 +10,12 @@ output=build/traces
 
 usage() {
     cat <<USAGE
-usage: tests/traces/record.sh [-o FOLDER] [NAME...]
+usage: tests/traces/record.sh [-m] [-o FOLDER] [NAME...]
 Records the named programs of the table in tests/traces/README.md, or all of them, under Xvfb with apitrace.
 
     -o FOLDER   where to write (default: build/traces): FOLDER/NAME.trace, and FOLDER/NAME/ with the output of
                 'apitrace dump --blobs': dump.txt, and one file per blob
+    -m          only programs whose recording is not kept in tests/traces
     -l          list the programs, their packages, and whether they are installed
     -h          this text
 
@@ -44,8 +45,10 @@ list() {
     done < <(rows)
 }
 
-while getopts 'o:lh' option; do
+missing=
+while getopts 'mo:lh' option; do
     case $option in
+    m) missing=yes ;;
     o) output=$OPTARG ;;
     l) list && exit 0 ;;
     h) usage && exit 0 ;;
@@ -145,6 +148,7 @@ record() {  # name api seconds frames command...
 recorded=0 failed=0 skipped=0
 while IFS=$'\t' read -r -u 4 name package _ api seconds frames command; do
     [ $# -eq 0 ] || printf '%s\n' "$@" | grep -qxF -- "$name" || continue
+    [ -z "$missing" ] || [ ! -d "$folder/$name" ] || continue
     read -ra words <<<"$command"
     if ! installed "$command"; then
         echo "$name: skipped: not installed; it is in Debian's package $package"
