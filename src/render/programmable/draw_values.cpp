@@ -86,10 +86,10 @@ Sizes sizes_of(const Draw& draw, const Plan& plan) {
 }
 // The unit of length where vertices keep their w, so that only the largest and the smallest lengths of all need one.
 double unit_of_homogeneous(const Sizes& sizes, const Plan& plan) {
-    // In scenes that are tiny as a whole, products of lengths would vanish.
+    // In scenes that are tiny as a whole, products of lengths would vanish. Vertices that are all directions have no distances.
     constexpr double kTiny = 1e-15;
     const double largest = std::max(sizes.vertices, sizes.places);
-    if (largest > 0 && std::max(largest, sizes.directions) < kTiny) return power_of_two(largest);
+    if (sizes.vertices > 0 && std::max(largest, sizes.directions) < kTiny) return power_of_two(largest);
     double least = HUGE_VAL;           // factors that multiply a distance, or its square
     double slowest = HUGE_VAL;         // k_1
     double quickest = 0, squared = 0;  // the largest k_1, the largest k_2
@@ -501,10 +501,11 @@ class DrawUniforms {
         }
         each({"attenuation"}, [&](const LightSource& light) {
             const double length_unit = placed(light).length_unit;
-            // In the unit of a tiny scene a factor may vanish. Infinitely far from the light it still counts.
-            const auto in_unit = [](double k, double factor) {
-                constexpr double kLeast = 1e-36;
-                return k > 0 && factor < 1 ? std::max(k * factor, kLeast) : k * factor;
+            // In the unit of a tiny scene a factor may vanish. Infinitely far from the light it still counts. In a scene that is tiny as
+            // a whole no other distance is large.
+            const double least = length_unit < 0x1p-50 ? 1e-30 : 1e-36;
+            const auto in_unit = [&](double k, double factor) {
+                return k > 0 && factor < 1 ? std::max(k * factor, least) : k * factor;
             };
             return attenuation_scale(light) *
                    glm::dvec3(light.constant_attenuation, in_unit(light.linear_attenuation, length_unit),
