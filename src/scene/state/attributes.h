@@ -61,6 +61,7 @@ struct TextureBindings {
     glm::dvec4 env_color{0, 0, 0, 0};
     Combine combine;
     double lod_bias = 0;
+    bool coord_replace = false;  // 3.3.1
     // Of s, t, r and q.
     std::array<TexGen, 4> tex_gen{TexGen{.object_plane = {1, 0, 0, 0}, .plane_eye = {1, 0, 0, 0}},
                                   TexGen{.object_plane = {0, 1, 0, 0}, .plane_eye = {0, 1, 0, 0}}, TexGen{}, TexGen{}};
@@ -158,8 +159,6 @@ struct Attributes {
     std::array<glm::dvec4, kMaxTextureUnits - 1> further_tex_coords = initial_tex_coords();  // of units 1, 2, ...
     Clear clear;                                                                             // the values to clear with
     bool draws_color = true;  // false: glDrawBuffer(GL_NONE)
-    // Places where values were set that only the driver supports; a picture that is drawn with them is partial.
-    std::map<Enum, Place> point_parameters;  // those that differ from GL's initial values
     Hints hints{{kGL_PERSPECTIVE_CORRECTION_HINT, kGL_DONT_CARE},
                 {kGL_POINT_SMOOTH_HINT, kGL_DONT_CARE},
                 {kGL_LINE_SMOOTH_HINT, kGL_DONT_CARE},
