@@ -114,6 +114,7 @@ std::vector<double> initial_parameter(const Command& command, Owner owner, Enum 
                 case kGL_TEXTURE_WRAP_R: return one(kGL_REPEAT);
                 case kGL_TEXTURE_BORDER_COLOR: return components(texture.border_color);
                 case kGL_TEXTURE_PRIORITY: return one(texture.priority);
+                case kGL_TEXTURE_MAX_ANISOTROPY_EXT: return one(texture.max_anisotropy);
                 default: return one(0);
             }
         }

@@ -28,6 +28,7 @@ class Builder {
           copies_(seed.structure + 5),
           cubes_(seed.structure + 6),
           points_(seed.structure + 7),
+          anisotropy_(seed.structure + 8),
           departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
@@ -104,6 +105,8 @@ class Builder {
 
     // With numbers of its own, so that the rest of the scene does not depend on it.
     void levels_in_use(const std::string& target, bool has_all) {
+        if (departure_.empty() && anisotropy_.chance(0.05))
+            add("glTexParameterf({}, GL_TEXTURE_MAX_ANISOTROPY_EXT, {:.2f});", target, anisotropy_.uniform(1, 16));
         if (!shows("level of detail of points") && levels_.chance(0.15))
             add("glTexParameterf({}, GL_TEXTURE_LOD_BIAS, {:.3f});", target, levels_.uniform(-2, 2));
         if (levels_.chance(0.1))
@@ -729,7 +732,7 @@ class Builder {
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
     Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_, more_, more_values_, stipples_,
-        copies_, cubes_, points_;
+        copies_, cubes_, points_, anisotropy_;
     bool secondary_ = false, fog_coords_ = false;  // vertices have secondary colours, fog coordinates
     bool sprites_ = false;                         // everything is points
     std::vector<int> further_units_;               // the numbers of those with a texture

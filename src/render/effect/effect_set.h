@@ -30,7 +30,7 @@
 //   texture.q, .matrix, .generated           no sprite
 //   texture.clamp_t                          the texture has two dimensions
 //   texture.clamp_s, .clamp_t                a filter is linear; otherwise GL_CLAMP equals GL_CLAMP_TO_EDGE
-//   texture.gradients                        texture.clamp_s or .clamp_t, and the filters differ
+//   texture.gradients                        texture.clamp_s or .clamp_t, and the filters differ or are anisotropic
 //   texture.generated[i]                     the coordinate is used: texture.uses(i)
 //   texture.generated_normal                 a coordinate is generated from the normal
 //   texture.generated_w                      a coordinate is generated from the direction to the vertex

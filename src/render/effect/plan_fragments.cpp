@@ -99,7 +99,7 @@ void plan_lookup(const Draw& draw, std::size_t number, const TextureUnit& unit, 
         return leave_out("GL_CLAMP", "without a linear filter it equals GL_CLAMP_TO_EDGE");
     facts.clamp_s = texture.wrap_s == kGL_CLAMP;
     facts.clamp_t = clamp_t;
-    facts.gradients = clamps && texture.min_filter != texture.mag_filter;
+    facts.gradients = clamps && (texture.min_filter != texture.mag_filter || texture.max_anisotropy > 1);
 }
 
 // Without what its functions do not read.

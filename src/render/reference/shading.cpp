@@ -236,7 +236,7 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<Int
         for (const TexturePlaceBounds& place : cube_place_bounds(
                  unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, error)) {
             const TexelBounds one =
-                sample_bounds(*unit.state, place.st, place.st_error, place.rho, place.face);
+                sample_bounds(*unit.state, place.st, place.st_error, place.rho, place.face, place.change);
             all = all ? choice(*all, one) : one;
         }
         texel = all->texel;
@@ -245,7 +245,7 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<Int
     }
     const TexturePlaceBounds place =
         texture_place_bounds(unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, error);
-    const TexelBounds bounds = sample_bounds(*unit.state, place.st, place.st_error, place.rho);
+    const TexelBounds bounds = sample_bounds(*unit.state, place.st, place.st_error, place.rho, 0, place.change);
     texel = bounds.texel;
     has_choice |= bounds.has_choice;
 }

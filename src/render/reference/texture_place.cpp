@@ -102,6 +102,7 @@ std::vector<TexturePlaceBounds> cube_place_bounds(const TexCoords& tex_coords, c
             one.st_error[i] = quotient(
                 (error[on_face.axes[static_cast<std::size_t>(i)]] + std::abs(2 * on_face.st[i] - 1) * of_major) / 2,
                 on_face.major);
+        one.change = glm::abs(place.per_x) + glm::abs(place.per_y);
         const double rho = scale_factor(texture, place);
         one.rho = place.of_point ? Interval(rho) : Interval(rho / 2, 2 * rho);
         bounds.push_back(one);
@@ -160,10 +161,11 @@ TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece
 
     TexturePlaceBounds bounds{.st = place.st,
                               .st_error = arithmetic + kSnap * (glm::abs(place.per_x) + glm::abs(place.per_y)),
-                              .rho = Interval(scale_factor(texture, place))};
+                              .rho = Interval(scale_factor(texture, place)),
+                              .change = glm::abs(place.per_x) + glm::abs(place.per_y)};
     const bool has_one_image = level_choice(texture.min_filter) == LevelChoice::kBase &&
                                image_filter(texture.min_filter) == texture.mag_filter;
-    if (place.of_point || has_one_image) return bounds;  // then rho decides nothing
+    if (place.of_point || (has_one_image && texture.max_anisotropy <= 1)) return bounds;  // then rho decides nothing
     const double st_error = std::max(arithmetic.x, arithmetic.y);
     bounds.rho = rho_of_differences(texture, stq, place, st_error);
     if (piece.shape == Shape::kLine) {

@@ -51,6 +51,7 @@ struct TexturePlaceBounds {
     glm::dvec2 st{0}, st_error{0};
     Interval rho{};
     std::size_t face = 0;
+    glm::dvec2 change{0};  // of s and t within a pixel
 };
 // `vertex_error`: the largest error of a vertex's s, t and q.
 TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece& piece,

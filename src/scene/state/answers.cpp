@@ -219,6 +219,7 @@ Answer answer(const State& state, Enum pname) {
         case kGL_MAX_TEXTURE_SIZE: return one(kMaxTextureSize);
         case kGL_MAX_TEXTURE_UNITS: return one(kMaxTextureUnits);
         case kGL_MAX_TEXTURE_LOD_BIAS: return one(kMaxLodBias);
+        case kGL_MAX_TEXTURE_MAX_ANISOTROPY_EXT: return one(kMaxAnisotropy);
         default: return {};
     }
 }
@@ -284,6 +285,7 @@ Answer tex_parameter_answer(const State& state, Enum target, Enum pname) {
         case kGL_TEXTURE_MAX_LOD: return one(texture.max_lod);
         case kGL_TEXTURE_BASE_LEVEL: return one(texture.base_level);
         case kGL_TEXTURE_MAX_LEVEL: return one(texture.max_level);
+        case kGL_TEXTURE_MAX_ANISOTROPY_EXT: return one(texture.max_anisotropy);
         default: return {};
     }
 }

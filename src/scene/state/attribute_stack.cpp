@@ -51,7 +51,7 @@ auto viewport(auto& a) { return std::tie(a.raster.viewport, a.raster.depth_near,
 auto parameters(auto& texture) {
     return std::tie(texture.min_filter, texture.mag_filter, texture.wrap_s, texture.wrap_t, texture.border_color,
                     texture.priority, texture.generate_mipmap, texture.lod_bias, texture.min_lod, texture.max_lod,
-                    texture.base_level, texture.max_level);
+                    texture.base_level, texture.max_level, texture.max_anisotropy);
 }
 
 void restore_enables(Attributes& now, const Attributes& saved) {

@@ -30,6 +30,8 @@ void add_part(TextureImage& image, ImagePart part);
 inline constexpr std::size_t kAttributeStackDepth = 16;
 inline constexpr std::size_t kClientAttributeStackDepth = 16;
 
+// GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT: at least 2 (EXT_texture_filter_anisotropic); 16 in Mesa
+inline constexpr double kMaxAnisotropy = 16;
 inline constexpr double kMaxLodBias = 16;           // GL_MAX_TEXTURE_LOD_BIAS: at least 2 (table 6.31); 16 in Mesa
 inline constexpr std::size_t kMaxTextureUnits = 8;  // GL_MAX_TEXTURE_UNITS: at least 2 (table 6.31); 8 in Mesa
 

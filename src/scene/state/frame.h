@@ -348,6 +348,7 @@ struct Texture {                         // 3.8.4, table 3.18
     bool generate_mipmap = false;
     double lod_bias = 0;                     // a Draw's is in its TextureUnit
     double min_lod = -1000, max_lod = 1000;  // limits of the level of detail
+    double max_anisotropy = 1;  // EXT_texture_filter_anisotropic: at most as many samples along the longer axis
     // The first level in use, and the last. A Draw's texture has only the levels in use: they count from 0 again.
     int base_level = 0, max_level = 1000;
     // Only while the allowed difference is found: what the texels may be in other renderers, which copied them from other

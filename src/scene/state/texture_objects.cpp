@@ -70,7 +70,6 @@ struct DriverOnlyParameter {
     std::optional<double> initial;  // nullopt: it only modifies another parameter, and alone changes no pixel
 };
 constexpr DriverOnlyParameter kDriverOnlyParameters[] = {
-    {kGL_TEXTURE_MAX_ANISOTROPY_EXT, 1},
     {kGL_TEXTURE_COMPARE_MODE, kGL_NONE},
     {kGL_TEXTURE_COMPARE_FUNC, std::nullopt},
     {kGL_DEPTH_TEXTURE_MODE, std::nullopt},
@@ -161,6 +160,8 @@ void State::tex_parameter(const Command& c) {
         case kGL_TEXTURE_LOD_BIAS: return assign(&Texture::lod_bias, values->front());
         case kGL_TEXTURE_MIN_LOD: return assign(&Texture::min_lod, values->front());
         case kGL_TEXTURE_MAX_LOD: return assign(&Texture::max_lod, values->front());
+        case kGL_TEXTURE_MAX_ANISOTROPY_EXT:
+            return assign(&Texture::max_anisotropy, std::min(values->front(), kMaxAnisotropy));
         case kGL_TEXTURE_BASE_LEVEL: return set_level(&Texture::base_level);
         case kGL_TEXTURE_MAX_LEVEL: return set_level(&Texture::max_level);
         default: return;
