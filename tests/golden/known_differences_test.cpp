@@ -194,6 +194,12 @@ bool color_lost_before_a_new_color_material() {
     return ambient[0] == 0;
 }
 
+bool error_of_sprite_origin() {
+    const Both both("glPointParameteri(GL_POINT_SPRITE_COORD_ORIGIN, GL_LINEAR);");
+    EXPECT_EQ(only_error(both.state), kGL_INVALID_ENUM);
+    return glGetError() == GL_INVALID_VALUE;
+}
+
 std::array<GLubyte, 4> pixel(int x, int y) {
     std::array<GLubyte, 4> color{};
     glReadPixels(x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, color.data());
@@ -228,6 +234,7 @@ constexpr Departure kDepartures[] = {
     {"what an inner glPushAttrib does not save", change_within_inner_push},
     {"glMultiTexCoord of an unknown unit", unit_that_is_none},
     {"glRenderMode without a buffer", mode_without_buffer},
+    {"the error of a wrong origin of point sprites", error_of_sprite_origin},
     {"glColor3 after glColor4", alpha_of_glcolor3},
     {"glTexCoord1 to 3 after glTexCoord4", components_of_tex_coord},
     {"the transposed texture matrix of another unit", transposed_texture_matrix},

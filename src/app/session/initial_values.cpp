@@ -102,7 +102,8 @@ std::vector<double> initial_parameter(const Command& command, Owner owner, Enum 
             const TexGen gen = TextureBindings{}.tex_gen[is_known ? command.enumerant(0) - kGL_S : 0];
             return pname == kGL_TEXTURE_GEN_MODE ? one(gen.mode) : components(gen.object_plane);
         }
-        case Owner::kTexFilterControl: return one(0);
+        case Owner::kTexFilterControl:
+        case Owner::kPointSprite: return one(0);
         case Owner::kTexture: {
             const Texture texture;
             switch (pname) {
@@ -113,6 +114,7 @@ std::vector<double> initial_parameter(const Command& command, Owner owner, Enum 
                 case kGL_TEXTURE_WRAP_R: return one(kGL_REPEAT);
                 case kGL_TEXTURE_BORDER_COLOR: return components(texture.border_color);
                 case kGL_TEXTURE_PRIORITY: return one(texture.priority);
+                case kGL_TEXTURE_MAX_ANISOTROPY_EXT: return one(texture.max_anisotropy);
                 default: return one(0);
             }
         }
@@ -120,10 +122,7 @@ std::vector<double> initial_parameter(const Command& command, Owner owner, Enum 
             for (const PixelStoreRow& row : kPixelStoreRows)
                 if (row.pname == pname) return one(row.value(PixelStore{}));
             return {};
-        case Owner::kPoint:
-            if (pname == kGL_POINT_DISTANCE_ATTENUATION) return {1, 0, 0};
-            if (pname == kGL_POINT_FADE_THRESHOLD_SIZE) return one(1);
-            return {};
+        case Owner::kPoint: return answer(fresh, pname);
     }
     return {};
 }

@@ -242,6 +242,23 @@ CommandRule shows_cut_of_rectangles() {
     };
 }
 
+// Other primitives than points, while glTexEnv(GL_POINT_SPRITE, GL_COORD_REPLACE, GL_TRUE) counts for points.
+CommandRule draws_others_beside_sprites() {
+    return [has_sprites = false, had_sprites = false, replaces = false, found = false](const Command& command) mutable {
+        const bool switches = command.id == Id::glEnable || command.id == Id::glDisable;
+        if (switches && command.enumerant(0) == kGL_POINT_SPRITE) has_sprites = command.id == Id::glEnable;
+        had_sprites = had_sprites || has_sprites;
+        if (command.id == Id::glPopAttrib) has_sprites = had_sprites;
+        if (command.name().starts_with("glTexEnv") && command.enumerant(1) == kGL_COORD_REPLACE)
+            replaces = replaces || (command.arguments.size() > 2 && command.number(2) != 0);
+        const bool has_mode = is_one_of(command, {"glBegin", "glDraw"}) && command.id != Id::glDrawBuffer;
+        const bool draws = has_mode ? command.enumerant(0) != kGL_POINTS
+                                    : command.sig().family == Family::kShape ||
+                                          is_one_of(command, {"glRect", "glEvalMesh", "glCallList", "mesh", "shape"});
+        return found = found || (draws && has_sprites && replaces);
+    };
+}
+
 CommandRule shades_evaluated_meshes_flat() {
     return both(any_command([](const Command& command) {
                     return command.id == Id::glShadeModel && command.enumerant(0) == kGL_FLAT;

@@ -159,7 +159,31 @@ bool has_no_q(const Draw& draw, const Vertex& vertex) {
     return any;
 }
 
-bool has_wide_points(const Draw& draw) { return draw.draws_points() && draw.raster.point_size > 1; }
+bool has_wide_points(const Draw& draw) {
+    const RasterState& raster = draw.raster;
+    const PointParameters& parameters = raster.point_parameters;
+    return draw.draws_points() && (raster.point_size > 1 || parameters.size_min > 1 || parameters.attenuates());
+}
+
+// Mesa takes |z| for the distance.
+bool attenuates_points_aside(const Draw& draw) {
+    const glm::dvec3& factors = draw.raster.point_parameters.distance_attenuation;
+    return draw.draws_points() && (factors.y != 0 || factors.z != 0) &&
+           std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
+               const glm::dvec4 eye = draw.eye_from_object * vertex.position_object;
+               return glm::length(glm::dvec3(eye) / eye.w) != std::abs(eye.z);
+           });
+}
+
+bool has_sizes_in_wrong_order(const Draw& draw) {
+    const PointParameters& parameters = draw.raster.point_parameters;
+    return draw.draws_points() && parameters.size_min > parameters.size_max;
+}
+
+bool has_negative_attenuation(const Draw& draw) {
+    const glm::dvec3& factors = draw.raster.point_parameters.distance_attenuation;
+    return draw.draws_points() && std::min({factors.x, factors.y, factors.z}) < 0;
+}
 
 bool biases_level_of_points(const Draw& draw) {
     return draw.draws_points() && any_unit(draw, [](const TextureUnit& unit) { return unit.lod_bias > 0; });

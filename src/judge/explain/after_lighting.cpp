@@ -53,8 +53,9 @@ Lines coordinates_lines(const TextureSteps& steps, const TextureUnit& unit, bool
                            : "generated at each vertex (2.11.4)");
     }
     lines += line("s, t, r, q", quadruple(steps.coordinates),
-                  is_exact ? "of this point of the surface, times the texture matrix (2.11.2)"
-                           : "times the texture matrix (2.11.2), interpolated (3.5.1)");
+                  is_exact             ? "of this point of the surface, times the texture matrix (2.11.2)"
+                  : unit.coord_replace ? "across the point sprite (3.3.1)"
+                                       : "times the texture matrix (2.11.2), interpolated (3.5.1)");
     if (unit.texture->is_cube()) {
         const char* const faces[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
         return lines + line("face", faces[steps.face], "the largest of |s|, |t| and |r|, with its sign (3.8.7)") +

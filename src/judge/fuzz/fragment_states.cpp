@@ -27,6 +27,8 @@ class Builder {
           stipples_(seed.structure + 4),
           copies_(seed.structure + 5),
           cubes_(seed.structure + 6),
+          points_(seed.structure + 7),
+          anisotropy_(seed.structure + 8),
           departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
@@ -40,7 +42,8 @@ class Builder {
                     "glLoadIdentity(); glScalef(0.12, 0.12, 1); glOrtho(-1, 1, -1, 1, 0, 10)"}));
         const bool of_textures = shows("GL_CLAMP between a nearest and a linear filter") ||
                                  shows("glTexCoord1 to 3 after glTexCoord4") || shows("level of detail of points") ||
-                                 shows("GL_GENERATE_MIPMAP after glPopAttrib");
+                                 shows("GL_GENERATE_MIPMAP after glPopAttrib") ||
+                                 shows("texture coordinates of other primitives beside point sprites");
         if (of_textures || (structure_.chance(0.7) && !shows("the colour sum in fog"))) texture();
         if (departure_.empty() && cubes_.chance(0.1)) cube_map();
         if (departure_.empty() && units_.chance(0.25)) further_units();
@@ -51,17 +54,19 @@ class Builder {
             shows("fog coordinates below 0") || structure_.chance(0.4))
             fog();
         raster();
+        if (departure_.empty() || of_points()) points();
         lit_ = shows("the colour sum in fog") || shows("glRect as a quadrilateral") || structure_.chance(0.4);
         if (lit_) lighting();
         if (structure_.chance(0.6)) fragment_operations();
         if (has_stencil) stencil();
         std::string first = batch();
-        if (departure_.empty() && structure_.chance(0.3)) first = solid();
-        if (shows("flat shading of glEvalMesh2") || (departure_.empty() && generated_.chance(0.1))) first = evaluated();
+        if (departure_.empty() && structure_.chance(0.3) && !sprites_) first = solid();
+        if (shows("flat shading of glEvalMesh2") || (departure_.empty() && generated_.chance(0.1) && !sprites_))
+            first = evaluated();
         text_ += first;
         if (has_stencil) {  // a pass that shows what the first left in the stencil buffer
             stencil();
-            text_ += structure_.chance(0.5) ? batch() : whole_window();
+            text_ += structure_.chance(0.5) || sprites_ ? batch() : whole_window();
         }
         if (accumulates) accumulate();
         // A second pass, over the same vertices (as in multi-pass effects) or over others.
@@ -100,6 +105,8 @@ class Builder {
 
     // With numbers of its own, so that the rest of the scene does not depend on it.
     void levels_in_use(const std::string& target, bool has_all) {
+        if (departure_.empty() && anisotropy_.chance(0.05))
+            add("glTexParameterf({}, GL_TEXTURE_MAX_ANISOTROPY_EXT, {:.2f});", target, anisotropy_.uniform(1, 16));
         if (!shows("level of detail of points") && levels_.chance(0.15))
             add("glTexParameterf({}, GL_TEXTURE_LOD_BIAS, {:.3f});", target, levels_.uniform(-2, 2));
         if (levels_.chance(0.1))
@@ -490,6 +497,32 @@ class Builder {
         add("glLineWidth({:.1f}); glPointSize({:.1f});", random_.uniform(0.6, 9), random_.uniform(0.6, 20));
     }
 
+    bool of_points() const {
+        return shows("size of points by their distance") ||
+               shows("texture coordinates of other primitives beside point sprites");
+    }
+    // The size of points, and point sprites. Factors of the distance are 0 or would show a known bug.
+    void points() {
+        const bool by_distance = shows("size of points by their distance");
+        if (by_distance || points_.chance(0.15))
+            add("glPointSize({:.2f}); glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, (GLfloat[]){{{:.4f}, {:.4f}, "
+                "{:.4f}}});",
+                points_.uniform(4, 30), points_.uniform(0.2, 4), by_distance ? points_.uniform(0.1, 0.5) : 0,
+                by_distance ? points_.uniform(0, 0.5) : 0);
+        if (points_.chance(0.15))
+            add("glPointParameterf(GL_POINT_SIZE_MIN, {:.2f}); glPointParameterf(GL_POINT_SIZE_MAX, {:.2f});",
+                points_.uniform(0, 10), points_.uniform(10, 25));
+        const bool beside = shows("texture coordinates of other primitives beside point sprites");
+        if (!beside && (by_distance || !points_.chance(0.15))) return;
+        sprites_ = !beside;
+        add("glEnable(GL_POINT_SPRITE); glTexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, {});",
+            beside || points_.chance(0.8) ? 1 : 0);
+        if (points_.chance(0.5)) add("glPointParameteri(GL_POINT_SPRITE_COORD_ORIGIN, GL_LOWER_LEFT);");
+        if (points_.chance(0.5))
+            add("glActiveTexture(GL_TEXTURE1); glTexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, 1); "
+                "glActiveTexture(GL_TEXTURE0);");
+    }
+
     void light(int i) {
         const char* name = i == 0 ? "GL_LIGHT0" : "GL_LIGHT5";
         add("glEnable({});", name);
@@ -527,6 +560,7 @@ class Builder {
     // One glBegin ... glEnd, as text.
     std::string batch() {
         repeat_ = random_.chance(0.5) ? 1.5 : random_.uniform(2, 12);
+        if (sprites_) return anywhere("GL_POINTS");
         projective_ = structure_.chance(0.2);
         materials_ = lit_ && structure_.chance(0.5);
         const bool of_triangles = shows("polygon offset of one of two polygon modes") ||
@@ -543,7 +577,9 @@ class Builder {
         if (shows("stippled line strips in a display list"))
             return "glLineStipple(8, 255); glEnable(GL_LINE_STIPPLE); glNewList(9, GL_COMPILE);\n" +
                    anywhere("GL_LINE_STRIP") + anywhere("GL_LINE_STRIP") + "glEndList(); glCallList(9);\n";
-        if (shows("level of detail of points") || shows("the alpha of smooth points")) return anywhere("GL_POINTS");
+        if (shows("level of detail of points") || shows("the alpha of smooth points") ||
+            shows("size of points by their distance"))
+            return anywhere("GL_POINTS");
         if (shows("a line loop whose first vertex lacks attributes")) return anywhere("GL_LINE_LOOP");
         if (of_triangles || structure_.chance(0.55)) return anywhere("GL_TRIANGLES");
         if (structure_.chance(0.5))
@@ -696,8 +732,9 @@ class Builder {
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
     Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_, more_, more_values_, stipples_,
-        copies_, cubes_;
+        copies_, cubes_, points_, anisotropy_;
     bool secondary_ = false, fog_coords_ = false;  // vertices have secondary colours, fog coordinates
+    bool sprites_ = false;                         // everything is points
     std::vector<int> further_units_;               // the numbers of those with a texture
     std::string_view departure_;
     bool lit_ = false;

@@ -139,6 +139,7 @@ std::string describe(const EffectSet& effects) {
     add(effects.fog == FogEffect::kExp, "exponential fog");
     add(effects.fog == FogEffect::kExp2, "squared exponential fog");
     add(effects.fog_coords, "fog coordinates");
+    add(effects.attenuated_points, "size of points by distance");
     add(effects.secondary_color, "secondary colours of vertices");
     add(effects.spectral_products, "spectral colour products");
     add(effects.spectral_groups > 0, fmt::format("groups of three spectral samples: {}", effects.spectral_groups));

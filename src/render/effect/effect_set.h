@@ -27,9 +27,10 @@
 //   texture.texels kAlpha                    the environment is kModulate or kReplace; kBlend and kAdd become kModulate
 //   texture.one_dimensional, .cube           at most one of them
 //   texture.q, .clamp_s, .clamp_t            no cube
+//   texture.q, .matrix, .generated           no sprite
 //   texture.clamp_t                          the texture has two dimensions
 //   texture.clamp_s, .clamp_t                a filter is linear; otherwise GL_CLAMP equals GL_CLAMP_TO_EDGE
-//   texture.gradients                        texture.clamp_s or .clamp_t, and the filters differ
+//   texture.gradients                        texture.clamp_s or .clamp_t, and the filters differ or are anisotropic
 //   texture.generated[i]                     the coordinate is used: texture.uses(i)
 //   texture.generated_normal                 a coordinate is generated from the normal
 //   texture.generated_w                      a coordinate is generated from the direction to the vertex
@@ -37,6 +38,7 @@
 //   texture.environment kCombine             only in `units`
 //   texture                                  no units: the Draw has one texture and no GL_COMBINE
 //   fog_coords                               there is fog
+//   attenuated_points                        the Draw draws points
 //   secondary_color                          no lighting
 //   units[i]                                 the unit changes the colour, or GL_COMBINE of another unit reads its texture
 //   units[i].texture                         as texture; the environment may be kNone
@@ -124,6 +126,7 @@ struct TextureEffects {
     Texels texels = Texels::kColor;
     bool one_dimensional = false;
     bool cube = false;     // a cube map, whose coordinates s, t and r are a direction
+    bool sprite = false;   // the coordinates are those of point sprites
     bool matrix = false;   // the texture matrix is not the identity
     bool q = false;        // a texture coordinate's q may be other than 1
     bool clamp_s = false;  // GL_CLAMP, that core GL and some drivers lack: the shader does it
@@ -135,6 +138,7 @@ struct TextureEffects {
 
     // Whether coordinate i (0 to 3: s, t, r, q) can change a pixel.
     bool uses(std::size_t i) const {
+        if (sprite) return false;
         return matrix || i == 0 || (i == 1 && !one_dimensional) || (i == 2 && cube) || (i == 3 && q);
     }
     bool generates() const { return generated != std::array<Generated, 4>{}; }
@@ -183,9 +187,10 @@ struct EffectSet {
     TextureEffects texture;
     std::vector<UnitEffects> units;  // in the order of their numbers
     FogEffect fog = FogEffect::kNone;
-    bool fog_coords = false;       // fog takes the vertices' coordinates
-    bool secondary_color = false;  // the vertices' secondary colours are added after the textures
-    int clip_plane_count = 0;      // of GL_CLIP_PLANEi (2.12)
+    bool fog_coords = false;         // fog takes the vertices' coordinates
+    bool secondary_color = false;    // the vertices' secondary colours are added after the textures
+    bool attenuated_points = false;  // their size depends on the distance (3.3)
+    int clip_plane_count = 0;        // of GL_CLIP_PLANEi (2.12)
     // Vertex colours are multiplied with lights in more than three samples: one matrix per product.
     bool spectral_products = false;
     // Every point is lit in this many groups of three spectral samples; 0: in red, green and blue.

@@ -182,6 +182,7 @@ class Planner {
         left.texture = facts().texture;
         left.fog = facts().fog;
         left.fog_coords = facts().fog_coords;
+        left.attenuated_points = facts().attenuated_points;
         left.srgb_coded = facts().srgb_coded;
         left.clip_plane_count = facts().clip_plane_count;
         facts() = left;
@@ -203,7 +204,8 @@ class Planner {
 
     void plan_w() {
         const bool w_is_1 = keeps_w(draw_.eye_from_object) && vertices_.w_is_1;
-        const bool w_matters = facts().needs_position_eye() || (facts().has_fog() && !facts().fog_coords);
+        const bool w_matters =
+            facts().needs_position_eye() || (facts().has_fog() && !facts().fog_coords) || facts().attenuated_points;
         facts().vertex_w = w_matters && !w_is_1;
         if (w_matters && w_is_1) plan_.leave_out("division by w", "w is 1 at every vertex");
     }

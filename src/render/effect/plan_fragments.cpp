@@ -82,11 +82,15 @@ void plan_lookup(const Draw& draw, std::size_t number, const TextureUnit& unit, 
     const Texture& texture = *unit.texture;
     facts.one_dimensional = texture.target == kGL_TEXTURE_1D;
     facts.cube = texture.is_cube();
-    facts.matrix = unit.texture_matrix != glm::dmat4(1);
-    facts.q = !facts.cube && !q_is_1(unit, has_q_1);
+    facts.sprite = unit.coord_replace;
+    facts.matrix = !facts.sprite && unit.texture_matrix != glm::dmat4(1);
+    facts.q = !facts.cube && !facts.sprite && !q_is_1(unit, has_q_1);
     if (!facts.matrix) leave_out("texture matrix", "it is the identity", true);
-    if (!facts.q) leave_out("division by q", facts.cube ? "a cube map has none" : "q is 1 at every vertex");
-    if (!unit.generated.empty()) plan_generated(draw, unit, vertices, facts, plan);
+    if (!facts.q)
+        leave_out("division by q", facts.cube     ? "a cube map has none"
+                                   : facts.sprite ? "q of a point sprite is 1"
+                                                  : "q is 1 at every vertex");
+    if (!unit.generated.empty() && !facts.sprite) plan_generated(draw, unit, vertices, facts, plan);
 
     if (facts.cube) return;
     const bool clamp_t = !facts.one_dimensional && texture.wrap_t == kGL_CLAMP;
@@ -95,7 +99,7 @@ void plan_lookup(const Draw& draw, std::size_t number, const TextureUnit& unit, 
         return leave_out("GL_CLAMP", "without a linear filter it equals GL_CLAMP_TO_EDGE");
     facts.clamp_s = texture.wrap_s == kGL_CLAMP;
     facts.clamp_t = clamp_t;
-    facts.gradients = clamps && texture.min_filter != texture.mag_filter;
+    facts.gradients = clamps && (texture.min_filter != texture.mag_filter || texture.max_anisotropy > 1);
 }
 
 // Without what its functions do not read.
@@ -179,6 +183,7 @@ void plan_fragments(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     plan.effects.fog_coords = plan.effects.has_fog() && draw.fog.by_coordinates;
     plan.effects.clip_plane_count = draw.raster.clip_plane_count();
     if (plan.effects.clip_plane_count == 0) plan.leave_out("clip planes", "none is enabled", true);
+    plan.effects.attenuated_points = draw.raster.point_parameters.attenuates();
     plan.effects.secondary_color = !draw.secondary_colors.empty();
     if (draw.fragment.color_sum && !draw.lighting.enabled && !plan.effects.secondary_color)
         plan.leave_out("colour sum", "the secondary colour is black");

@@ -226,6 +226,11 @@ Command Driver::translated(const Command& command) {
     const bool is_base_level = owner_of(command.id) == Owner::kTexture && command.arguments.size() == 3 &&
                                command.enumerant(1) == kGL_TEXTURE_BASE_LEVEL;
     if (is_base_level) result.arguments[2] = std::min<double>(command.number(2), kMaxTextureLevels - 1);
+    // llvmpipe 22.3 crashes where it filters a texture of one dimension like that.
+    const bool is_anisotropy_of_1d = owner_of(command.id) == Owner::kTexture && command.arguments.size() == 3 &&
+                                     command.enumerant(0) == kGL_TEXTURE_1D &&
+                                     command.enumerant(1) == kGL_TEXTURE_MAX_ANISOTROPY_EXT;
+    if (is_anisotropy_of_1d) result.arguments[2] = std::min(command.number(2), 1.0);
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const auto type = named_objects(parameters[i]);
         if (!type || *type == ObjectType::kList) continue;

@@ -64,15 +64,7 @@ void reset_current_values(const Attributes& start) {
     glFogCoordd(start.fog_coord);
 }
 
-void reset_points_and_stipples() {
-    const std::array<GLfloat, 3> constant{1, 0, 0};
-    std::array<GLfloat, 2> sizes{1, 1};
-    glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, sizes.data());
-    glPointParameterf(GL_POINT_SIZE_MIN, 0);
-    glPointParameterf(GL_POINT_SIZE_MAX, sizes[1]);
-    glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, 1);
-    glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, constant.data());
-    glPointParameteri(GL_POINT_SPRITE_COORD_ORIGIN, GL_UPPER_LEFT);
+void reset_stipples() {
     glLineStipple(1, 0xFFFF);
     std::array<GLubyte, 128> full{};
     full.fill(0xFF);
@@ -111,6 +103,7 @@ void reset_texture(GLenum target) {
     glTexParameterf(target, GL_TEXTURE_LOD_BIAS, static_cast<float>(start.lod_bias));
     glTexParameterf(target, GL_TEXTURE_MIN_LOD, static_cast<float>(start.min_lod));
     glTexParameterf(target, GL_TEXTURE_MAX_LOD, static_cast<float>(start.max_lod));
+    glTexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, static_cast<float>(start.max_anisotropy));
     glTexParameteri(target, GL_TEXTURE_BASE_LEVEL, start.base_level);
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, start.max_level);
     const bool is_cube = target == GL_TEXTURE_CUBE_MAP;
@@ -150,6 +143,7 @@ void reset_texture_units(const Vertex& current) {
         glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, &glm::vec4(start.env_color)[0]);
         set_combine(start.combine);
         glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, static_cast<float>(start.lod_bias));
+        glTexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, start.coord_replace);
         for (GLenum n = 0; n < start.tex_gen.size(); ++n) {
             const TexGen& gen = start.tex_gen[n];
             set_enabled(GL_TEXTURE_GEN_S + n, gen.enabled);
@@ -214,7 +208,7 @@ void reset(int width, int height) {
         glDisable(GL_CLIP_PLANE0 + static_cast<GLenum>(i));
         glClipPlane(GL_CLIP_PLANE0 + static_cast<GLenum>(i), &ClipPlane{}.equation_eye[0]);
     }
-    reset_points_and_stipples();
+    reset_stipples();
     reset_fragments(start);
     reset_texture_units(start.current);
     reset_evaluators();  // needs unit 0 active

@@ -111,6 +111,7 @@ struct PreparedDraw {
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, static_cast<GLint>(unit.env_mode));
         glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, &glm::vec4(unit.env_color)[0]);
         if (unit.env_mode == kGL_COMBINE) set_combine(unit.combine);
+        glTexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, unit.coord_replace);
         load_matrix(GL_TEXTURE, unit.texture_matrix);
         for (const GLenum capability : {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q}) {
             glDisable(capability);

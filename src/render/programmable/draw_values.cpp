@@ -347,7 +347,20 @@ class DrawUniforms {
         matrix("u_generated_normal_from_object", normals / scale);
     }
 
+    // The size of points by their distance (3.3).
+    void points() {
+        const PointParameters& parameters = draw_.raster.point_parameters;
+        const double unit = power_of_two(reach_xyz(eye_from_object_, reach_object()));
+        glm::dmat4 eye_from_object = eye_from_object_;
+        for (int column = 0; column < 4; ++column)
+            for (int row = 0; row < 3; ++row) eye_from_object[column][row] /= unit;
+        matrix("u_point_eye_from_object", eye_from_object);
+        vector("u_point_attenuation", parameters.distance_attenuation * glm::dvec3(1, unit, unit * unit));
+        vector("u_point_sizes", glm::dvec3(draw_.raster.point_size, parameters.size_min, parameters.size_max));
+    }
+
     void fragments() {
+        if (effects_.attenuated_points) points();
         if (effects_.texture.matrix) matrix("u_texture_matrix", draw_.texture.texture_matrix);
         if (effects_.texture.generates()) {
             generated_planes(draw_.texture, "");

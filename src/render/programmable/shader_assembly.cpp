@@ -148,9 +148,10 @@ class Assembler {
                                 .value = "clamp(a_secondary_color, 0.0, 1.0)",
                                 .is_color = true});
         }
-        if (effects_.has_texture() && !form_.surface.tex_coord) list.push_back(tex_coord_varying(effects_.texture, ""));
+        if (effects_.has_texture() && !effects_.texture.sprite && !form_.surface.tex_coord)
+            list.push_back(tex_coord_varying(effects_.texture, ""));
         for (const UnitEffects& unit : effects_.units)
-            list.push_back(tex_coord_varying(unit.texture, std::to_string(unit.number)));
+            if (!unit.texture.sprite) list.push_back(tex_coord_varying(unit.texture, std::to_string(unit.number)));
         if (effects_.fog_coords)
             list.push_back({"float", "v_fog_coord", "a_fog_coord"});
         else if (effects_.has_fog() && !has_ray())
@@ -504,6 +505,18 @@ class Assembler {
         return "";
     }
 
+    // Section 3.3.
+    std::string point_size() const {
+        if (form_.kept && form_.kept->sizes_points)
+            return "    gl_PointSize = PointSize;  // glPointSize (section 3.3)\n";
+        if (!effects_.attenuated_points) return "";
+        const std::string eye = "u_point_eye_from_object * position";
+        const std::string place =
+            effects_.vertex_w ? fmt::format("divided_by_w({})", eye) : fmt::format("({}).xyz", eye);
+        return fmt::format("    gl_PointSize = attenuated_size(length({}), u_point_attenuation, u_point_sizes);\n",
+                           place);
+    }
+
     // ---- The files' switches and words ----
 
     static std::map<std::string, bool, std::less<>> texture_switches(const TextureEffects& texture) {
@@ -517,14 +530,19 @@ class Assembler {
     // of_ray: the coordinates are those of an exact surface's point.
     static Words texture_words(const TextureEffects& texture, bool of_ray) {
         const bool one = texture.one_dimensional, q = texture.q;
-        return {{"SAMPLER", one            ? "sampler1D"
+        const std::string sprite = one            ? "gl_PointCoord.s"
+                                   : texture.cube ? "vec3(gl_PointCoord, 0.0)"
+                                                  : "gl_PointCoord";  // section 3.3.1
+        return {{"TEX_COORD", texture.sprite ? sprite : "v_tex_coord"},
+                {"SAMPLER", one            ? "sampler1D"
                             : texture.cube ? "samplerCube"
                                            : "sampler2D"},
                 {"DIVIDED_TYPE", one ? "float" : "vec2"},
                 {"DIVIDED_PARTS", one ? "s" : "st"},
-                {"DIVIDED_TEX_COORD", of_ray ? (one ? "tex_place.s" : "tex_place.st")
-                                      : one  ? (q ? "v_tex_coord.s / v_tex_coord.t" : "v_tex_coord")
-                                             : (q ? "v_tex_coord.st / v_tex_coord.p" : "v_tex_coord")},
+                {"DIVIDED_TEX_COORD", texture.sprite ? sprite
+                                      : of_ray       ? (one ? "tex_place.s" : "tex_place.st")
+                                      : one          ? (q ? "v_tex_coord.s / v_tex_coord.t" : "v_tex_coord")
+                                                     : (q ? "v_tex_coord.st / v_tex_coord.p" : "v_tex_coord")},
                 {"TEX_COORD_S", one ? "tex_coord" : "tex_coord.s"},
                 {"TEXTURE_LOOKUP", q ? "textureProj" : "texture"}};
     }
@@ -567,9 +585,7 @@ class Assembler {
                         {"lit", lit(stage)},
                         {"generated", has_ray() ? "" : generated()},
                         {"outputs", outputs()},
-                        {"point_size", form_.kept && form_.kept->sizes_points
-                                           ? "    gl_PointSize = PointSize;  // glPointSize (section 3.3)\n"
-                                           : ""},
+                        {"point_size", point_size()},
                         {"clip_distances", has_ray() || discards_clipped() ? "" : clip_distances},
                         {"clip_discards", discards_clipped() ? clip_discards : ""},
                         {"alpha_test", form_.kept ? kept_alpha_test(form_.kept->alpha_func) : ""},

@@ -136,6 +136,18 @@ PixelRect point_square(const glm::dvec2& position_window, int size, const PixelR
             std::min(y + size, within.y1)};
 }
 
+PixelRect sprite_square(const glm::dvec2& position_window, double size, const PixelRect& within) {
+    const auto first_centre_from = [](double side) { return ceil_to_pixel(side - 0.5); };
+    const glm::dvec2 low = position_window - size / 2, high = position_window + size / 2;
+    return {std::max(first_centre_from(low.x), within.x0), std::max(first_centre_from(low.y), within.y0),
+            std::min(first_centre_from(high.x), within.x1), std::min(first_centre_from(high.y), within.y1)};
+}
+
+PixelRect square_of(const Piece& point, const PixelRect& within) {
+    const glm::dvec2 at(point.ends().from.position_window);
+    return point.sprite_size > 0 ? sprite_square(at, point.sprite_size, within) : point_square(at, point.size, within);
+}
+
 namespace {
 
 using Outline = std::vector<glm::dvec2>;

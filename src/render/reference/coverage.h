@@ -72,6 +72,10 @@ std::vector<std::pair<int, int>> line_pixels(const glm::dvec2& from_window, cons
 // The square of a point (3.3): centred on the pixel that contains it if the size is odd, or on the nearest corner of a
 // pixel if the size is even.
 PixelRect point_square(const glm::dvec2& position_window, int size, const PixelRect& within);
+// The pixels whose centres lie in a point sprite's square (3.3.1). RULING: those on its left and lower sides do, as with polygons.
+PixelRect sprite_square(const glm::dvec2& position_window, double size, const PixelRect& within);
+// Of either.
+PixelRect square_of(const Piece& point, const PixelRect& within);
 
 // 3.3, 3.4.2: the share of the pixel's square that a smooth line or point covers, which its alpha is multiplied by
 // (3.11). 3.2 lets drivers compute another share for squares that are partly covered.
@@ -94,9 +98,7 @@ void for_each_pixel(const Piece& piece, const PixelRect& within, const Fragment&
         return;
     }
     switch (piece.shape) {
-        case Shape::kPoint:
-            for_each(point_square(glm::dvec2(piece.ends().from.position_window), piece.size, within), fragment);
-            break;
+        case Shape::kPoint: for_each(square_of(piece, within), fragment); break;
         case Shape::kLine:
             for (const auto& [x, y] : line_pixels(glm::dvec2(piece.ends().from.position_window),
                                                   glm::dvec2(piece.ends().to.position_window), piece.size, within))

@@ -27,10 +27,9 @@ WindowVertex window_vertex(const RasterState& raster, const ClipVertex& v) {
 
 // 3.3 and 3.4.2.1: widths without smoothing are rounded to whole pixels, at least 1.
 // RULING: the implementation chooses the largest width and size; here they are llvmpipe's.
-int whole_pixels(double width) {
-    constexpr double kLargest = 255;
-    return static_cast<int>(std::clamp(std::floor(width + 0.5), 1.0, kLargest));
-}
+int whole_pixels(double width) { return static_cast<int>(std::clamp(std::floor(width + 0.5), 1.0, kMaxPointSize)); }
+
+constexpr double kSmallestSprite = 1e-6;  // in pixels; its texture coordinates change by 1 across it
 
 // Twice the signed area in window coordinates, positive if counter-clockwise (2.14.1, equation 2.6).
 double doubled_area(const std::vector<Corner>& corners) {
@@ -183,13 +182,22 @@ class PieceMaker {
     void point(const Primitive& primitive, Face face, const ClipVertex& v, double depth_offset = 0) {
         if (!volume_.contains(v)) return;
         Piece& piece = append(primitive, face, Shape::kPoint);
-        piece.size = whole_pixels(draw_.raster.point_size);
+        const double size = point_size(v);
+        piece.size = whole_pixels(size);
+        if (draw_.raster.point_sprite) piece.sprite_size = std::clamp(size, kSmallestSprite, kMaxPointSize);
         Ends ends{.from = window_vertex(draw_.raster, v)};
         ends.from.position_window.z += depth_offset;
         piece.place = ends;
         piece.is_smooth = draw_.raster.point_smooth;
-        if (piece.is_smooth)
-            piece.corners = Corners(outline(glm::dvec2(ends.from.position_window), draw_.raster.point_size));
+        if (piece.is_smooth) piece.corners = Corners(outline(glm::dvec2(ends.from.position_window), size));
+    }
+
+    // 3.3: the size at a vertex.
+    double point_size(const ClipVertex& v) const {
+        const PointParameters& parameters = draw_.raster.point_parameters;
+        const double distance =
+            parameters.attenuates() ? glm::length(glm::dvec3(v.position_eye) / v.position_eye.w) : 0;
+        return parameters.derived_size(draw_.raster.point_size, distance);
     }
 
     void line(const Primitive& primitive, Face face, const ClipVertex& from, const ClipVertex& to,

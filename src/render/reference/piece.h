@@ -81,6 +81,7 @@ struct Piece {
 
     Shape shape = Shape::kPoint;  // how it is drawn: a triangle may be drawn as lines or points
     int size = 1;                 // the width of a line, the side of a point's square; in pixels
+    double sprite_size = 0;       // 3.3.1: of a point sprite, whose side need not be whole; 0 for other pieces
     Corners corners{};            // of a polygon, or of the outline of a smooth line or point
     std::variant<Ends, Planes> place{};
 

@@ -55,10 +55,15 @@ Shader::Shader(const StagedDraw& staged, const Options& options)
 
 std::vector<Shader::Unit> Shader::units(const StagedDraw& staged) const {
     std::vector<Unit> units;
-    if (draw_.texture.texture) units.push_back({0, &draw_.texture, TexCoords(vertices_)});
-    for (std::size_t i = 0; i < draw_.further_units.size(); ++i)
+    const auto sprite_origin = [&](const TextureUnit& unit) {
+        return unit.coord_replace ? std::optional(draw_.raster.point_parameters.sprite_coord_origin) : std::nullopt;
+    };
+    if (draw_.texture.texture) units.push_back({0, &draw_.texture, TexCoords(vertices_, sprite_origin(draw_.texture))});
+    for (std::size_t i = 0; i < draw_.further_units.size(); ++i) {
+        const FurtherUnit& further = draw_.further_units[i];
         units.push_back(
-            {draw_.further_units[i].number, &draw_.further_units[i].unit, TexCoords(staged.further_tex_coords[i])});
+            {further.number, &further.unit, TexCoords(staged.further_tex_coords[i], sprite_origin(further.unit))});
+    }
     return units;
 }
 
@@ -230,7 +235,8 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<Int
         std::optional<TexelBounds> all;
         for (const TexturePlaceBounds& place : cube_place_bounds(
                  unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, error)) {
-            const TexelBounds one = sample_bounds(*unit.state, place.st, place.st_error, place.rho, place.face);
+            const TexelBounds one =
+                sample_bounds(*unit.state, place.st, place.st_error, place.rho, place.face, place.change);
             all = all ? choice(*all, one) : one;
         }
         texel = all->texel;
@@ -239,7 +245,7 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<Int
     }
     const TexturePlaceBounds place =
         texture_place_bounds(unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, error);
-    const TexelBounds bounds = sample_bounds(*unit.state, place.st, place.st_error, place.rho);
+    const TexelBounds bounds = sample_bounds(*unit.state, place.st, place.st_error, place.rho, 0, place.change);
     texel = bounds.texel;
     has_choice |= bounds.has_choice;
 }
@@ -320,8 +326,8 @@ ColorSteps Shader::steps(const Fragment& fragment) const {
         ColorSteps steps{.primary = colors.primary, .secondary = colors.secondary};
         for (const Unit& unit : units_) {
             const TexturePlace place = texture_place_of(whole, unit);
-            glm::dvec4 coordinates(place.st, 0, 1);  // of a surface
-            if (!whole.point) {
+            glm::dvec4 coordinates(place.st, 0, 1);  // of a surface or a sprite
+            if (!whole.point && !unit.tex_coords.are_replaced(*whole.piece)) {
                 coordinates = glm::dvec4(0);
                 const glm::dvec3 weights = weights_at(*whole.piece, whole.position_window);
                 for (int i = 0; i < 3; ++i)

@@ -58,6 +58,22 @@ Looks looks(Enum filter, double coordinate, double error, int size) {
     return result;
 }
 
+// The texels within `reach` of a coordinate on one axis; -1 is the border.
+std::vector<int> texels_around(Enum wrap, double coordinate, double reach, int size) {
+    std::vector<int> texels;
+    const double middle = countable(coordinate) * size, wide = reach * size;
+    const bool has_border = wrap == kGL_CLAMP || wrap == kGL_CLAMP_TO_BORDER;
+    if (2 * wide + 1 >= size) {
+        for (int i = has_border ? -1 : 0; i < size; ++i) texels.push_back(i);
+        return texels;
+    }
+    for (double i = std::floor(middle - wide); i <= std::floor(middle + wide); ++i) {
+        texels.push_back(nearest_texel(wrap, (i + 0.5) / size, size));
+        if (has_border && (i < 0 || i >= size)) texels.push_back(-1);
+    }
+    return texels;
+}
+
 class Sampler {
   public:
     Sampler(const Texture& texture, std::size_t face, const glm::dvec2& st, const glm::dvec2& st_error)
@@ -110,6 +126,20 @@ class Sampler {
         return *all;
     }
 
+    // Any mean of the texels within `reach` of the place.
+    TexelBounds around(int number, const glm::dvec2& reach) const {
+        const TextureImage& image = face_[static_cast<std::size_t>(number)];
+        const bool flat = texture_.target == kGL_TEXTURE_1D;
+        const std::vector<int> columns = texels_around(texture_.wrap_s, st_.x, reach.x, image.width);
+        const std::vector<int> rows =
+            flat ? std::vector{0} : texels_around(texture_.wrap_t, st_.y, reach.y, image.height);
+        TexelBounds all = exactly(texel_at(texture_, image, columns.front(), rows.front()));
+        for (const int j : rows)
+            for (const int i : columns) join(all, exactly(texel_at(texture_, image, i, j)));
+        round_means(all, 2);
+        return all;
+    }
+
   private:
     // The same with sample_image(); here each row of texels is mixed once for all looks between the same two rows.
     TexelBounds linear_level(const TextureImage& image, const Looks& along_s, const Looks& along_t) const {
@@ -151,10 +181,38 @@ class Sampler {
     const glm::dvec2 st_, st_error_;
 };
 
+// GL_TEXTURE_MAX_ANISOTROPY_EXT above 1: EXT_texture_filter_anisotropic leaves to the driver how it filters, and for which
+// filters. So this allows any mean of texels around the pixel's place in the texture, at levels from that of rho down to
+// that of rho / GL_TEXTURE_MAX_ANISOTROPY_EXT. llvmpipe's weights fall off in an ellipse whose radii are the changes per pixel
+// and one texel; softpipe filters so only between two levels.
+TexelBounds anisotropic_bounds(const Texture& texture, const TextureUnit& unit, const Sampler& sampler,
+                               const Interval& rho, const glm::dvec2& change) {
+    int first = 0, last = 0;
+    if (level_choice(texture.min_filter) != LevelChoice::kBase) {
+        const auto level = [&](double scale) {
+            return std::clamp(level_of_detail(scale, unit), 0.0, static_cast<double>(last_level(texture)));
+        };
+        first = static_cast<int>(std::floor(std::max(level(rho.low / texture.max_anisotropy) - kLogTooSmall, 0.0)));
+        last = std::min(static_cast<int>(std::floor(level(rho.high) + kSwitchError)) + 1, last_level(texture));
+    }
+    std::optional<TexelBounds> all;
+    for (int i = first; i <= last; ++i) {
+        const TextureImage& image = texture.levels[static_cast<std::size_t>(i)];
+        constexpr double kTexels = 1.5;  // the ellipse's own texel, and half of a texel of GL_LINEAR
+        const TexelBounds one = sampler.around(i, change + kTexels / glm::dvec2(image.width, image.height));
+        if (all)
+            join(*all, one);
+        else
+            all = one;
+    }
+    return *all;
+}
+
 // With the images of `texture` in place of the unit's.
 TexelBounds bounds_of(const Texture& texture, const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
-                      const Interval& rho, std::size_t face) {
+                      const Interval& rho, std::size_t face, const glm::dvec2& change) {
     const Sampler sampler(texture, face, st, st_error);
+    if (texture.max_anisotropy > 1) return anisotropic_bounds(texture, unit, sampler, rho, change + st_error);
     const LevelChoice levels = level_choice(texture.min_filter);
     const Enum filter = image_filter(texture.min_filter);
     if (levels == LevelChoice::kBase && filter == texture.mag_filter) return sampler.level(0, filter);
@@ -190,10 +248,10 @@ TexelBounds bounds_of(const Texture& texture, const TextureUnit& unit, const glm
 
 // Weights are not negative, so the smallest texels give the smallest mean.
 TexelBounds sample_bounds(const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
-                          const Interval& rho, std::size_t face) {
-    if (!unit.texture->range) return bounds_of(*unit.texture, unit, st, st_error, rho, face);
-    TexelBounds bounds = bounds_of(unit.texture->range->low, unit, st, st_error, rho, face);
-    join(bounds, bounds_of(unit.texture->range->high, unit, st, st_error, rho, face));
+                          const Interval& rho, std::size_t face, const glm::dvec2& change) {
+    if (!unit.texture->range) return bounds_of(*unit.texture, unit, st, st_error, rho, face, change);
+    TexelBounds bounds = bounds_of(unit.texture->range->low, unit, st, st_error, rho, face, change);
+    join(bounds, bounds_of(unit.texture->range->high, unit, st, st_error, rho, face, change));
     return bounds;
 }
 

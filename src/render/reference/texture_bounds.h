@@ -7,6 +7,7 @@
 //   - texture coordinates: float arithmetic, and vertices snapped to 1/256 pixel before the planes are computed;
 //   - weights of GL_LINEAR: 8 bits, and each mean of two texels rounded to 8 bits (llvmpipe and most GPUs);
 //   - derivatives: differences over any 2 x 2 pixels that include the fragment, instead of those at its centre;
+//   - anisotropic filters: any mean of texels around the place, because drivers choose how they filter;
 //   - lambda between two levels: half of a log2 of rho squared that is linear in the mantissa (llvmpipe). The log2 is
 //     off by at most 0.0861.
 // 3.8.8 allows any rho between half and twice the ideal one. That is not used, because almost any texel would then be
@@ -24,9 +25,10 @@ struct TexelBounds {
     bool has_choice = false;  // there is a choice between different texels
 };
 
-// `st_error`: the largest error of s and t. `rho`: the scale factors that correct implementations may find.
+// `st_error`: the largest error of s and t. `rho`: the scale factors that correct implementations may find. `change`: how much s and
+// t change within a pixel, for anisotropic filters.
 TexelBounds sample_bounds(const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
-                          const Interval& rho, std::size_t face = 0);
+                          const Interval& rho, std::size_t face = 0, const glm::dvec2& change = glm::dvec2(0));
 // Either of two.
 TexelBounds choice(const TexelBounds& a, const TexelBounds& b);
 

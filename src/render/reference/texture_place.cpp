@@ -11,6 +11,10 @@ namespace {
 
 // s, t and q divided by w; they are linear in the window. `third`: 2 for r in place of q.
 Linear3 stq_over_w(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window, int third = 3) {
+    if (tex_coords.are_replaced(piece)) {  // r is 0, and q is 1
+        const TexCoords::OfSprite at = tex_coords.of_sprite(piece, position_window);
+        return {{at.st, third == 3 ? 1 : 0}, {at.per_x, 0}, {at.per_y, 0}};
+    }
     const Linear3 weights = weights_over_w_at(piece, position_window);
     Linear3 result;
     for (int i = 0; i < 3; ++i) {
@@ -21,6 +25,10 @@ Linear3 stq_over_w(const TexCoords& tex_coords, const Piece& piece, const glm::d
         result.per_y += weights.per_y[i] * stq;
     }
     return result;
+}
+
+bool has_no_change(const TexCoords& tex_coords, const Piece& piece) {
+    return piece.shape == Shape::kPoint && !tex_coords.are_replaced(piece);
 }
 
 glm::dvec2 divided(const glm::dvec3& stq) { return {quotient(stq.x, stq.z), quotient(stq.y, stq.z)}; }
@@ -64,6 +72,12 @@ TexturePlace place_of(const Linear3& str, const CubePlace& on_face) {
 
 }  // namespace
 
+TexCoords::OfSprite TexCoords::of_sprite(const Piece& piece, const glm::dvec2& position_window) const {
+    const double change = 1 / piece.sprite_size, up = sprite_origin_ == kGL_LOWER_LEFT ? change : -change;
+    const glm::dvec2 way = position_window - glm::dvec2(piece.ends().from.position_window);
+    return {.st = 0.5 + way * glm::dvec2(change, up), .per_x = {change, 0}, .per_y = {0, up}};
+}
+
 std::vector<TexturePlaceBounds> cube_place_bounds(const TexCoords& tex_coords, const Piece& piece,
                                                   const glm::dvec2& position_window, const Texture& texture,
                                                   double vertex_error) {
@@ -82,12 +96,13 @@ std::vector<TexturePlaceBounds> cube_place_bounds(const TexCoords& tex_coords, c
         const double of_major = error[on_face.axes[2]];
         if (on_face.major <= 0 || on_face.major + of_major < major) continue;
         TexturePlace place = place_of(str, on_face);
-        place.of_point = piece.shape == Shape::kPoint;
+        place.of_point = has_no_change(tex_coords, piece);
         TexturePlaceBounds one{.st = glm::clamp(on_face.st, 0.0, 1.0), .face = face};
         for (int i = 0; i < 2; ++i)
             one.st_error[i] = quotient(
                 (error[on_face.axes[static_cast<std::size_t>(i)]] + std::abs(2 * on_face.st[i] - 1) * of_major) / 2,
                 on_face.major);
+        one.change = glm::abs(place.per_x) + glm::abs(place.per_y);
         const double rho = scale_factor(texture, place);
         one.rho = place.of_point ? Interval(rho) : Interval(rho / 2, 2 * rho);
         bounds.push_back(one);
@@ -104,11 +119,11 @@ TexturePlace texture_place(const TexCoords& tex_coords, const Piece& piece, cons
     if (is_cube) {
         const Linear3 str = stq_over_w(tex_coords, piece, position_window, kR);
         TexturePlace place = place_of(str, cube_place(str.value));
-        place.of_point = piece.shape == Shape::kPoint;
+        place.of_point = has_no_change(tex_coords, piece);
         return place;
     }
     const Linear3 stq = stq_over_w(tex_coords, piece, position_window);
-    TexturePlace place{.st = divided(stq.value), .of_point = piece.shape == Shape::kPoint};
+    TexturePlace place{.st = divided(stq.value), .of_point = has_no_change(tex_coords, piece)};
     const auto change = [&](const glm::dvec3& d) {  // the quotient rule
         return glm::dvec2(quotient(d.x - place.st.x * d.z, stq.value.z), quotient(d.y - place.st.y * d.z, stq.value.z));
     };
@@ -146,10 +161,11 @@ TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece
 
     TexturePlaceBounds bounds{.st = place.st,
                               .st_error = arithmetic + kSnap * (glm::abs(place.per_x) + glm::abs(place.per_y)),
-                              .rho = Interval(scale_factor(texture, place))};
+                              .rho = Interval(scale_factor(texture, place)),
+                              .change = glm::abs(place.per_x) + glm::abs(place.per_y)};
     const bool has_one_image = level_choice(texture.min_filter) == LevelChoice::kBase &&
                                image_filter(texture.min_filter) == texture.mag_filter;
-    if (place.of_point || has_one_image) return bounds;  // then rho decides nothing
+    if (place.of_point || (has_one_image && texture.max_anisotropy <= 1)) return bounds;  // then rho decides nothing
     const double st_error = std::max(arithmetic.x, arithmetic.y);
     bounds.rho = rho_of_differences(texture, stq, place, st_error);
     if (piece.shape == Shape::kLine) {

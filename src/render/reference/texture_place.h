@@ -3,6 +3,7 @@
 // In: a piece and its stage vertices. Out: (s, t) divided by q and its derivatives over the window.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lighting/marked.h"
@@ -15,16 +16,30 @@ namespace twinlight::reference {
 // The texture coordinates of a texture unit at a Draw's stage vertices, which must outlive it.
 class TexCoords {
   public:
-    TexCoords(const std::vector<StageVertex>& vertices) : vertices_(&vertices) {}  // NOLINT: those of unit 0
-    explicit TexCoords(const std::vector<glm::dvec4>& further) : further_(&further) {}
+    // sprite_origin: GL_POINT_SPRITE_COORD_ORIGIN, if point sprites have coordinates of their own (3.3.1).
+    TexCoords(const std::vector<StageVertex>& vertices,  // NOLINT: those of unit 0
+              std::optional<Enum> sprite_origin = {})
+        : vertices_(&vertices), sprite_origin_(sprite_origin) {}
+    explicit TexCoords(const std::vector<glm::dvec4>& further, std::optional<Enum> sprite_origin = {})
+        : further_(&further), sprite_origin_(sprite_origin) {}
 
     const glm::dvec4& operator[](std::size_t vertex) const {
         return further_ ? (*further_)[vertex] : (*vertices_)[vertex].tex_coord;
     }
 
+    // Whether the piece has the coordinates of a sprite in place of its vertices'.
+    bool are_replaced(const Piece& piece) const { return sprite_origin_ && piece.sprite_size > 0; }
+    // Those at a place of the window, with their changes. Equation 3.1: from 0 to 1 across the sprite.
+    struct OfSprite {
+        glm::dvec2 st{0};
+        glm::dvec2 per_x{0}, per_y{0};
+    };
+    OfSprite of_sprite(const Piece& piece, const glm::dvec2& position_window) const;
+
   private:
     const std::vector<StageVertex>* vertices_ = nullptr;
     const std::vector<glm::dvec4>* further_ = nullptr;
+    std::optional<Enum> sprite_origin_;
 };
 
 // `is_cube`: the place on a face of a cube map.
@@ -36,6 +51,7 @@ struct TexturePlaceBounds {
     glm::dvec2 st{0}, st_error{0};
     Interval rho{};
     std::size_t face = 0;
+    glm::dvec2 change{0};  // of s and t within a pixel
 };
 // `vertex_error`: the largest error of a vertex's s, t and q.
 TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece& piece,

@@ -26,6 +26,19 @@ void set_stipples_and_smoothing(const RasterState& raster) {
     glPolygonStipple(bytes.data());
 }
 
+// GL_VERTEX_PROGRAM_POINT_SIZE counts only for shaders, which set the size of attenuated points.
+void set_points(const RasterState& raster) {
+    const PointParameters& points = raster.point_parameters;
+    glPointSize(static_cast<float>(raster.point_size));
+    glPointParameterf(GL_POINT_SIZE_MIN, static_cast<float>(points.size_min));
+    glPointParameterf(GL_POINT_SIZE_MAX, static_cast<float>(points.size_max));
+    glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, static_cast<float>(points.fade_threshold_size));
+    glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, &glm::vec3(points.distance_attenuation)[0]);
+    glPointParameteri(GL_POINT_SPRITE_COORD_ORIGIN, static_cast<GLint>(points.sprite_coord_origin));
+    set_enabled(GL_POINT_SPRITE, raster.point_sprite);
+    set_enabled(GL_VERTEX_PROGRAM_POINT_SIZE, points.attenuates());
+}
+
 void set_raster(const RasterState& raster) {
     const Viewport& v = raster.viewport;
     glViewport(v.x, v.y, v.width, v.height);
@@ -41,7 +54,7 @@ void set_raster(const RasterState& raster) {
     set_enabled(GL_POLYGON_OFFSET_FILL, offset.fill);
     glPolygonOffset(static_cast<float>(offset.factor), static_cast<float>(offset.units));
     glLineWidth(static_cast<float>(raster.line_width));
-    glPointSize(static_cast<float>(raster.point_size));
+    set_points(raster);
     // The program has one clip distance for each enabled plane, without gaps.
     const int count = raster.clip_plane_count();
     for (int i = 0; i < kMaxClipPlanes; ++i) set_enabled(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i), i < count);
@@ -93,9 +106,8 @@ void set_fragment_operations(const FragmentState& fragment) {
 FixedStages::FixedStages() {
     glPushAttrib(GL_ALL_ATTRIB_BITS);
     glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
-    for (GLenum capability :
-         {GL_POLYGON_SMOOTH, GL_POINT_SPRITE, GL_VERTEX_PROGRAM_POINT_SIZE, GL_VERTEX_PROGRAM_TWO_SIDE, GL_DEPTH_CLAMP,
-          GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE})
+    for (GLenum capability : {GL_POLYGON_SMOOTH, GL_VERTEX_PROGRAM_TWO_SIDE, GL_DEPTH_CLAMP,
+                              GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE})
         glDisable(capability);
     glActiveTexture(GL_TEXTURE0);
     glEdgeFlag(GL_TRUE);

@@ -55,6 +55,8 @@ void set_parameters(const Texture& texture, Clamping clamping) {
     glTexParameterfv(texture.target, GL_TEXTURE_BORDER_COLOR, &border[0]);
     glTexParameterf(texture.target, GL_TEXTURE_MIN_LOD, static_cast<float>(texture.min_lod));
     glTexParameterf(texture.target, GL_TEXTURE_MAX_LOD, static_cast<float>(texture.max_lod));
+    if (texture.target != kGL_TEXTURE_1D)  // llvmpipe 22.3 crashes there
+        glTexParameterf(texture.target, GL_TEXTURE_MAX_ANISOTROPY_EXT, static_cast<float>(texture.max_anisotropy));
     glTexParameteri(texture.target, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(texture.levels.size()) - 1);
 }
 
@@ -93,12 +95,12 @@ bool are_same(const std::vector<TextureImage>& a, const std::vector<TextureImage
 // Compares all members, as above.
 bool are_same(const Texture& a, const Texture& b) {
     const auto& [target, levels, further_faces, min_filter, mag_filter, wrap_s, wrap_t, border_color, priority,
-                 generate_mipmap, lod_bias, min_lod, max_lod, base_level, max_level, range] = a;
+                 generate_mipmap, lod_bias, min_lod, max_lod, max_anisotropy, base_level, max_level, range] = a;
     return target == b.target && min_filter == b.min_filter && mag_filter == b.mag_filter && wrap_s == b.wrap_s &&
            wrap_t == b.wrap_t && border_color == b.border_color && priority == b.priority &&
            generate_mipmap == b.generate_mipmap && lod_bias == b.lod_bias && min_lod == b.min_lod &&
-           max_lod == b.max_lod && base_level == b.base_level && max_level == b.max_level && range == b.range &&
-           are_same(levels, b.levels) &&
+           max_lod == b.max_lod && max_anisotropy == b.max_anisotropy && base_level == b.base_level &&
+           max_level == b.max_level && range == b.range && are_same(levels, b.levels) &&
            std::ranges::equal(further_faces, b.further_faces,
                               [](const auto& x, const auto& y) { return are_same(x, y); });
 }

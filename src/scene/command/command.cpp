@@ -238,12 +238,24 @@ std::optional<Owner> owner_of(CommandId id) {
     return std::nullopt;
 }
 
+namespace {
+
+// glTexEnv has parameters of three targets.
+const ParameterInfo* find_of_any_target(Owner owner, Enum pname) {
+    const ParameterInfo* info = find_parameter(owner, pname);
+    for (const Owner other : {Owner::kTexFilterControl, Owner::kPointSprite})
+        if (!info && owner == Owner::kTexEnv) info = find_parameter(other, pname);
+    return info;
+}
+
+}  // namespace
+
 const ParameterInfo* parameter_info(const Command& command) {
     const std::optional<Owner> owner = owner_of(command.id);
     if (!owner) return nullptr;
     const std::vector<Parameter>& parameters = command.sig().parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-        if (parameters[i].name == "pname") return find_parameter(*owner, command.enumerant(i));
+        if (parameters[i].name == "pname") return find_of_any_target(*owner, command.enumerant(i));
     }
     return nullptr;
 }
@@ -293,7 +305,7 @@ std::optional<int> array_length(CommandId id, std::optional<Enum> pname) {
     const bool asks_state = array.extent == Extent::kOutputByPname && sig.parameters[0].name == "pname";
     if (asks_state) return pname ? query_length(*pname) : std::nullopt;
     const std::optional<Owner> owner = owner_of(id);
-    const ParameterInfo* info = owner && pname ? find_parameter(*owner, *pname) : nullptr;
+    const ParameterInfo* info = owner && pname ? find_of_any_target(*owner, *pname) : nullptr;
     return info ? std::optional(info->count) : std::nullopt;
 }
 

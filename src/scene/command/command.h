@@ -240,6 +240,7 @@ enum class Owner : std::uint8_t {
     kTexEnv,
     kTexGen,
     kTexFilterControl,
+    kPointSprite,
     kTexture,
     kPixelStore,
     kPoint

@@ -38,6 +38,8 @@ Answer of_lighting(const LightingState& lighting, Enum pname) {
 }
 
 Answer of_raster(const RasterState& raster, Enum pname) {
+    const PointParameters& points = raster.point_parameters;
+    const glm::dvec3& attenuation = points.distance_attenuation;
     switch (pname) {
         case kGL_VIEWPORT: return list(raster.viewport);
         case kGL_DEPTH_RANGE: return {raster.depth_near, raster.depth_far};
@@ -49,6 +51,11 @@ Answer of_raster(const RasterState& raster, Enum pname) {
         case kGL_POLYGON_OFFSET_UNITS: return one(raster.polygon_offset.units);
         case kGL_LINE_WIDTH: return one(raster.line_width);
         case kGL_POINT_SIZE: return one(raster.point_size);
+        case kGL_POINT_SIZE_MIN: return one(points.size_min);
+        case kGL_POINT_SIZE_MAX: return one(points.size_max);
+        case kGL_POINT_FADE_THRESHOLD_SIZE: return one(points.fade_threshold_size);
+        case kGL_POINT_DISTANCE_ATTENUATION: return {attenuation.x, attenuation.y, attenuation.z};
+        case kGL_POINT_SPRITE_COORD_ORIGIN: return one(points.sprite_coord_origin);
         case kGL_DEPTH_FUNC: return one(raster.depth_func);
         case kGL_DEPTH_WRITEMASK: return one(raster.depth_mask);
         default: return {};
@@ -212,6 +219,7 @@ Answer answer(const State& state, Enum pname) {
         case kGL_MAX_TEXTURE_SIZE: return one(kMaxTextureSize);
         case kGL_MAX_TEXTURE_UNITS: return one(kMaxTextureUnits);
         case kGL_MAX_TEXTURE_LOD_BIAS: return one(kMaxLodBias);
+        case kGL_MAX_TEXTURE_MAX_ANISOTROPY_EXT: return one(kMaxAnisotropy);
         default: return {};
     }
 }
@@ -224,6 +232,7 @@ Answer clip_plane_answer(const State& state, Enum plane) {
 Answer tex_env_answer(const State& state, Enum target, Enum pname) {
     const TextureBindings& unit = state.attributes().units[state.attributes().active_unit];
     if (target == kGL_TEXTURE_FILTER_CONTROL && pname == kGL_TEXTURE_LOD_BIAS) return one(unit.lod_bias);
+    if (target == kGL_POINT_SPRITE && pname == kGL_COORD_REPLACE) return one(unit.coord_replace);
     if (target != kGL_TEXTURE_ENV) return {};
     const Combine& combine = unit.combine;
     switch (pname) {
@@ -276,6 +285,7 @@ Answer tex_parameter_answer(const State& state, Enum target, Enum pname) {
         case kGL_TEXTURE_MAX_LOD: return one(texture.max_lod);
         case kGL_TEXTURE_BASE_LEVEL: return one(texture.base_level);
         case kGL_TEXTURE_MAX_LEVEL: return one(texture.max_level);
+        case kGL_TEXTURE_MAX_ANISOTROPY_EXT: return one(texture.max_anisotropy);
         default: return {};
     }
 }

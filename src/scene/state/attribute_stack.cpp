@@ -19,11 +19,15 @@ auto capabilities(auto& a) {  // GL_ENABLE_BIT, without lights, clip planes and 
                     a.raster.polygon_offset.point, a.raster.polygon_offset.line, a.raster.polygon_offset.fill,
                     a.fragment.scissor.enabled, a.fragment.alpha_test, a.fragment.blend, a.fragment.color_sum,
                     a.fog.enabled, a.stencil_enabled, a.line_stipple_enabled, a.polygon_stipple_enabled,
-                    a.logic_op_enabled, a.raster.line_smooth, a.raster.point_smooth);
+                    a.logic_op_enabled, a.raster.line_smooth, a.raster.point_smooth, a.raster.point_sprite);
 }
 
 auto line(auto& a) {
     return std::tie(a.raster.line_width, a.raster.line_smooth, a.line_stipple_enabled, a.line_stipple);
+}
+
+auto points(auto& a) {
+    return std::tie(a.raster.point_size, a.raster.point_smooth, a.raster.point_parameters, a.raster.point_sprite);
 }
 
 auto polygon(auto& a) {
@@ -47,7 +51,7 @@ auto viewport(auto& a) { return std::tie(a.raster.viewport, a.raster.depth_near,
 auto parameters(auto& texture) {
     return std::tie(texture.min_filter, texture.mag_filter, texture.wrap_s, texture.wrap_t, texture.border_color,
                     texture.priority, texture.generate_mipmap, texture.lod_bias, texture.min_lod, texture.max_lod,
-                    texture.base_level, texture.max_level);
+                    texture.base_level, texture.max_level, texture.max_anisotropy);
 }
 
 void restore_enables(Attributes& now, const Attributes& saved) {
@@ -92,9 +96,8 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
         now.fog_coord = saved.fog_coord;
     }
     if (bit(kGL_POINT_BIT)) {
-        now.raster.point_size = saved.raster.point_size;
-        now.raster.point_smooth = saved.raster.point_smooth;
-        now.point_parameters = saved.point_parameters;
+        points(now) = points(saved);
+        for (std::size_t i = 0; i < now.units.size(); ++i) now.units[i].coord_replace = saved.units[i].coord_replace;
     }
     if (bit(kGL_LINE_BIT)) line(now) = line(saved);
     if (bit(kGL_POLYGON_BIT)) polygon(now) = polygon(saved);
@@ -119,7 +122,10 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
     if (bit(kGL_HINT_BIT)) now.hints = saved.hints;
     if (bit(kGL_LIST_BIT)) now.list_base = saved.list_base;
     if (bit(kGL_TEXTURE_BIT)) {
+        std::array<bool, kMaxTextureUnits> coord_replace{};  // belongs to GL_POINT_BIT
+        for (std::size_t i = 0; i < now.units.size(); ++i) coord_replace[i] = now.units[i].coord_replace;
         now.units = saved.units;
+        for (std::size_t i = 0; i < now.units.size(); ++i) now.units[i].coord_replace = coord_replace[i];
         now.active_unit = saved.active_unit;
     }
     if (bit(kGL_SCISSOR_BIT)) now.fragment.scissor = saved.fragment.scissor;

@@ -30,6 +30,8 @@ void add_part(TextureImage& image, ImagePart part);
 inline constexpr std::size_t kAttributeStackDepth = 16;
 inline constexpr std::size_t kClientAttributeStackDepth = 16;
 
+// GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT: at least 2 (EXT_texture_filter_anisotropic); 16 in Mesa
+inline constexpr double kMaxAnisotropy = 16;
 inline constexpr double kMaxLodBias = 16;           // GL_MAX_TEXTURE_LOD_BIAS: at least 2 (table 6.31); 16 in Mesa
 inline constexpr std::size_t kMaxTextureUnits = 8;  // GL_MAX_TEXTURE_UNITS: at least 2 (table 6.31); 8 in Mesa
 
@@ -61,6 +63,7 @@ struct TextureBindings {
     glm::dvec4 env_color{0, 0, 0, 0};
     Combine combine;
     double lod_bias = 0;
+    bool coord_replace = false;  // 3.3.1
     // Of s, t, r and q.
     std::array<TexGen, 4> tex_gen{TexGen{.object_plane = {1, 0, 0, 0}, .plane_eye = {1, 0, 0, 0}},
                                   TexGen{.object_plane = {0, 1, 0, 0}, .plane_eye = {0, 1, 0, 0}}, TexGen{}, TexGen{}};
@@ -158,8 +161,6 @@ struct Attributes {
     std::array<glm::dvec4, kMaxTextureUnits - 1> further_tex_coords = initial_tex_coords();  // of units 1, 2, ...
     Clear clear;                                                                             // the values to clear with
     bool draws_color = true;  // false: glDrawBuffer(GL_NONE)
-    // Places where values were set that only the driver supports; a picture that is drawn with them is partial.
-    std::map<Enum, Place> point_parameters;  // those that differ from GL's initial values
     Hints hints{{kGL_PERSPECTIVE_CORRECTION_HINT, kGL_DONT_CARE},
                 {kGL_POINT_SMOOTH_HINT, kGL_DONT_CARE},
                 {kGL_LINE_SMOOTH_HINT, kGL_DONT_CARE},

@@ -40,7 +40,6 @@ std::span<const DriverOnlyCapability> driver_only_capabilities() {
         {kGL_MAP2_VERTEX_3, kGL_EVAL_BIT, false},
         {kGL_MAP2_VERTEX_4, kGL_EVAL_BIT, false},
         {kGL_VERTEX_PROGRAM_POINT_SIZE, 0, false},
-        {kGL_POINT_SPRITE, kGL_POINT_BIT, true},
         {kGL_DEPTH_CLAMP, kGL_TRANSFORM_BIT, true},
     };
     return kRows;
@@ -79,6 +78,7 @@ auto* supported_flag(A& a, Enum cap) {
         case kGL_POLYGON_STIPPLE: return &a.polygon_stipple_enabled;
         case kGL_LINE_SMOOTH: return &a.raster.line_smooth;
         case kGL_POINT_SMOOTH: return &a.raster.point_smooth;
+        case kGL_POINT_SPRITE: return &a.raster.point_sprite;
         case kGL_COLOR_LOGIC_OP: return &a.logic_op_enabled;
         case kGL_BLEND: return &a.fragment.blend;
         case kGL_COLOR_SUM: return &a.fragment.color_sum;

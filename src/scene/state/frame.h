@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -239,6 +240,26 @@ struct LineStipple {
     friend bool operator==(const LineStipple&, const LineStipple&) = default;
 };
 
+// 3.3 lets the implementation choose the largest point; here it is llvmpipe's.
+inline constexpr double kMaxPointSize = 255;
+
+struct PointParameters {  // 3.3, 3.3.1: glPointParameter
+    double size_min = 0, size_max = kMaxPointSize;
+    double fade_threshold_size = 1;  // only for multisampling
+    glm::dvec3 distance_attenuation{1, 0, 0};
+    Enum sprite_coord_origin = kGL_UPPER_LEFT;  // or GL_LOWER_LEFT
+
+    bool attenuates() const { return distance_attenuation != glm::dvec3(1, 0, 0); }
+    // RULING: a negative factor counts by its size, and where the limits are in the wrong order, that of the smallest size
+    // counts. 3.3 leaves both open.
+    double derived_size(double size, double distance_eye) const {
+        const glm::dvec3& f = distance_attenuation;
+        const double factor = attenuates() ? f.x + distance_eye * (f.y + distance_eye * f.z) : 1;
+        return std::max(size_min, std::min(size_max, size / std::sqrt(std::abs(factor))));
+    }
+    friend bool operator==(const PointParameters&, const PointParameters&) = default;
+};
+
 inline constexpr int kMaxClipPlanes = 8;  // GL requires at least 6 (table 6.29); Mesa has 8
 
 struct RasterState {
@@ -251,7 +272,9 @@ struct RasterState {
     Enum polygon_mode_back = kGL_FILL;
     PolygonOffset polygon_offset;
     double line_width = 1;  // 3.4: without smoothing, rounded to a whole number of pixels, at least 1
-    double point_size = 1;  // 3.3: the same
+    double point_size = 1;  // 3.3: the same, after the point parameters
+    PointParameters point_parameters{};
+    bool point_sprite = false;                                // 3.3.1
     std::optional<LineStipple> line_stipple{};                // nothing: off
     std::shared_ptr<const PolygonStipple> polygon_stipple{};  // null: off
     bool line_smooth = false, point_smooth = false;           // 3.3, 3.4.2
@@ -325,6 +348,7 @@ struct Texture {                         // 3.8.4, table 3.18
     bool generate_mipmap = false;
     double lod_bias = 0;                     // a Draw's is in its TextureUnit
     double min_lod = -1000, max_lod = 1000;  // limits of the level of detail
+    double max_anisotropy = 1;  // EXT_texture_filter_anisotropic: at most as many samples along the longer axis
     // The first level in use, and the last. A Draw's texture has only the levels in use: they count from 0 again.
     int base_level = 0, max_level = 1000;
     // Only while the allowed difference is found: what the texels may be in other renderers, which copied them from other
@@ -417,6 +441,7 @@ struct TextureUnit {
     glm::dmat4 texture_matrix{1};  // multiplies every texture coordinate (2.11.2)
     // They replace the vertices' own coordinates; in the order s, t, r, q.
     std::vector<GeneratedCoordinate> generated{};
+    bool coord_replace = false;  // 3.3.1: point sprites have coordinates of their own
 
     friend bool operator==(const TextureUnit&, const TextureUnit&) = default;
 };
@@ -545,6 +570,12 @@ struct Draw {
     // Whether polygons are drawn as edges or corners.
     bool draws_borders() const { return draws_polygons_as(kGL_LINE) || draws_polygons_as(kGL_POINT); }
     bool draws_points() const { return mode == kGL_POINTS || draws_polygons_as(kGL_POINT); }
+    bool draws_sprites() const { return raster.point_sprite && draws_points(); }
+    // Whether every fragment is a point's.
+    bool draws_only_points() const {
+        return mode == kGL_POINTS || (draws_polygons(mode) && raster.polygon_mode_front == kGL_POINT &&
+                                      raster.polygon_mode_back == kGL_POINT);
+    }
     bool draws_lines() const { return (mode != kGL_POINTS && !draws_polygons(mode)) || draws_polygons_as(kGL_LINE); }
 
     // Whether textures are combined by more than one texture unit or by GL_COMBINE.

@@ -50,6 +50,27 @@ void State::point_size(const Command& c) {
     a_.raster.point_size = c.number(0);
 }
 
+// 3.3, 3.3.1, table 6.12.
+void State::point_parameter(const Command& c) {
+    const Enum pname = c.enumerant(0);
+    const auto values = parameter_values(c, Owner::kPoint, pname);
+    if (!values) return;
+    PointParameters& parameters = a_.raster.point_parameters;
+    const double value = values->front();
+    switch (pname) {
+        case kGL_POINT_SIZE_MIN: parameters.size_min = value; break;
+        case kGL_POINT_SIZE_MAX: parameters.size_max = value; break;
+        case kGL_POINT_FADE_THRESHOLD_SIZE: parameters.fade_threshold_size = value; break;
+        case kGL_POINT_DISTANCE_ATTENUATION:
+            parameters.distance_attenuation = {value, (*values)[1], (*values)[2]};
+            break;
+        default: {
+            const auto origin = static_cast<Enum>(std::clamp(value, 0.0, 4294967295.0));
+            if (known(c, origin, {kGL_LOWER_LEFT, kGL_UPPER_LEFT})) parameters.sprite_coord_origin = origin;
+        }
+    }
+}
+
 void State::edge_flag(const Command& c) { a_.current.edge_flag = c.number(0) != 0; }
 
 void State::hint(const Command& c) {

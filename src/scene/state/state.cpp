@@ -237,6 +237,7 @@ TextureUnit State::texture_unit(std::size_t number) const {
                      .lod_bias = bindings.lod_bias,
                      .texture_matrix = texture_[number].back().matrix};
     if (!unit.texture) return unit;
+    unit.coord_replace = bindings.coord_replace;
     unit.lod_bias =
         std::clamp(unit.lod_bias + unit.texture->lod_bias, -kMaxLodBias, kMaxLodBias);  // 3.8.8, equation 3.19
     unit.generated = generated_coordinates(bindings);
@@ -251,6 +252,30 @@ void State::add_further_values(Draw& draw) const {
         draw.secondary_colors.resize(draw.vertices.size(), a_.secondary_color);
     if (draw.fog.enabled && draw.fog.by_coordinates) draw.fog_coords.resize(draw.vertices.size(), a_.fog_coord);
 }
+
+namespace {
+
+// Leaves a Draw the state of points that counts for it (3.3).
+void keep_state_of_points(Draw& draw) {
+    RasterState& raster = draw.raster;
+    const RasterState initial;
+    raster.point_sprite = draw.draws_sprites();
+    raster.point_smooth = raster.point_smooth && draw.draws_points() && !raster.point_sprite;  // 3.3.1
+    raster.point_parameters.fade_threshold_size = initial.point_parameters.fade_threshold_size;
+    if (!draw.draws_points()) raster.point_parameters = initial.point_parameters;
+    if (!raster.point_sprite)
+        raster.point_parameters.sprite_coord_origin = initial.point_parameters.sprite_coord_origin;
+    const auto keep = [&](TextureUnit& unit) {
+        unit.coord_replace = unit.coord_replace && raster.point_sprite;
+        if (!unit.coord_replace || !draw.draws_only_points()) return;
+        unit.texture_matrix = glm::dmat4(1);
+        unit.generated.clear();
+    };
+    keep(draw.texture);
+    for (FurtherUnit& further : draw.further_units) keep(further.unit);
+}
+
+}  // namespace
 
 Draw State::new_draw(Enum mode, const Place& place) {
     Draw draw;
@@ -280,7 +305,7 @@ Draw State::new_draw(Enum mode, const Place& place) {
     if (a_.line_stipple_enabled && draw.draws_lines()) draw.raster.line_stipple = a_.line_stipple;
     if (a_.polygon_stipple_enabled && draws_polygons(mode)) draw.raster.polygon_stipple = a_.polygon_stipple;
     draw.raster.line_smooth &= draw.draws_lines();
-    draw.raster.point_smooth &= draw.draws_points();
+    keep_state_of_points(draw);
     for (std::size_t i = 0; i < a_.clip_planes.size(); ++i)
         if (a_.clip_planes[i].enabled) draw.raster.clip_planes_eye[i] = a_.clip_planes[i].equation_eye;
     for (const auto& [capability, where] : a_.driver_only) {
@@ -288,8 +313,11 @@ Draw State::new_draw(Enum mode, const Place& place) {
         if (!row.changes_pixels) continue;
         note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), where);
     }
-    note_driver_only_values(draw);
     // `#pragma twinlight light(8, ...)`: GL has only eight lights.
+    bool replaces = false;
+    draw.for_each_unit([&](std::size_t, const TextureUnit& unit) { replaces = replaces || unit.coord_replace; });
+    if (replaces && !draw.draws_only_points())
+        note_unsupported("point sprites for one face of polygons", place, MissingFrom::kShaders);
     const auto& lights = draw.lighting.lights;
     const bool has_more =
         lights.size() > kMaxLights &&

@@ -137,7 +137,7 @@ class State {
     Effect enable, disable;
     Effect client_arrays, array_element, draw_arrays;
     Effect draw_buffer, driver_only_state, driver_only_drawing, driver_only_attribute, driver_only_query,
-        driver_only_point_parameter, driver_only_pixel_transfer, driver_only_bitmap;
+        driver_only_pixel_transfer, driver_only_bitmap;
     Effect stencil_func, stencil_op, stencil_mask, clear_stencil;
     Effect accumulate, clear_accumulation;
     Effect line_stipple, polygon_stipple, logic_op;
@@ -152,7 +152,7 @@ class State {
     Effect map, map_grid, eval_coord, eval_point, eval_mesh;
     Effect build_mipmaps, texture_file;
     Effect front_face, cull_face, polygon_mode, depth_func, depth_mask, flush, depth_range, polygon_offset, line_width,
-        point_size, edge_flag, hint;
+        point_size, point_parameter, edge_flag, hint;
     Effect render_mode, hit_buffer, is_enabled, query_clip_plane;
     Effect shape, mesh_file, new_quadric, delete_quadric, set_quadric, quadric_shape;
     Effect spectrum, reflectance, illuminant, transfer;
@@ -176,6 +176,7 @@ class State {
     void add_further_values(Draw& draw) const;
     TextureUnit texture_unit(std::size_t number) const;  // of a Draw made now
     void set_combine(const Command& command, Enum pname, double value);
+    std::optional<Owner> environment_owner(const Command& command);  // raises GL_INVALID_ENUM for another target
     void send_element(const Command& command, const ArrayVertices& element);  // glArrayElement
     // Whether this many more bytes, or this much more work, stay within the picture's limits; if not, raises
     // GL_OUT_OF_MEMORY.
@@ -248,7 +249,6 @@ class State {
         const Command& command);  // its first argument; raises the error and returns null if it does not exist
     bool can_send(const Command& command);  // whether its quadric can be drawn; if not, raises the error
     void show(FrameItem item);              // adds it to the picture if the render mode is GL_RENDER
-    void note_driver_only_values(const Draw& draw);
     // Notes something unsupported: note_lasting() for this and all later pictures, note_unsupported() only for this
     // one.
     void note_lasting(std::string_view name, const Place& place);

@@ -70,7 +70,6 @@ struct DriverOnlyParameter {
     std::optional<double> initial;  // nullopt: it only modifies another parameter, and alone changes no pixel
 };
 constexpr DriverOnlyParameter kDriverOnlyParameters[] = {
-    {kGL_TEXTURE_MAX_ANISOTROPY_EXT, 1},
     {kGL_TEXTURE_COMPARE_MODE, kGL_NONE},
     {kGL_TEXTURE_COMPARE_FUNC, std::nullopt},
     {kGL_DEPTH_TEXTURE_MODE, std::nullopt},
@@ -98,14 +97,25 @@ void State::query_tex_parameter(const Command& c) {
           enum_name(pname));
 }
 
+// By the target of glTexEnv and glGetTexEnv.
+std::optional<Owner> State::environment_owner(const Command& c) {
+    switch (c.enumerant(0)) {
+        case kGL_TEXTURE_ENV: return Owner::kTexEnv;
+        case kGL_TEXTURE_FILTER_CONTROL: return Owner::kTexFilterControl;
+        case kGL_POINT_SPRITE: return Owner::kPointSprite;
+        default: known(c, c.enumerant(0), {kGL_TEXTURE_ENV, kGL_TEXTURE_FILTER_CONTROL, kGL_POINT_SPRITE});
+    }
+    return std::nullopt;
+}
+
 void State::query_tex_env(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
-    if (!known(c, target, {kGL_TEXTURE_ENV, kGL_TEXTURE_FILTER_CONTROL})) return;
-    const Owner owner = target == kGL_TEXTURE_ENV ? Owner::kTexEnv : Owner::kTexFilterControl;
-    if (!find_parameter(owner, pname))
+    const std::optional<Owner> owner = environment_owner(c);
+    if (owner && !find_parameter(*owner, pname))
         raise(kGL_INVALID_ENUM, c, "{} is given {}; expected {}", c.name(), enum_name(pname),
-              owner == Owner::kTexEnv ? "GL_TEXTURE_ENV_MODE, GL_TEXTURE_ENV_COLOR, GL_COMBINE_RGB, ..."
-                                      : "GL_TEXTURE_LOD_BIAS");
+              target == kGL_TEXTURE_ENV    ? "GL_TEXTURE_ENV_MODE, GL_TEXTURE_ENV_COLOR, GL_COMBINE_RGB, ..."
+              : target == kGL_POINT_SPRITE ? "GL_COORD_REPLACE"
+                                           : "GL_TEXTURE_LOD_BIAS");
 }
 
 void State::tex_parameter(const Command& c) {
@@ -150,6 +160,8 @@ void State::tex_parameter(const Command& c) {
         case kGL_TEXTURE_LOD_BIAS: return assign(&Texture::lod_bias, values->front());
         case kGL_TEXTURE_MIN_LOD: return assign(&Texture::min_lod, values->front());
         case kGL_TEXTURE_MAX_LOD: return assign(&Texture::max_lod, values->front());
+        case kGL_TEXTURE_MAX_ANISOTROPY_EXT:
+            return assign(&Texture::max_anisotropy, std::min(values->front(), kMaxAnisotropy));
         case kGL_TEXTURE_BASE_LEVEL: return set_level(&Texture::base_level);
         case kGL_TEXTURE_MAX_LEVEL: return set_level(&Texture::max_level);
         default: return;
@@ -157,12 +169,20 @@ void State::tex_parameter(const Command& c) {
 }
 
 void State::tex_env(const Command& c) {
-    const Enum target = c.enumerant(0), pname = c.enumerant(1);
-    if (!known(c, target, {kGL_TEXTURE_ENV, kGL_TEXTURE_FILTER_CONTROL})) return;
-    const Owner owner = target == kGL_TEXTURE_ENV ? Owner::kTexEnv : Owner::kTexFilterControl;
-    const auto values = parameter_values(c, owner, pname);
+    const Enum pname = c.enumerant(1);
+    const std::optional<Owner> owner = environment_owner(c);
+    if (!owner) return;
+    const auto values = parameter_values(c, *owner, pname);
     if (!values) return;
     switch (pname) {
+        case kGL_COORD_REPLACE: {  // 3.3.1: TRUE or FALSE
+            const int replaces = static_cast<int>(std::clamp(values->front(), -1.0, 2.0));
+            if (replaces != kGL_FALSE && replaces != kGL_TRUE)
+                return raise(kGL_INVALID_VALUE, c, "GL_COORD_REPLACE is {}; it must be GL_TRUE or GL_FALSE",
+                             values->front());
+            unit().coord_replace = replaces == kGL_TRUE;
+            break;
+        }
         case kGL_TEXTURE_ENV_MODE: {
             const auto mode = static_cast<Enum>(std::clamp(values->front(), 0.0, 4294967295.0));
             if (known(c, mode, {kGL_MODULATE, kGL_DECAL, kGL_REPLACE, kGL_BLEND, kGL_ADD, kGL_COMBINE}))

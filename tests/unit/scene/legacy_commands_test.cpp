@@ -85,17 +85,6 @@ TEST(Extensions, AreReadAsTheCoreCommandsOfTheSameMeaning) {
 
 // ---- Commands are reported as unsupported only if they change a picture ----
 
-TEST(PointParameters, AreNamedWherePointsAreDrawn) {
-    const std::string set = "glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, (GLfloat[]){1, 0.5, 0});\n";
-    EXPECT_EQ(unsupported(set + kSquare), Names());
-    EXPECT_EQ(unsupported(set + kPoint), Names{"glPointParameter(GL_POINT_DISTANCE_ATTENUATION)"});
-    EXPECT_EQ(unsupported(set + "glPolygonMode(GL_FRONT, GL_POINT);" + kSquare),
-              Names{"glPointParameter(GL_POINT_DISTANCE_ATTENUATION)"});
-    EXPECT_EQ(unsupported("glPushAttrib(GL_POINT_BIT);" + set + "glPopAttrib();" + kPoint), Names());
-    EXPECT_EQ(unsupported("glPointParameterf(GL_POINT_SIZE_MIN, 0);" + std::string(kPoint)), Names());
-    EXPECT_EQ(run("glPointParameterf(GL_FOG, 0);").errors()[0].code, kGL_INVALID_ENUM);
-}
-
 TEST(Evaluators, AreNotNamed) {
     const std::string map =
         "glMap1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, (GLfloat[]){0, 0, 0, 1, 1, 0});\n"

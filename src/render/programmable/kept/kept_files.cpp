@@ -497,6 +497,8 @@ std::string why_not_kept(const Frame& frame) {
         if (draw->combines_textures()) return "it combines textures with GL_COMBINE (glTexEnv)";
         if (draw->raster.line_stipple) return "it uses a line stipple, which core GL lacks";
         if (draw->raster.polygon_stipple) return "it uses a polygon stipple, which core GL lacks";
+        if (draw->raster.point_sprite) return "it uses point sprites (GL_POINT_SPRITE)";
+        if (draw->raster.point_parameters != PointParameters{}) return "it uses glPointParameter";
         if (draw->raster.point_smooth) return "it uses smooth points, which core GL lacks";
         if (!draw->lighting.enabled) continue;
         if (draw->lighting.light_model.spectrum) return "it multiplies colours as spectra (#pragma twinlight spectrum)";

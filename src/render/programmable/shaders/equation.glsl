@@ -1,5 +1,5 @@
 // The terms of the lighting equation (GL 2.1, section 2.14.1), with the names of src/lighting/equation.h, and their
-// helpers; sphere maps, fog and sRGB at the end. A program contains only the functions that it calls (shader_assembly.h). All values
+// helpers; sphere maps, sizes of points, fog and sRGB at the end. A program contains only the functions that it calls (shader_assembly.h). All values
 // are parameters, so that the same function serves every light, both faces, and object or eye coordinates. For integer
 // exponents EXPONENT is int and POWER is whole_power; otherwise float and real_power.
 
@@ -133,6 +133,12 @@ float bounded(float x) {
 vec2 sphere_map(vec3 r) {
     float m = 2.0 * length(r + vec3(0.0, 0.0, 1.0));
     return r.xy / max(m, 1e-18) + 0.5;
+}
+
+// A point's size (section 3.3). sizes: glPointSize, GL_POINT_SIZE_MIN, GL_POINT_SIZE_MAX.
+float attenuated_size(float point_distance, vec3 attenuation, vec3 sizes) {
+    float factor = attenuation.x + point_distance * (attenuation.y + point_distance * attenuation.z);
+    return max(sizes.y, min(sizes.z, sizes.x * inversesqrt(abs(factor))));
 }
 
 // The fog factor f for GL_LINEAR (section 3.10). fog_scale is 1 / (end - start).

@@ -21,6 +21,6 @@
 #elif EFFECT_TEXTURE_CLAMP
     vec4 texel = texture(u_texture, tex_coord);
 #else
-    vec4 texel = TEXTURE_LOOKUP(u_texture, v_tex_coord);
+    vec4 texel = TEXTURE_LOOKUP(u_texture, TEX_COORD);
 #endif
 #insert texture_environment

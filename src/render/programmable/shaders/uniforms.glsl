@@ -19,6 +19,9 @@ uniform vec4 u_plane_r_object;
 uniform vec4 u_plane_q_object;
 uniform mat4 u_generated_eye_from_object;  // the modelview matrix; its scale does not matter
 uniform mat3 u_generated_normal_from_object;  // for normals, with GL_RESCALE_NORMAL's factor (section 2.11.3)
+uniform mat4 u_point_eye_from_object;  // the modelview matrix, in a unit of length that keeps squares in the range of floats
+uniform vec3 u_point_attenuation;  // GL_POINT_DISTANCE_ATTENUATION, in that unit
+uniform vec3 u_point_sizes;  // glPointSize, GL_POINT_SIZE_MIN, GL_POINT_SIZE_MAX
 uniform SAMPLER u_texture;
 uniform vec4 u_texture_env_color;
 uniform vec4 u_eye_z_from_object;  // the modelview matrix's third row
