@@ -242,6 +242,14 @@ CommandRule shows_cut_of_rectangles() {
     };
 }
 
+CommandRule maps_drawn_pixels() {
+    return both(any_command([](const Command& command) {
+                    return command.name().starts_with("glPixelTransfer") && command.enumerant(0) == kGL_MAP_COLOR &&
+                           command.number(1) != 0;
+                }),
+                any_command([](const Command& command) { return command.id == Id::glDrawPixels; }));
+}
+
 CommandRule shades_evaluated_meshes_flat() {
     return both(any_command([](const Command& command) {
                     return command.id == Id::glShadeModel && command.enumerant(0) == kGL_FLAT;

@@ -27,6 +27,7 @@ class Builder {
           stipples_(seed.structure + 4),
           copies_(seed.structure + 5),
           cubes_(seed.structure + 6),
+          labels_(~seed.values + 2),
           departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
@@ -75,6 +76,8 @@ class Builder {
         if (accumulates) add("glAccum(GL_RETURN, {:.4f});", random_.uniform(0.5, 1));
         if (departure_.empty() && copies_.chance(0.1))
             for (int i = 1 + copies_.below(2); i > 0; --i) copied();
+        if (is_of_labels(departure_) || (departure_.empty() && labels_.chance(0.1)))
+            text_ += label(labels_, departure_);
         if (has_quadric_) add("gluDeleteQuadric(quadric);");
         return std::move(text_);
     }
@@ -696,7 +699,7 @@ class Builder {
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
     Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_, more_, more_values_, stipples_,
-        copies_, cubes_;
+        copies_, cubes_, labels_;
     bool secondary_ = false, fog_coords_ = false;  // vertices have secondary colours, fog coordinates
     std::vector<int> further_units_;               // the numbers of those with a texture
     std::string_view departure_;

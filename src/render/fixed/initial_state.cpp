@@ -220,6 +220,7 @@ void reset(int width, int height) {
     reset_evaluators();  // needs unit 0 active
     reset_arrays();
     glMatrixMode(start.matrix_mode);
+    glWindowPos3f(0, 0, 0);  // with the current values
 }
 
 }  // namespace

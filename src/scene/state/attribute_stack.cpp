@@ -90,6 +90,7 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
         now.further_tex_coords = saved.further_tex_coords;
         now.secondary_color = saved.secondary_color;
         now.fog_coord = saved.fog_coord;
+        now.raster_position = saved.raster_position;
     }
     if (bit(kGL_POINT_BIT)) {
         now.raster.point_size = saved.raster.point_size;
@@ -121,6 +122,10 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
     if (bit(kGL_TEXTURE_BIT)) {
         now.units = saved.units;
         now.active_unit = saved.active_unit;
+    }
+    if (bit(kGL_PIXEL_MODE_BIT)) {
+        now.pixel_transfer = saved.pixel_transfer;
+        now.pixel_zoom = saved.pixel_zoom;
     }
     if (bit(kGL_SCISSOR_BIT)) now.fragment.scissor = saved.fragment.scissor;
     for (const DriverOnlyCapability& row : driver_only_capabilities()) {
