@@ -169,7 +169,7 @@ OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # Programs without a window link this as well as their own objects.
 OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(BUILD)/libtwinlight.a
 
-.PHONY: all deps demo test test-binary bench fuzz bad-input gallery programs golden tables instructions format check includes each-file tidy clean help force
+.PHONY: all deps demo test test-binary bench fuzz bad-input gallery programs golden tables instructions format check headers tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -240,17 +240,17 @@ check:  ## check the format, compile each file by itself, run clang-tidy, and ru
 	@if command -v clang-format >/dev/null; then \
 	    clang-format --dry-run -Werror $(SOURCES_all) $(HEADERS); \
 	    else echo "format: skipped, because clang-format is not installed"; fi
-	@$(MAKE) includes
+	@$(MAKE) headers
 	@if command -v clang-tidy >/dev/null; then $(MAKE) tidy; \
 	    else echo "tidy: skipped, because clang-tidy is not installed"; fi
 	@$(MAKE) test config=sanitize
 
-# Left out: the fuzzers, which `make fuzz` compiles one by one with clang, and kept/loader.h, which is C.
-includes: deps  ## compile each header and source by itself: it must include what it uses
-	@$(MAKE) --keep-going each-file
-each-file: $(patsubst %,includes/%,$(filter-out $(SOURCES_fuzz) $(FILES_shaders),$(HEADERS) $(SOURCES_all)))
-includes/%: %
-	@$(CXX) $(CXXFLAGS_all) $(INSTRUCTIONS) -fsyntax-only $(if $(filter %.h,$<),-include $< -x c++ /dev/null,$<)
+# A source includes its own header first, so only headers without a source are compiled here. (kept/loader.h is C.)
+HEADERS_alone := $(filter-out $(SOURCES_all:.cpp=.h) $(FILES_shaders),$(HEADERS))
+headers: deps  ## compile headers by themselves: each must include what it uses (units=files does so with sources)
+	@$(MAKE) --keep-going $(HEADERS_alone:%=alone/%)
+alone/%: %
+	@$(CXX) $(CXXFLAGS_all) $(INSTRUCTIONS) -fsyntax-only -include $< -x c++ /dev/null
 
 tidy: $(patsubst %,tidy/%,$(SOURCES_all))
 tidy/%: % programs
@@ -286,23 +286,26 @@ $(BUILD)/objects/$(1).room.cpp: $(if $(subst |$(call room_written,$(1))|,,|$(cal
 endef
 $(foreach name,$(ROOMS),$(eval $(call room,$(name))))
 
-# (g++ treats an included source as a header, and warns about its uses of anonymous namespaces.)
+# (g++ takes an included source for a header, and warns about its uses of anonymous namespaces.)
+ROOM_WARNINGS := $(if $(findstring clang,$(CXX)),,-Wno-subobject-linkage)
 $(BUILD)/objects/%.room.o: $(BUILD)/objects/%.room.cpp $(BUILD)/flags
 	@echo "compile $*/*.cpp"
-	@$(CXX) $(CXXFLAGS_all) -Wno-subobject-linkage -iquote . -MMD -MP -c $< -o $@
+	@$(CXX) $(CXXFLAGS_all) $(ROOM_WARNINGS) -iquote . -MMD -MP -c $< -o $@
 
 $(BUILD)/objects/%.o: %.cpp $(BUILD)/flags
 	@echo "compile $<"
 	@mkdir -p $(@D)
 	@$(CXX) $(CXXFLAGS_all) $(INSTRUCTIONS) $(CXXFLAGS_test) -MMD -MP -c $< -o $@
 
-# Tests share a precompiled header and are optimised less, which takes little more than half the time.
+# Tests share a precompiled header and are optimised less, which takes little more than half the time. With units=files it holds
+# GoogleTest alone, so that each test must include what it uses.
 OBJECTS_tests := $(call object,$(SOURCES_tests))
-$(OBJECTS_tests): $(BUILD)/tests.h.gch
-$(OBJECTS_tests): CXXFLAGS_test = $(OPTIMISATION_test) -include $(BUILD)/tests.h
-$(BUILD)/tests.h.gch: tests/precompiled.h $(BUILD)/flags
+$(OBJECTS_tests): $(BUILD)/tests-$(units).h.gch
+PRECOMPILED := $(OPTIMISATION_test) $(if $(filter files,$(units)),-DONLY_GOOGLETEST)
+$(OBJECTS_tests): CXXFLAGS_test = $(PRECOMPILED) -include $(BUILD)/tests-$(units).h
+$(BUILD)/tests-$(units).h.gch: tests/precompiled.h $(BUILD)/flags
 	@echo "compile $<"
-	@$(CXX) $(CXXFLAGS_all) $(OPTIMISATION_test) -x c++-header -c $< -o $@
+	@$(CXX) $(CXXFLAGS_all) $(PRECOMPILED) -x c++-header -c $< -o $@
 
 $(BUILD)/libtwinlight.a: $(OBJECTS_library) $(BUILD)/files
 	@rm -f $@

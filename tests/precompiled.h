@@ -1,7 +1,9 @@
-// What most tests include, compiled once for all of them (the Makefile's $(BUILD)/tests.h.gch). Each test still includes all that
-// it uses: where files are compiled without this one, nothing is missing.
-#include <fmt/format.h>
+// What most tests include, compiled once for all of them (the Makefile's tests-rooms.h.gch). Each test still includes all that
+// it uses: with units=files only GoogleTest is in it, and nothing is missing.
 #include <gtest/gtest.h>
+
+#ifndef ONLY_GOOGLETEST
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -21,3 +23,4 @@
 #include <string_view>
 #include <variant>
 #include <vector>
+#endif

@@ -1,4 +1,6 @@
 // Recordings with harmful commands: they read outside their memory, need too much memory, or never end.
+#include <gtest/gtest.h>
+
 #include "hostile_traces.h"
 
 namespace twinlight {

@@ -2,6 +2,7 @@
 // seconds, or more memory than its state, and none reads out of bounds (make config=sanitize checks that).
 #include "hostile_traces.h"
 
+#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include <filesystem>

@@ -101,9 +101,9 @@ bool may_include(const Path& from, const Path& to) {
     return allowed.contains(to.wing) || allowed.contains(to.wing + "/" + to.room);
 }
 
-std::vector<std::string> sources() {
+std::vector<std::string> sources(const char* folder = "src") {
     std::vector<std::string> paths;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator("src")) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         const std::string extension = entry.path().extension();
         if (extension == ".h" || extension == ".cpp") paths.push_back(entry.path().generic_string());
     }
@@ -128,6 +128,38 @@ TEST(Layers, IncludeOnlyWhatTheyMay) {
         }
     }
     EXPECT_GT(includes, 100);  // the test does read files
+}
+
+// So a header that lacks an include does not compile, though `make headers` leaves it out; and a test's precompiled header hides
+// no missing <gtest/gtest.h>.
+TEST(Layers, IncludeTheirOwnHeaderFirst) {
+    int headers = 0, tests = 0;
+    for (const char* folder : {"src", "tests"})
+        for (const std::string& path : sources(folder)) {
+            if (!path.ends_with(".cpp")) continue;
+            std::ifstream file(path);
+            std::vector<std::string> includes;
+            bool is_test = false;
+            for (std::string line; std::getline(file, line);) {
+                if (line.starts_with("#include ")) includes.push_back(line.substr(9));
+                is_test = is_test || line.starts_with("TEST");
+            }
+            const std::filesystem::path header = std::filesystem::path(path).replace_extension(".h");
+            if (std::filesystem::exists(header)) {
+                ++headers;
+                ASSERT_FALSE(includes.empty()) << path;
+                const std::string whole = "\"" + header.generic_string() + "\"";
+                const std::string below_src = "\"" + header.lexically_relative("src").generic_string() + "\"";
+                const std::string name = "\"" + header.filename().generic_string() + "\"";
+                EXPECT_TRUE(includes[0] == whole || includes[0] == below_src || includes[0] == name)
+                    << path << " includes " << includes[0] << " before its own header";
+            }
+            if (!is_test) continue;
+            ++tests;
+            EXPECT_TRUE(std::ranges::count(includes, "<gtest/gtest.h>")) << path << " does not include <gtest/gtest.h>";
+        }
+    EXPECT_GT(headers, 100);
+    EXPECT_GT(tests, 100);
 }
 
 // Only the window knows GLUT and ImGui; elsewhere GL's headers come through render/context/gl.h.

@@ -22,7 +22,7 @@ const std::vector<Departure>& departures() {
         // Departures that affect shaders too come first: if one of these applies, the others do not matter.
         {.name = "no answer in the specification",
          .section = "2.1.1, 2.11.3, 2.14.1: singular matrix, direction of length 0, vertex whose w is negative, light "
-                    "at the vertex",
+                    "at the vertex, clip coordinates near the largest float",
          .cause = Cause::kUnspecified,
          .vertex_rule = has_no_answer},
         {.name = "light at the horizon of a vertex",

@@ -142,7 +142,8 @@ bool rescales_much(const Draw& draw) {
 
 bool has_no_answer(const Draw& draw, const Vertex& vertex) {
     const glm::dvec4 eye = draw.eye_from_object * vertex.position_object;
-    if (eye.w < 0) return true;
+    constexpr double kHuge = 0x1p100;  // the driver divides colours by w of clip coordinates, and loses them
+    if (eye.w < 0 || std::abs((draw.clip_from_eye * eye).w) > kHuge) return true;
     if (!draw.lighting.enabled) return false;
     if (vertex.normal_object == glm::dvec3(0) || glm::determinant(glm::dmat3(draw.eye_from_object)) == 0) return true;
     return any_light(draw, [&](const LightSource& light) {

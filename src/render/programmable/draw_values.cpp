@@ -40,9 +40,6 @@ glm::dvec4 without_denormals(glm::dvec4 position) {
     return position;
 }
 
-// The largest power of two that is at most x; 1 if there is none.
-double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std::floor(std::log2(x))) : 1; }
-
 // ---- Ranges ----
 // The shader squares lengths, and a float's square overflows above 1e38 and underflows below 1e-38. Lighting does not depend
 // on the unit of length (attenuation does, so its factors are converted), nor on the length of normals that are scaled to 1.
@@ -51,7 +48,7 @@ double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std
 bool needs_no_unit(double size) { return size > 1e-12 && size < 1e12; }
 
 double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, const Plan& plan) {
-    double size = reach_eye(eye_from_object, reach);
+    double size = reach_xyz(eye_from_object, reach);
     for (const glm::dvec3& place : places_eye(plan)) size = std::max(size, largest_component(place));
     return size > 1e-6 && size < 1e9 ? 1 : power_of_two(size);
 }
@@ -77,9 +74,13 @@ Sizes sizes_of(const Draw& draw, const Plan& plan) {
         }
     }
     for (const glm::dvec3& place : places_eye(plan)) enlarge(sizes.places, place);
+    // Beside a light that is so much larger than all of these vertices, floats lose them, and it may come nearer.
+    constexpr double kMuchLarger = 0x1p40;
+    const double most = sizes.directions > 0 ? kMuchLarger * sizes.directions : HUGE_VAL;
     for (const PlannedLight& planned : plan.lights) {
         const glm::dvec4& p = plan.lighting.lights[static_cast<std::size_t>(planned.number)].position_eye;
-        if (meet && p.w == 0) enlarge(sizes.directions, glm::dvec3(p));
+        if (meet && p.w == 0)
+            sizes.directions = std::max(sizes.directions, std::min(largest_component(glm::dvec3(p)), most));
     }
     return sizes;
 }
@@ -114,15 +115,6 @@ double unit_of_homogeneous(const Sizes& sizes, const Plan& plan) {
     const bool keeps_factors = quickest * unit < kMost && squared * unit * unit < kMost;
     return slowest < kSlow && keeps_factors && is_far ? unit : 1;
 }
-// What to divide homogeneous coordinates by, whose largest x, y or z is `longest` and whose largest w is `w`: neither this scale nor
-// its inverse is a denormal, and products with it do not overflow. Not all come down to 1: the driver divides what it interpolates
-// by w of clip coordinates, which is as large as the distance. Beside a far x, y or z a small w would become a denormal, which
-// Mesa 25 takes for 0.
-double homogeneous_scale(double longest, double w) {
-    constexpr double kLargest = 0x1p40;
-    return std::clamp(power_of_two(std::max(longest / kLargest, w)), 0x1p-100, 0x1p120);
-}
-
 // The matrix for normals (2.11.3). If normals are scaled to length 1 later, its scale does not matter.
 glm::dmat3 normal_matrix_of(const Draw& draw, const Plan& plan) {
     glm::dmat3 normals = normal_matrix(glm::dmat3(draw.eye_from_object));
@@ -155,7 +147,8 @@ class DrawUniforms {
     }
 
     Uniforms build() {
-        matrix("u_clip_from_object", draw_.clip_from_eye * eye_from_object_);
+        const glm::dmat4 clip_from_object = draw_.clip_from_eye * eye_from_object_;
+        matrix("u_clip_from_object", clip_from_object / clip_scale(clip_from_object, reach_object()));
         clip_planes();
         fragments();
         if (!effects_.lighting) return std::move(uniforms_);
@@ -231,10 +224,8 @@ class DrawUniforms {
         for (int column = 0; column < 4; ++column)
             for (int row = 0; row < 3; ++row) eye_from_object[column][row] /= unit_;
         if (form_.homogeneous) {  // their scale does not matter
-            const glm::dvec4 reach = reach_object();
-            double w = 0;
-            for (int column = 0; column < 4; ++column) w += std::abs(eye_from_object[column][3]) * reach[column];
-            const double scale = homogeneous_scale(reach_eye(eye_from_object, reach), w);
+            const double scale =
+                homogeneous_scale(reach_xyz(eye_from_object, reach_object()), reach_w(eye_from_object, reach_object()));
             eye_from_object /= scale;
             unit_of_directions_ = unit_ * scale;
         }
@@ -341,7 +332,7 @@ class DrawUniforms {
     void generated() {
         const GeneratedNormal normal = effects_.generated_normal();
         if (effects_.generates_from_direction()) {
-            const double scale = power_of_two(reach_eye(eye_from_object_, reach_object()));
+            const double scale = power_of_two(reach_xyz(eye_from_object_, reach_object()));
             matrix("u_generated_eye_from_object", eye_from_object_ / scale);
         }
         if (normal == GeneratedNormal::kUnused) return;
@@ -471,9 +462,11 @@ class DrawUniforms {
         }
         if (effects.meets_directions)
             each({"toward_eye"}, [&](const LightSource& light) {
+                // It stays a normal float: vertices with another w need its direction.
+                constexpr double kLeast = 1e-36;
                 const glm::dvec3 toward = rgb(light.position_eye) / unit_of_directions_;
-                const double largest = largest_component(toward);
-                return largest > kMostDistant ? toward * (kMostDistant / largest) : toward;
+                const double size = largest_component(toward);
+                return size > 0 ? toward * (std::clamp(size, kLeast, kMostDistant) / size) : toward;
             });
         // A place that floats cannot hold comes nearer, in the same direction; then its distance has another unit.
         struct Placed {

@@ -47,16 +47,32 @@ bool may_be_near(std::span<const Draw* const> draws, const glm::dmat4& m, const 
     return std::ranges::any_of(draws, [&](const Draw* draw) { return std::ranges::any_of(draw->vertices, is_near); });
 }
 
+// A bound on one component.
+double reach_of_row(int row, const glm::dmat4& matrix, const glm::dvec4& reach) {
+    double sum = 0;
+    for (int column = 0; column < 4; ++column) sum += std::abs(matrix[column][row]) * reach[column];
+    return sum;
+}
+
 }  // namespace
 
-double reach_eye(const glm::dmat4& eye_from_object, const glm::dvec4& reach_object) {
-    double size = 0;
-    for (int row = 0; row < 3; ++row) {
-        double sum = 0;
-        for (int column = 0; column < 4; ++column) sum += std::abs(eye_from_object[column][row]) * reach_object[column];
-        size = std::max(size, sum);
-    }
-    return size;
+double reach_xyz(const glm::dmat4& matrix, const glm::dvec4& reach) {
+    return std::max({reach_of_row(0, matrix, reach), reach_of_row(1, matrix, reach), reach_of_row(2, matrix, reach)});
+}
+double reach_w(const glm::dmat4& matrix, const glm::dvec4& reach) { return reach_of_row(3, matrix, reach); }
+
+double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std::floor(std::log2(x))) : 1; }
+
+double homogeneous_scale(double longest, double w) {
+    constexpr double kLargest = 0x1p40;
+    return std::clamp(power_of_two(std::max(longest / kLargest, w)), 0x1p-100, 0x1p120);
+}
+
+double clip_scale(const glm::dmat4& clip_from_object, const glm::dvec4& reach_object) {
+    constexpr double kHuge = 0x1p80;
+    const double scale =
+        homogeneous_scale(reach_xyz(clip_from_object, reach_object), reach_w(clip_from_object, reach_object));
+    return scale > 1 / kHuge && scale < kHuge ? 1 : scale;
 }
 
 std::vector<glm::dvec3> places_eye(const Plan& plan) {
@@ -81,7 +97,7 @@ bool has_wide_range(std::span<const Draw* const> draws, const Plan& plan) {
     const glm::dmat4 eye_from_object = keeping_w(draws.front()->eye_from_object);
     if (!keeps_w(eye_from_object)) return false;
     if (!facts.w_is_1) return true;
-    const double size = reach_eye(eye_from_object, facts.position_reach);
+    const double size = reach_xyz(eye_from_object, facts.position_reach);
     if (size > 0 && !(size > kShort && size < kLong)) return true;
     return std::ranges::any_of(places_eye(plan), [&](const glm::dvec3& place) {
         return !(largest_component(place) < kLong) ||

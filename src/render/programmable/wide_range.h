@@ -28,8 +28,21 @@ inline bool has_wide_range(const Draw& draw, const Plan& plan) {
 // The same matrix for points, divided by its last element if it does nothing else to w, as the shadow matrix of a directional light.
 glm::dmat4 keeping_w(const glm::dmat4& eye_from_object);
 
-// A bound on the eye coordinates x, y and z of positions whose components are at most `reach_object`, before the division by w.
-double reach_eye(const glm::dmat4& eye_from_object, const glm::dvec4& reach_object);
+// Bounds on x, y and z, and on w, of matrix * position, if the position's components are at most `reach`.
+double reach_xyz(const glm::dmat4& matrix, const glm::dvec4& reach);
+double reach_w(const glm::dmat4& matrix, const glm::dvec4& reach);
+
+// The largest power of two that is at most x; 1 if there is none.
+double power_of_two(double x);
+// What to divide homogeneous coordinates by, whose largest x, y or z is `longest` and whose largest w is `w`: neither this scale nor
+// its inverse is a denormal, and products with it do not overflow. Not all come down to 1: the driver divides what it interpolates
+// by w of clip coordinates, which is as large as the distance. Beside a far x, y or z a small w would become a denormal, which
+// Mesa 25 takes for 0.
+double homogeneous_scale(double longest, double w);
+// What to divide clip coordinates by, whose scale does not matter: 1 unless their w is near the limits of floats. The driver divides
+// colours by w before it interpolates them, and they would become denormals.
+double clip_scale(const glm::dmat4& clip_from_object, const glm::dvec4& reach_object);
+
 // The places that lighting measures distances to: positional lights, and the eye with a local viewer.
 std::vector<glm::dvec3> places_eye(const Plan& plan);
 

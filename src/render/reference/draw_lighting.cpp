@@ -49,14 +49,14 @@ std::vector<lighting::Light<Real>> lights_of(const LightingState& state, bool le
     return lights;
 }
 
-bool weakens_with_distance(const LightSource& source) {
-    return source.linear_attenuation != 0 || source.quadratic_attenuation != 0;
-}
-
-// 2.14.1: the vector from P1 to P2, both with w = 0, is the unit vector of P2 - P1.
+// 2.14.1: the vector from P1 to P2, where P1 has w = 0, is the unit vector of P2 - P1 if P2 has w = 0, too. Otherwise it is that of
+// -P1, wherever P2 is: at the origin here, so that nothing of P2 is left.
 template <class Real>
 void turn_to(lighting::Light<Real>& light, const glm::dvec3& light_eye, const glm::dvec4& position_eye) {
-    if (light.directional) place(light, vec3_cast<Vec3<Real>>(light_eye - glm::dvec3(position_eye)), Real(0));
+    if (light.directional)
+        place(light, vec3_cast<Vec3<Real>>(light_eye - glm::dvec3(position_eye)), Real(0));
+    else
+        light.position_eye = {};
 }
 
 }  // namespace
@@ -99,8 +99,8 @@ DrawLighting::DrawLighting(const Draw& draw, bool lecture_variants)
     for (const LightSource& source : draw.lighting.lights) {
         if (!source.enabled) continue;
         positions_eye_.emplace_back(source.position_eye);
-        differs_at_infinity_ = differs_at_infinity_ || source.position_eye.w == 0 || weakens_with_distance(source);
     }
+    differs_at_infinity_ = !lights_.empty();
     if (!lecture_variants || !light_model.spectrum) return;
     std::vector<LightSource> enabled;
     std::ranges::copy_if(draw.lighting.lights, std::back_inserter(enabled), &LightSource::enabled);

@@ -53,8 +53,8 @@ class DrawLighting {
     // The vertex's material: its own, with the current colour for the properties that follow it (2.14.3).
     LitMaterial material(const StageVertex& v, Face face) const;
 
-    // The lighting of a point whose w is 0. Between it and a directional light, VP is the unit vector of the difference of
-    // their directions (2.14.1). RULING: its distance from positional lights is infinite.
+    // The lighting of a point whose w is 0: VP depends on a directional light's direction only, and not at all on another
+    // light's place (2.14.1). RULING: its distance from positional lights is infinite.
     bool differs_at(const glm::dvec4& position_eye) const { return position_eye.w == 0 && differs_at_infinity_; }
     DrawLighting at(const glm::dvec4& position_eye) const;
 
@@ -73,7 +73,7 @@ class DrawLighting {
 
     bool enabled_ = false;
     bool two_side_ = false;
-    bool differs_at_infinity_ = false;  // a light is directional, or attenuated by its distance
+    bool differs_at_infinity_ = false;  // there are lights, and at() has not turned them
     lighting::Model<double> model_;
     std::vector<lighting::Light<double>> lights_;
     std::vector<glm::dvec3> positions_eye_;  // of the lights, as glLight gave them

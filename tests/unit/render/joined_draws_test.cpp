@@ -1,6 +1,8 @@
 // Joined Draws: which neighbours have one state, and that pictures of them are those of the Draws one by one.
 #include "render/programmable/joined_draws.h"
 
+#include <gtest/gtest.h>
+
 #include <functional>
 #include <memory>
 

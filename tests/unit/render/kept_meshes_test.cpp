@@ -1,6 +1,8 @@
 // KeptMeshes: vertices are found again only if all of them are the same, and pictures do not change.
 #include "render/programmable/kept_meshes.h"
 
+#include <gtest/gtest.h>
+
 #include <functional>
 #include <memory>
 

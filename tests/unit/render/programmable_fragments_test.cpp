@@ -1,5 +1,7 @@
 // The programmable renderer's fragment colours: textures, the colour sum, fog, clip planes, per-vertex materials.
 // Compares pictures of hand-built draws with colours computed by hand.
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <memory>
 

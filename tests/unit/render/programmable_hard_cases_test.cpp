@@ -1,4 +1,6 @@
 // The programmable renderer where the specification is silent: the limit if there is one, else 0; never NaN.
+#include <gtest/gtest.h>
+
 #include "../hand_built_draws.h"
 
 namespace twinlight::programmable {

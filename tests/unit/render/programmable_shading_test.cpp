@@ -1,5 +1,7 @@
 // The programmable renderer over whole primitives: flat, gouraud and phong; and compared with the driver's fixed
 // function.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 

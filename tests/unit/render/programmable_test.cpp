@@ -2,6 +2,8 @@
 // by hand.
 #include "render/programmable/programmable.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 
 #include "../hand_built_draws.h"

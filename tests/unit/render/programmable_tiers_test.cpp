@@ -1,4 +1,6 @@
 // Tiers: which programs are made, and that all tiers draw the same.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>

@@ -1,6 +1,8 @@
 // Uniforms: the flat list, and programs that set only what differs from the last use.
 #include "render/programmable/uniforms.h"
 
+#include <gtest/gtest.h>
+
 #include "../hand_built_draws.h"
 
 namespace twinlight::programmable {

@@ -212,7 +212,9 @@ Code precise_code(const Draw& draw, const Plan& plan) {
 Uniforms precise_uniforms(const Draw& draw, const Plan& plan, const Code& code) {
     Uniforms values = uniforms(draw, plan, code);
     const glm::mat4 eye_from_object(draw.eye_from_object);
-    values.set("u_clip_from_object", columns(mesa_product(glm::mat4(draw.clip_from_eye), eye_from_object)));
+    const glm::mat4 clip_from_object = mesa_product(glm::mat4(draw.clip_from_eye), eye_from_object);
+    const double scale = clip_scale(glm::dmat4(clip_from_object), plan.vertices.position_reach);
+    values.set("u_clip_from_object", columns(clip_from_object / static_cast<float>(scale)));
     if (!code.effects.lighting) return values;
 
     const LightingState& lighting = plan.lighting;
