@@ -64,6 +64,8 @@ Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter)
     const std::vector<Enum> faces = {kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK};
     if (parameter == "light") return kGL_LIGHT0 + static_cast<Enum>(random.below(kMaxLights));
     if (parameter == "face") return one_of(random, faces);
+    if (parameter == "pname" && signature(id).name.starts_with("glPixelTransfer"))
+        return one_of(random, {kGL_MAP_COLOR, kGL_RED_SCALE, kGL_ALPHA_SCALE, kGL_GREEN_BIAS, kGL_BLUE_BIAS});
     if (parameter == "pname") {
         std::vector<Enum> pnames;
         for (const ParameterInfo& info : parameter_infos()) {
@@ -242,9 +244,10 @@ Command random_command(fuzz::Random& random) {
         if (uses_arrays_or_names(sig)) continue;
         // State does not check commands that it does not support.
         if (std::find(std::begin(kDriverOnly), std::end(kDriverOnly), id) != std::end(kDriverOnly)) continue;
-        // Half of the table are variants of glColor and glVertex.
+        // Half of the table are variants of glColor, glVertex, ...
         const bool frequent = sig.name.starts_with("glColor") || sig.name.starts_with("glVertex") ||
-                              sig.name.starts_with("glTexCoord") || sig.name.starts_with("glMultiTexCoord");
+                              sig.name.starts_with("glTexCoord") || sig.name.starts_with("glMultiTexCoord") ||
+                              sig.name.starts_with("glRasterPos") || sig.name.starts_with("glWindowPos");
         if (frequent && random.chance(0.7)) continue;
         Command command{id, {}, {}};
         for (const Parameter& parameter : sig.parameters) {
@@ -368,6 +371,8 @@ bool is_departure(const Command& command, const State& state) {
     if (is_anisotropy && command.enumerant(0) == kGL_TEXTURE_1D && command.arguments.size() > 2 &&
         command.number(2) > 1)
         return true;
+    // cot(90 degrees) is 0 but for rounding, and so is the determinant, which decides what planes become.
+    if (command.id == CommandId::gluPerspective && std::abs(command.number(0)) == 180) return true;
     const bool is_eye_plane = name.starts_with("glTexGen") && command.enumerant(1) == kGL_EYE_PLANE;
     if ((command.id == CommandId::glClipPlane || is_eye_plane) && is_inaccurate_plane(state)) return true;
     return name.starts_with("glColor3") && state.attributes().current.color.a != 1;
@@ -420,6 +425,8 @@ void expect_same_state(const State& state, const fixed::Driver& driver) {
         std::vector<double> expected = answer(state, name.value);
         const bool is_query = !expected.empty() && !name.name.ends_with("_BIT");
         if (!is_query || name.value <= kGL_POLYGON) continue;
+        // After many random matrices it is inaccurate; RasterPositions.AreTheDrivers compares it.
+        if (name.name.starts_with("GL_CURRENT_RASTER")) continue;
         // A known bug (golden/known_differences): the driver answers for unit 0.
         if (name.value == kGL_TRANSPOSE_TEXTURE_MATRIX && answer(state, kGL_ACTIVE_TEXTURE)[0] != kGL_TEXTURE0)
             continue;

@@ -11,7 +11,7 @@ namespace twinlight::compare {
 MakeCommandRule mixes_glcolor3_and_4, mixes_tex_coords, sets_material_before_pop, shades_after_pop_in_list,
     switches_lights_before_pop, generates_mipmaps_after_pop, restores_tracked_color, sets_sides_apart,
     sets_both_sides_after_vertex, sets_color_before_new_mode, tracks_color_before_list, lists_edge_flags,
-    shows_cut_of_rectangles, shades_evaluated_meshes_flat, draws_others_beside_sprites;
+    shows_cut_of_rectangles, shades_evaluated_meshes_flat, draws_others_beside_sprites, maps_drawn_pixels;
 
 // ---- Between vertices and pixels ----
 
@@ -20,7 +20,9 @@ DrawRule draws_borders_of_clipped_polygons, has_faces_on_borders, has_faces_in_s
     offsets_borders_without_area, offsets_borders_out_of_range, has_wide_points, biases_level_of_points,
     adds_secondary_color_in_fog, has_w_in_fog, has_exponential_fog_behind_the_eye, has_negative_fog_coords,
     stipples_listed_strips, clamps_between_nearest_and_linear, attenuates_points_aside, has_sizes_in_wrong_order,
-    has_negative_attenuation;
+    has_negative_attenuation, has_fog_at_raster_position, has_raster_position_in_eye_coordinates,
+    has_secondary_color_at_raster_position, has_long_normal_at_raster_position, has_dim_light_at_raster_position,
+    has_texture_at_raster_position;
 VertexRule has_no_q;
 
 // ---- In lighting ----

@@ -254,9 +254,18 @@ CommandRule draws_others_beside_sprites() {
         const bool has_mode = is_one_of(command, {"glBegin", "glDraw"}) && command.id != Id::glDrawBuffer;
         const bool draws = has_mode ? command.enumerant(0) != kGL_POINTS
                                     : command.sig().family == Family::kShape ||
-                                          is_one_of(command, {"glRect", "glEvalMesh", "glCallList", "mesh", "shape"});
+                                          is_one_of(command, {"glRect", "glEvalMesh", "glBitmap", "glDrawPixels",
+                                                              "glCallList", "mesh", "shape"});
         return found = found || (draws && has_sprites && replaces);
     };
+}
+
+CommandRule maps_drawn_pixels() {
+    return both(any_command([](const Command& command) {
+                    return command.name().starts_with("glPixelTransfer") && command.enumerant(0) == kGL_MAP_COLOR &&
+                           command.number(1) != 0;
+                }),
+                any_command([](const Command& command) { return command.id == Id::glDrawPixels; }));
 }
 
 CommandRule shades_evaluated_meshes_flat() {

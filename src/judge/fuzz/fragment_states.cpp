@@ -29,6 +29,7 @@ class Builder {
           cubes_(seed.structure + 6),
           points_(seed.structure + 7),
           anisotropy_(seed.structure + 8),
+          labels_(~seed.values + 2),
           departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
@@ -80,6 +81,8 @@ class Builder {
         if (accumulates) add("glAccum(GL_RETURN, {:.4f});", random_.uniform(0.5, 1));
         if (departure_.empty() && copies_.chance(0.1))
             for (int i = 1 + copies_.below(2); i > 0; --i) copied();
+        if (is_of_labels(departure_) || (departure_.empty() && labels_.chance(0.1)))
+            text_ += label(labels_, departure_);
         if (has_quadric_) add("gluDeleteQuadric(quadric);");
         return std::move(text_);
     }
@@ -732,7 +735,7 @@ class Builder {
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
     Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_, more_, more_values_, stipples_,
-        copies_, cubes_, points_, anisotropy_;
+        copies_, cubes_, points_, anisotropy_, labels_;
     bool secondary_ = false, fog_coords_ = false;  // vertices have secondary colours, fog coordinates
     bool sprites_ = false;                         // everything is points
     std::vector<int> further_units_;               // the numbers of those with a texture

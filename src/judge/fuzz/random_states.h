@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "judge/fuzz/random.h"
@@ -34,6 +35,11 @@ CommandList extreme_state(const Seed& seed);
 // primitives, textures, environments, fog, blending, tests, masks, clip planes, offsets, widths. All numbers are of
 // moderate size.
 CommandList fragment_state(const Seed& seed);
+
+// The text of bitmaps or a pixel rectangle, and their state, at the end of a scene. is_of_labels(): whether they are likely to
+// show this known bug.
+std::string label(Random& random, std::string_view departure);
+bool is_of_labels(std::string_view departure);
 
 // The same scene, rewritten with display lists, vertex arrays, attribute stacks and matrix stacks. The picture must not
 // change.

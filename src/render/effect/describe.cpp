@@ -144,6 +144,7 @@ std::string describe(const EffectSet& effects) {
     add(effects.spectral_products, "spectral colour products");
     add(effects.spectral_groups > 0, fmt::format("groups of three spectral samples: {}", effects.spectral_groups));
     add(effects.srgb_coded, "sRGB output");
+    add(effects.at_pixels, "drawn at pixels of the window");
     add(effects.clip_plane_count > 0, fmt::format("clip planes: {}", effects.clip_plane_count));
     return text;
 }

@@ -191,6 +191,7 @@ struct EffectSet {
     bool secondary_color = false;    // the vertices' secondary colours are added after the textures
     bool attenuated_points = false;  // their size depends on the distance (3.3)
     int clip_plane_count = 0;        // of GL_CLIP_PLANEi (2.12)
+    bool at_pixels = false;          // vertices are drawn at Draw::pixels, wherever their positions are
     // Vertex colours are multiplied with lights in more than three samples: one matrix per product.
     bool spectral_products = false;
     // Every point is lit in this many groups of three spectral samples; 0: in red, green and blue.

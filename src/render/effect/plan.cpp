@@ -101,6 +101,7 @@ class Planner {
         // sRGB's curve is steepest at black, so an error in linear light grows most there.
         if (facts().srgb_coded) plan_.budget /= kSteepestSrgb;
         plan_fragments(draw_, vertices_, plan_);
+        facts().at_pixels = draw_.pixels != nullptr;
         facts().shading =
             options_.shading.value_or(draw_.lighting.shade_model == kGL_FLAT ? Shading::kFlat : Shading::kGouraud);
         // Meshes without exact surfaces, and exact surfaces (surface_draw.h), are lit at each fragment.
@@ -185,6 +186,7 @@ class Planner {
         left.attenuated_points = facts().attenuated_points;
         left.srgb_coded = facts().srgb_coded;
         left.clip_plane_count = facts().clip_plane_count;
+        left.at_pixels = facts().at_pixels;
         facts() = left;
         state().enabled = false;
         plan_.lights.clear();

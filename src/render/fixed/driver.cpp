@@ -43,6 +43,13 @@ Driver::~Driver() {
         glFeedbackBuffer(0, GL_2D, nullptr);
     }
     initial_.reset();  // a bound object would not be deleted at once
+    if (draws_bitmaps_) {
+        // Mesa keeps using a bitmap's textures, even deleted ones, until it draws vertices. This one is clipped.
+        glBegin(GL_POINTS);
+        glVertex4f(0, 0, 2, 1);
+        glEnd();
+        glFlush();
+    }
     for (const auto& [type, names] : names_) delete_names(type, names.all);
     for (std::uint32_t list : lists_) glDeleteLists(list, 1);
 }
@@ -127,8 +134,17 @@ void Driver::execute(const Command& command) {
         default: break;
     }
     executor_.execute(translated(command));
+    end_bitmaps(command);
     if (command.id == CommandId::glEndList) empty_lists();
     arrays_may_differ_ |= command.sig().family == Family::kShape;  // shapes are sent by arrays
+}
+
+// Mesa (22.3) keeps bitmaps to draw several at once, and crashes if a textured one waits. So none may wait.
+void Driver::end_bitmaps(const Command& command) {
+    const bool is_bitmap = command.id == CommandId::glBitmap || command.id == CommandId::glDrawPixels;
+    draws_bitmaps_ |= is_bitmap;
+    const bool may_draw = is_bitmap || command.id == CommandId::glCallList || command.id == CommandId::glCallLists;
+    if (draws_bitmaps_ && may_draw && answers()) glFlush();
 }
 
 namespace {

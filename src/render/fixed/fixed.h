@@ -73,6 +73,7 @@ class Driver {
     std::uint32_t new_name(ObjectType type);
     void delete_lists(const Command& command);
     void empty_lists();
+    void end_bitmaps(const Command& command);
 
     bool accumulate(const Command& command);
 
@@ -102,6 +103,7 @@ class Driver {
     std::vector<float> feedback_;
     int width_, height_;
     std::optional<AccumulationBuffer> accumulated_;  // in place of the buffer that the driver lacks here
+    bool draws_bitmaps_ = false;                     // or a list may
     bool selects_ = false;                           // the scene has set these buffers or the render mode
 };
 

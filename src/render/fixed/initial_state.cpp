@@ -211,6 +211,11 @@ void reset(int width, int height) {
     reset_stipples();
     reset_fragments(start);
     reset_texture_units(start.current);
+    // With the current values. They are set again, because Mesa (22.3) forgets here that they are new, and then a
+    // glPopAttrib(GL_CURRENT_BIT) of the scene does not restore them.
+    glWindowPos3f(0, 0, 0);
+    reset_current_values(start);
+    reset_texture_units(start.current);
     reset_evaluators();  // needs unit 0 active
     reset_arrays();
     glMatrixMode(start.matrix_mode);

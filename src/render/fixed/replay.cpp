@@ -1,8 +1,11 @@
 #include "render/fixed/replay.h"
 
 #include <algorithm>
+#include <array>
 #include <deque>
+#include <glm/common.hpp>
 #include <optional>
+#include <span>
 #include <variant>
 
 #include "render/context/context.h"
@@ -23,6 +26,43 @@ void set_clip_planes(const RasterState& raster) {
     GLenum plane = GL_CLIP_PLANE0;  // without gaps, as FixedStages enables them
     for (const auto& equation : raster.clip_planes_eye)
         if (equation) glClipPlane(plane++, &(*equation)[0]);
+}
+
+// Draws the pixels of these vertices of a Draw, which have one colour, as one bitmap. Its raster position has the values of
+// the first vertex. glDepthRange must give every position the depth of the pixels.
+void draw_bitmap(const Draw& draw, std::size_t first, std::size_t end) {
+    const auto places = std::span(draw.pixels->places).subspan(first, end - first);
+    glm::ivec2 low = places.front(), high = low;
+    for (const glm::ivec2& place : places) {
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+    }
+    const auto whole = [](int number) { return static_cast<std::size_t>(number); };
+    const glm::ivec2 size = high - low + 1;
+    const std::size_t row = (whole(size.x) + 7) / 8;
+    std::vector<GLubyte> bits(row * whole(size.y));
+    for (const glm::ivec2& place : places)
+        bits[whole(place.y - low.y) * row + whole(place.x - low.x) / 8] |=
+            static_cast<GLubyte>(0x80 >> (place.x - low.x) % 8);
+    send_values(draw, first);
+    glRasterPos4dv(&draw.vertices[first].position_object[0]);
+    std::array<GLfloat, 4> now{};
+    glGetFloatv(GL_CURRENT_RASTER_POSITION, now.data());
+    // To the middle of the first pixel, where rounding is far from its borders.
+    glBitmap(0, 0, 0, 0, static_cast<float>(low.x) + 0.5F - now[0], static_cast<float>(low.y) + 0.5F - now[1], nullptr);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glBitmap(size.x, size.y, 0, 0, 0, 0, bits.data());
+    glFlush();  // see Driver::end_bitmaps()
+}
+
+void draw_pixels(const Draw& draw) {
+    glDepthRange(draw.pixels->depth, draw.pixels->depth);
+    for (std::size_t first = 0; first < draw.vertices.size();) {
+        std::size_t end = first + 1;
+        while (end < draw.vertices.size() && draw.vertices[end].color == draw.vertices[first].color) ++end;
+        draw_bitmap(draw, first, end);
+        first = end;
+    }
 }
 
 // A Draw with the state to set for it.
@@ -66,7 +106,7 @@ struct PreparedDraw {
         for (const auto& [number, unit] : units)
             contents.normal |= std::ranges::any_of(unit.generated, &GeneratedCoordinate::needs_normal);
         by_vertex = !from.materials.empty() && (front.varies() || back.varies());
-        if (!by_vertex) mesh.emplace(from, contents, options);
+        if (!by_vertex && !from.pixels) mesh.emplace(from, contents, options);
     }
 
     void draw_with(const FixedStages& stages, Textures& textures) const {
@@ -81,7 +121,9 @@ struct PreparedDraw {
         set_texture(textures);
         load_matrix(GL_PROJECTION, draw->clip_from_eye);
         load_matrix(GL_MODELVIEW, draw->eye_from_object);
-        if (by_vertex)
+        if (draw->pixels)
+            draw_pixels(*draw);
+        else if (by_vertex)
             draw_with_materials(*draw, front, back);
         else
             mesh->draw();

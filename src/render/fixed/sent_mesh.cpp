@@ -197,6 +197,18 @@ void send_material(GLenum face, const Material& material, const FaceEffects& var
 
 }  // namespace
 
+void send_values(const Draw& draw, std::size_t index) {
+    const Vertex& vertex = draw.vertices[index];
+    glEdgeFlag(vertex.edge_flag);
+    glNormal3fv(&glm::vec3(vertex.normal_object)[0]);
+    glColor4fv(&glm::vec4(vertex.color)[0]);
+    glTexCoord4fv(&glm::vec4(vertex.tex_coord)[0]);
+    for (const FurtherUnit& further : draw.further_units)
+        glMultiTexCoord4fv(GL_TEXTURE0 + static_cast<GLenum>(further.number), &glm::vec4(further.tex_coords[index])[0]);
+    if (!draw.secondary_colors.empty()) glSecondaryColor3dv(&draw.secondary_colors[index][0]);
+    if (!draw.fog_coords.empty()) glFogCoordd(draw.fog_coords[index]);
+}
+
 void draw_with_materials(const Draw& draw, const FaceEffects& front, const FaceEffects& back) {
     std::uint32_t current = std::numeric_limits<std::uint32_t>::max();
     glBegin(draw.mode);
@@ -209,14 +221,7 @@ void draw_with_materials(const Draw& draw, const FaceEffects& front, const FaceE
             send_material(GL_FRONT, materials.front, front);
             send_material(GL_BACK, materials.back, back);
         }
-        glEdgeFlag(vertex.edge_flag);
-        glNormal3fv(&glm::vec3(vertex.normal_object)[0]);
-        glColor4fv(&glm::vec4(vertex.color)[0]);
-        glTexCoord4fv(&glm::vec4(vertex.tex_coord)[0]);
-        for (const FurtherUnit& further : draw.further_units)
-            glMultiTexCoord4fv(GL_TEXTURE0 + static_cast<GLenum>(further.number),
-                               &glm::vec4(further.tex_coords[index])[0]);
-        if (!draw.fog_coords.empty()) glFogCoordd(draw.fog_coords[index]);
+        send_values(draw, index);
         glVertex4fv(&glm::vec4(vertex.position_object)[0]);
     }
     glEnd();

@@ -57,6 +57,9 @@ class SentMesh {
     unsigned list_ = 0;
 };
 
+// Sets the current values to those of a vertex, but for its position and material.
+void send_values(const Draw& draw, std::size_t index);
+
 // Draws between glBegin and glEnd, with glMaterial for the properties of a face that vary.
 void draw_with_materials(const Draw& draw, const FaceEffects& front, const FaceEffects& back);
 

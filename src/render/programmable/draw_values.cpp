@@ -621,6 +621,11 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, cons
         const auto number = static_cast<std::size_t>(&vertex - draw.vertices.data());
         if (effects.secondary_color) add(draw.secondary_colors.at(number), 3);
         if (effects.fog_coords) values.push_back(to_float(draw.fog_coords.at(number)));
+        if (effects.at_pixels)
+            add(glm::dvec3((glm::dvec2(draw.pixels->places.at(number)) + 0.5) / (kMostWindowPixels / 2.0),
+                           2 * draw.pixels->depth) -
+                    1.0,
+                3);
         for (const VertexProperty& property : properties) {
             const Material& material = draw.materials.at(vertex.material).*property.face;
             if (property.color)

@@ -33,7 +33,7 @@ int kind_of(Enum mode) { return draws_polygons(mode) ? 2 : mode == kGL_POINTS ? 
 
 // Whether all values of its vertices are in Draw::vertices.
 bool has_only_vertices(const Draw& draw) {
-    return draw.further_units.empty() && draw.secondary_colors.empty() && draw.fog_coords.empty();
+    return draw.further_units.empty() && draw.secondary_colors.empty() && draw.fog_coords.empty() && !draw.pixels;
 }
 
 }  // namespace

@@ -81,8 +81,9 @@ bool KeptMeshes::Known::has_same_rest(const Draw& draw) const {
     const auto is_same = [](const std::vector<glm::dvec4>& kept, const FurtherUnit& unit) {
         return are_same_bits(kept, unit.tex_coords);
     };
-    return are_same_bits(materials, draw.materials) && are_same_bits(secondary_colors, draw.secondary_colors) &&
-           are_same_bits(fog_coords, draw.fog_coords) &&
+    const bool at_same_pixels = pixels == draw.pixels || (pixels && draw.pixels && *pixels == *draw.pixels);
+    return at_same_pixels && are_same_bits(materials, draw.materials) &&
+           are_same_bits(secondary_colors, draw.secondary_colors) && are_same_bits(fog_coords, draw.fog_coords) &&
            std::ranges::equal(further_tex_coords, draw.further_units, is_same);
 }
 
@@ -146,6 +147,7 @@ std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(DrawRun run) {
     known->materials = draw.materials;
     known->secondary_colors = draw.secondary_colors;
     known->fog_coords = draw.fog_coords;
+    known->pixels = draw.pixels;
     for (const FurtherUnit& unit : draw.further_units) known->further_tex_coords.push_back(unit.tex_coords);
     known->bytes = bytes;
     known->first_frame = known->last_frame = frame_;

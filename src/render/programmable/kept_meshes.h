@@ -48,6 +48,7 @@ class KeptMeshes {
         std::vector<std::vector<glm::dvec4>> further_tex_coords;  // of Draw::further_units; only of a single Draw
         std::vector<glm::dvec3> secondary_colors;
         std::vector<double> fog_coords;
+        std::shared_ptr<const WindowPixels> pixels;
         std::vector<std::pair<MeshForm, std::shared_ptr<const UploadedMesh>>> meshes;  // a few
         std::size_t bytes = 0;                                                         // 0: not kept
         std::uint64_t first_frame = 0, last_frame = 0;                                 // the frames that drew it

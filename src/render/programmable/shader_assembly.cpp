@@ -581,7 +581,9 @@ class Assembler {
                          {"EFFECT_RAY_NEAREST", surface.nearest},
                          {"EFFECT_RAY_STEPS", steps},
                          {"EFFECT_RAY_NORMAL", (effects_.needs_normal() && is_phong()) || effects_.two_side || steps}},
-            .inserts = {{"clip_position", lighting_.clip_position},
+            .inserts = {{"clip_position", effects_.at_pixels ? "    gl_Position = vec4(a_pixel_ndc, 1.0);  // sections "
+                                                               "3.6.4 and 3.7\n"
+                                                             : lighting_.clip_position},
                         {"lit", lit(stage)},
                         {"generated", has_ray() ? "" : generated()},
                         {"outputs", outputs()},

@@ -32,6 +32,7 @@ std::vector<Attribute> attributes(const EffectSet& effects) {
         if (!unit.texture.generates_all()) list.push_back({fmt::format("a_tex_coord{}", unit.number), 4});
     if (effects.secondary_color) list.push_back({"a_secondary_color", 3, "vec3"});
     if (effects.fog_coords) list.push_back({"a_fog_coord", 1, "float"});
+    if (effects.at_pixels) list.push_back({"a_pixel_ndc", 3, "vec3"});
     for (const VertexProperty& property : vertex_properties(effects))
         list.push_back({"a_" + property.name, property.size, property.type()});
     return list;

@@ -81,7 +81,11 @@ class OpenPixels {
 
     template <class Visit>
     void for_each_fragment(StepId id, const PixelRect& within, const Visit& visit) {
-        stages_.piece(id).shape == Shape::kTriangle ? polygon(id, within, visit) : thin(id, within, visit);
+        const Piece& piece = stages_.piece(id);
+        if (piece.shape == Shape::kTriangle) return polygon(id, within, visit);
+        if (!stages_.draw_of(piece).pixels) return thin(id, within, visit);
+        const Outcome how = piece.is_perhaps_clipped ? Outcome::kOpen : Outcome::kPasses;
+        for_each_pixel(piece, within, [&](int x, int y) { visit(id, x, y, how, nullptr); });
     }
 
     // The depths over the pixel's square. For lines and points the slope widens the interval.

@@ -347,8 +347,27 @@ void add_surface_pieces(const Draw& draw, std::uint32_t draw_index, std::vector<
     }
 }
 
+namespace {
+
+// 3.6.4, 3.7: each vertex is drawn at its pixel.
+void add_pixels(const Draw& draw, std::uint32_t draw_index, InClipPlane in_clip_plane, std::vector<Piece>& pieces) {
+    const auto add = [&](const glm::ivec2& place, std::uint32_t vertex) -> Piece& {
+        Piece piece{.primitive = {.shape = Shape::kPoint, .vertices = {vertex}, .provoking = vertex},
+                    .draw = draw_index};
+        piece.place = Ends{
+            .from = {.position_window = {glm::dvec2(place) + 0.5, draw.pixels->depth}, .weights_over_w = {1, 0, 0}}};
+        return pieces.emplace_back(std::move(piece));
+    };
+    for (std::uint32_t i = 0; const glm::ivec2& place : draw.pixels->places) add(place, i++);
+    if (in_clip_plane == InClipPlane::kPerhaps)
+        for (const glm::ivec2& place : draw.pixels->doubtful) add(place, 0).is_perhaps_clipped = true;
+}
+
+}  // namespace
+
 void add_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
                 const Options& options, std::vector<Piece>& pieces) {
+    if (draw.pixels) return add_pixels(draw, draw_index, options.in_clip_plane, pieces);
     if (draw.raster.viewport.width <= 0 || draw.raster.viewport.height <= 0) return;
     PieceMaker maker(draw, draw_index, vertices, options.in_clip_plane, pieces);
     for (const Primitive& primitive : assemble(draw, options.quad_cut)) maker.add(primitive);

@@ -274,6 +274,7 @@ std::optional<int> query_length(Enum pname) {
         case kGL_COLOR_WRITEMASK:
         case kGL_CURRENT_COLOR:
         case kGL_CURRENT_RASTER_COLOR:
+        case kGL_CURRENT_RASTER_SECONDARY_COLOR:
         case kGL_CURRENT_RASTER_POSITION:
         case kGL_CURRENT_RASTER_TEXTURE_COORDS:
         case kGL_CURRENT_SECONDARY_COLOR:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
@@ -127,6 +128,52 @@ Answer of_pixel_store(const PixelStore& store, Enum pname) {
     return row == std::end(kPixelStoreRows) ? Answer{} : one(row->value(store));
 }
 
+// Table 6.5. Nothing where only a renderer knows the answer: the colour of a lit raster position, texture coordinates
+// that are generated.
+Answer of_raster_position(const Attributes& a, Enum pname) {
+    const RasterPosition& position = a.raster_position;
+    const RasterVertex::Unit& unit = position.vertex->units[a.active_unit];
+    if (pname == kGL_CURRENT_RASTER_POSITION_VALID && !position.is_doubtful) return one(position.is_valid);
+    if (!position.is_valid || position.is_doubtful) return {};
+    switch (pname) {
+        case kGL_CURRENT_RASTER_POSITION: return list(position.position_window);
+        case kGL_CURRENT_RASTER_COLOR:
+            return position.vertex->lighting.enabled ? Answer{}
+                                                     : list(glm::clamp(position.vertex->vertex.color, 0.0, 1.0));
+        case kGL_CURRENT_RASTER_SECONDARY_COLOR:
+            return position.vertex->lighting.enabled
+                       ? Answer{}
+                       : list(glm::dvec4(glm::clamp(position.vertex->secondary_color, 0.0, 1.0), 1));
+        case kGL_CURRENT_RASTER_TEXTURE_COORDS:
+            return unit.generated.empty() ? list(unit.texture_matrix * unit.tex_coord) : Answer{};
+        default: return {};
+    }
+}
+
+// Tables 6.25 and 6.26.
+Answer of_pixel_transfer(const Attributes& a, const PixelMaps& maps, Enum pname) {
+    const PixelTransfer& transfer = a.pixel_transfer;
+    switch (pname) {
+        case kGL_MAP_COLOR: return one(transfer.map_color);
+        case kGL_RED_SCALE: return one(transfer.scale.r);
+        case kGL_GREEN_SCALE: return one(transfer.scale.g);
+        case kGL_BLUE_SCALE: return one(transfer.scale.b);
+        case kGL_ALPHA_SCALE: return one(transfer.scale.a);
+        case kGL_RED_BIAS: return one(transfer.bias.r);
+        case kGL_GREEN_BIAS: return one(transfer.bias.g);
+        case kGL_BLUE_BIAS: return one(transfer.bias.b);
+        case kGL_ALPHA_BIAS: return one(transfer.bias.a);
+        case kGL_ZOOM_X: return one(a.pixel_zoom.x);
+        case kGL_ZOOM_Y: return one(a.pixel_zoom.y);
+        case kGL_PIXEL_MAP_R_TO_R_SIZE:
+        case kGL_PIXEL_MAP_G_TO_G_SIZE:
+        case kGL_PIXEL_MAP_B_TO_B_SIZE:
+        case kGL_PIXEL_MAP_A_TO_A_SIZE: return one(maps[pname - kGL_PIXEL_MAP_R_TO_R_SIZE].size());
+        case kGL_MAX_PIXEL_MAP_TABLE: return one(kMaxPixelMap);
+        default: return {};
+    }
+}
+
 // Tables 6.6 to 6.9.
 Answer of_arrays(const VertexArrays& arrays, Enum pname) {
     const ClientArrays& client = arrays.client();
@@ -173,7 +220,8 @@ Answer answer(const State& state, Enum pname) {
     for (const Answer& answer :
          {of_lighting(a.lighting, pname), of_raster(a.raster, pname), of_fragments(a.fragment, a.fog, a.clear, pname),
           of_buffers(a, pname), of_hints(a.hints, pname), of_pixel_store(state.pixel_store(), pname),
-          of_arrays(state.arrays(), pname)}) {
+          of_arrays(state.arrays(), pname), of_raster_position(a, pname),
+          of_pixel_transfer(a, state.pixel_maps(), pname)}) {
         if (!answer.empty()) return answer;
     }
     const TextureBindings& unit = a.units[a.active_unit];

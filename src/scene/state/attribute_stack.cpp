@@ -94,6 +94,7 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
         now.further_tex_coords = saved.further_tex_coords;
         now.secondary_color = saved.secondary_color;
         now.fog_coord = saved.fog_coord;
+        now.raster_position = saved.raster_position;
     }
     if (bit(kGL_POINT_BIT)) {
         points(now) = points(saved);
@@ -127,6 +128,10 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
         now.units = saved.units;
         for (std::size_t i = 0; i < now.units.size(); ++i) now.units[i].coord_replace = coord_replace[i];
         now.active_unit = saved.active_unit;
+    }
+    if (bit(kGL_PIXEL_MODE_BIT)) {
+        now.pixel_transfer = saved.pixel_transfer;
+        now.pixel_zoom = saved.pixel_zoom;
     }
     if (bit(kGL_SCISSOR_BIT)) now.fragment.scissor = saved.fragment.scissor;
     for (const DriverOnlyCapability& row : driver_only_capabilities()) {

@@ -124,6 +124,42 @@ inline constexpr PixelStoreRow kPixelStoreRows[] = {
 
 std::shared_ptr<const PolygonStipple> solid_stipple();  // every bit is 1
 
+// The values of the vertex that glRasterPos was given, and of the state that its colours and texture coordinates come from
+// (2.13). Renderers light it when it draws.
+struct RasterVertex {
+    Vertex vertex;
+    glm::dvec3 secondary_color{0};
+    double fog_coord = 0;
+    bool fog_by_coordinates = false;
+    struct Unit {
+        glm::dvec4 tex_coord{0, 0, 0, 1};
+        glm::dmat4 texture_matrix{1};
+        std::vector<GeneratedCoordinate> generated{};
+    };
+    std::array<Unit, kMaxTextureUnits> units;
+    LightingState lighting;
+    glm::dmat4 eye_from_object{1}, clip_from_eye{1};
+};
+
+struct RasterPosition {
+    glm::dvec4 position_window{0, 0, 0, 1};  // w is that of clip coordinates
+    bool is_valid = true;
+    bool is_doubtful = false;  // whether it is valid depends on rounding
+    double doubt = 0;          // how far off a driver may be, in pixels; 0 if the position was given in whole pixels
+    std::shared_ptr<const RasterVertex> vertex = std::make_shared<const RasterVertex>();
+};
+
+// What glDrawPixels and glTexImage do with colours (3.6.3, 3.6.5). The tables of glPixelMap are used if map_color is set.
+struct PixelTransfer {
+    glm::dvec4 scale{1}, bias{0};
+    bool map_color = false;
+
+    bool is_initial() const { return *this == PixelTransfer{}; }
+    friend bool operator==(const PixelTransfer&, const PixelTransfer&) = default;
+};
+using PixelMaps = std::array<std::vector<double>, 4>;  // from red to red, ...
+inline constexpr int kMaxPixelMap = 256;               // GL_MAX_PIXEL_MAP_TABLE: at least 32 (table 6.32); 256 in Mesa
+
 struct ClipPlane {  // 2.12
     bool enabled = false;
     glm::dvec4 equation_eye{0, 0, 0, 0};
@@ -155,9 +191,12 @@ struct Attributes {
     std::array<TextureBindings, kMaxTextureUnits> units;
     std::size_t active_unit = 0;  // glActiveTexture's
     std::array<ClipPlane, kMaxClipPlanes> clip_planes;
-    Vertex current;                 // colour, normal, texture coordinates of unit 0, edge flag
-    glm::dvec3 secondary_color{0};  // the current one
-    double fog_coord = 0;           // the current one
+    Vertex current;  // colour, normal, texture coordinates of unit 0, edge flag
+    RasterPosition raster_position;
+    PixelTransfer pixel_transfer;
+    glm::dvec2 pixel_zoom{1, 1};
+    glm::dvec3 secondary_color{0};                                                           // the current one
+    double fog_coord = 0;                                                                    // the current one
     std::array<glm::dvec4, kMaxTextureUnits - 1> further_tex_coords = initial_tex_coords();  // of units 1, 2, ...
     Clear clear;                                                                             // the values to clear with
     bool draws_color = true;  // false: glDrawBuffer(GL_NONE)

@@ -58,6 +58,7 @@ void add_part(TextureImage& image, ImagePart part) {
 
 std::shared_ptr<const CopiedPixels> State::copied_pixels(const Command& c, const Viewport& from) {
     const double count = static_cast<double>(from.width) * from.height;
+    if (!a_.pixel_transfer.is_initial()) note_lasting(fmt::format("{} with glPixelTransfer", c.name()), c.place);
     if (!has_time(c, count + static_cast<double>(items_.size()))) return nullptr;
     const int depth = 1 + (copies_pixels_ ? copies_in_a_row(items_) : 0);
     if (depth > kMostCopiesInARow) {

@@ -24,7 +24,7 @@ bool draws(std::string_view name) {
 
 // These draw pixels, or vertices that evaluators make.
 bool draws_without_vertices(std::string_view name) {
-    return starts_with_one_of(name, {"glBitmap", "glDrawPixels", "glCopyPixels", "glEvalMesh", "glEvalPoint"});
+    return starts_with_one_of(name, {"glCopyPixels", "glEvalMesh", "glEvalPoint"});
 }
 
 bool is_of_shaders(std::string_view name) {

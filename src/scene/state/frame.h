@@ -10,6 +10,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <initializer_list>
@@ -535,6 +536,20 @@ struct FurtherUnit {
     std::vector<glm::dvec4> tex_coords{};  // one for each of Draw::vertices
 };
 
+// The pixels of a bitmap or of a pixel rectangle, with (0, 0) in the lower left corner of the window. They are drawn at their
+// places whatever the Draw's matrices and viewport are.
+struct WindowPixels {
+    std::vector<glm::ivec2> places;  // of each of the Draw's vertices
+    double depth = 0;                // of all of them, in [0,1]
+    // Where correct renderers may draw the Draw or not: rounding decides where the raster position is.
+    std::vector<glm::ivec2> doubtful;
+
+    friend bool operator==(const WindowPixels&, const WindowPixels&) = default;
+};
+// Pixels beyond are not kept. A viewport of this size, a power of two, puts their centres exactly there with floats.
+inline constexpr int kMostWindowPixels = 8192;
+inline constexpr Viewport kWindowOfPixels{0, 0, kMostWindowPixels, kMostWindowPixels};
+
 // One batch of primitives with all state that affects it.
 struct Draw {
     Enum mode = kGL_TRIANGLES;  // glBegin's primitive type
@@ -558,6 +573,9 @@ struct Draw {
     glm::dmat4 clip_from_eye{1};
     Place place;           // the place of glBegin or of the shape
     bool in_list = false;  // a display list draws it; then a driver may cut quadrilaterals the other way
+    // Of glBitmap and glDrawPixels (3.6.4, 3.7), otherwise null. The mode is GL_POINTS, the viewport kWindowOfPixels. The
+    // vertices have the values of the raster position, which make the colours as for any point.
+    std::shared_ptr<const WindowPixels> pixels{};
     // The curved surfaces that the mesh approximates; null if the mesh is exact. Draws that share them are the parts of
     // one shape and follow each other.
     std::shared_ptr<const std::vector<Surface>> surfaces;

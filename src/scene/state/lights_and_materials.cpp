@@ -168,8 +168,15 @@ void State::drop_typed_lights() {
             lights[i].typed = static_cast<std::uint32_t>(kept.size() - 1);
         }
     };
-    keep(a_.lighting.lights);
-    for (SavedAttributes& saved : attribute_stack_) keep(saved.attributes.lighting.lights);
+    const auto keep_all = [&](Attributes& attributes) {
+        keep(attributes.lighting.lights);
+        RasterVertex raster = *attributes.raster_position.vertex;
+        if (!raster.lighting.enabled) return;
+        keep(raster.lighting.lights);
+        attributes.raster_position.vertex = std::make_shared<const RasterVertex>(std::move(raster));
+    };
+    keep_all(a_);
+    for (SavedAttributes& saved : attribute_stack_) keep_all(saved.attributes);
     typed_lights_ = std::move(kept);
 }
 

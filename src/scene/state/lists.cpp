@@ -28,7 +28,7 @@ constexpr CommandSet kSendsVertices = CommandSet::of(
      "rect", "shape", "mesh_file", "quadric_shape", "eval_coord", "eval_point", "eval_mesh"});
 
 bool reads_pixels(const Command& c) {
-    const auto names_pixels = [](const Parameter& parameter) { return parameter.name == "pixels"; };
+    const auto names_pixels = [](const Parameter& parameter) { return parameter.name == "pixels" || parameter.name == "bitmap"; };
     return std::ranges::any_of(c.sig().parameters, names_pixels);
 }
 

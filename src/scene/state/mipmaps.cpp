@@ -119,6 +119,8 @@ void State::build_mipmaps(const Command& c) {
     if (!has_texels(c, 4 * largest)) return;
     const auto rows = pixels(c, source);
     if (!rows) return;
+    // GLU scales the images first, and then glTexImage transfers each level by itself.
+    if (!a_.pixel_transfer.is_initial()) note_lasting(fmt::format("{} with glPixelTransfer", c.name()), c.place);
     Pixels image{source.width, source.height, {}, largest_of(source.type)};
     image.rgba.reserve(static_cast<std::size_t>(source.width) * static_cast<std::size_t>(source.height));
     std::vector<glm::dvec4> row;

@@ -113,6 +113,18 @@ glm::dvec4 rgba(Enum format, const double* v) {
     }
 }
 
+// 3.6.5, "Arithmetic on components" and "RGBA to RGBA lookup". NaN becomes 0.
+glm::dvec4 transferred(glm::dvec4 color, const PixelTransfer& transfer, const PixelMaps* maps) {
+    if (transfer.is_initial()) return color;
+    color = color * transfer.scale + transfer.bias;
+    for (int i = 0; transfer.map_color && i < 4; ++i) {
+        const std::vector<double>& map = maps->at(static_cast<std::size_t>(i));
+        const double inside = color[i] > 0 ? std::min(color[i], 1.0) : 0;
+        color[i] = map[static_cast<std::size_t>(std::floor(inside * static_cast<double>(map.size() - 1) + 0.5))];
+    }
+    return color;
+}
+
 std::size_t row_pixels(const PixelSource& source, const PixelStore& store) {
     return static_cast<std::size_t>(store.unpack_row_length > 0 ? store.unpack_row_length : source.width);
 }
@@ -213,6 +225,23 @@ std::size_t bitmap_bytes(int width, int height, const PixelStore& store) {
     return rows * row + (at_least_0(store.unpack_skip_pixels) + at_least_0(width) + 7) / 8;
 }
 
+std::vector<bool> bitmap_bits(int width, int height, std::span<const std::byte> bytes, const PixelStore& store) {
+    const auto whole = [](int number) { return static_cast<std::size_t>(number); };
+    const std::size_t alignment = whole(store.unpack_alignment), bits_of_unit = 8 * alignment;
+    const std::size_t row_pixels = whole(store.unpack_row_length > 0 ? store.unpack_row_length : width);
+    const std::size_t row_size = (row_pixels + bits_of_unit - 1) / bits_of_unit * alignment;
+    std::vector<bool> bits;
+    bits.reserve(whole(width) * whole(height));
+    for (std::size_t y = 0; y < whole(height); ++y)
+        for (std::size_t x = 0; x < whole(width); ++x) {
+            const std::size_t bit = whole(store.unpack_skip_pixels) + x;
+            const auto byte =
+                std::to_integer<unsigned>(bytes[(whole(store.unpack_skip_rows) + y) * row_size + bit / 8]);
+            bits.push_back((byte >> (store.unpack_lsb_first ? bit % 8 : 7 - bit % 8) & 1U) != 0);
+        }
+    return bits;
+}
+
 std::optional<int> driver_only_pixel_bytes(Enum format, Enum type) {
     if (format != kGL_COLOR_INDEX && format != kGL_DEPTH_COMPONENT && format != kGL_STENCIL_INDEX) return std::nullopt;
     return element_bytes(type);
@@ -240,7 +269,7 @@ void PixelRows::unpack(int y, std::vector<glm::dvec4>& row) const {
     for (glm::dvec4& texel : row) {
         double values[4] = {};
         read_pixel(at, source.type, components, store.unpack_swap_bytes, values);
-        texel = rgba(source.format, values);
+        texel = transferred(rgba(source.format, values), transfer, maps);
         at += pixel;
     }
 }

@@ -42,6 +42,8 @@ struct PixelSource {
 
 // The size in bytes of a bitmap, which has one bit per pixel (3.6.4); 0 if it has no pixels.
 std::size_t bitmap_bytes(int width, int height, const PixelStore& store);
+// The bits of a bitmap in memory of at least bitmap_bytes(), row by row from the bottom.
+std::vector<bool> bitmap_bits(int width, int height, std::span<const std::byte> bytes, const PixelStore& store);
 // The bytes of one pixel in the formats and types that only the driver supports: indices, depths, stencil values.
 std::optional<int> driver_only_pixel_bytes(Enum format, Enum type);
 
@@ -55,6 +57,8 @@ struct PixelRows {
     PixelSource source;
     PixelStore store;
     std::span<const std::byte> bytes;  // at least bytes_read() bytes; null: every value is 0
+    PixelTransfer transfer{};
+    const PixelMaps* maps = nullptr;
 
     void unpack(int y, std::vector<glm::dvec4>& row) const;  // writes source.width pixels to `row`
 };

@@ -196,6 +196,7 @@ void Player::command(const Command& command) {
         if (!draw) continue;
         const Viewport& viewport = draw->raster.viewport;
         drawn_ = ever_drawn_ = true;
+        if (draw->pixels) continue;  // its viewport is not the program's
         draws_in_initial_viewport_ |=
             viewport.x == 0 && viewport.y == 0 && viewport.width == width_ && viewport.height == height_;
         reach(viewport);

@@ -18,7 +18,7 @@ Frame resized(Frame frame, int width, int height) {
     };
     const auto scale_item = [&](FrameItem& item) {
         if (Draw* draw = std::get_if<Draw>(&item)) {
-            scale_box(draw->raster.viewport);
+            if (!draw->pixels) scale_box(draw->raster.viewport);
             scale_box(draw->fragment.scissor.box);
         } else if (Clear* clear = std::get_if<Clear>(&item)) {
             scale_box(clear->scissor.box);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -116,6 +117,7 @@ class State {
     const VertexArrays& arrays() const { return arrays_; }
     const Lists& lists() const { return lists_; }
     const PixelStore& pixel_store() const { return pixel_store_; }
+    const PixelMaps& pixel_maps() const { return pixel_maps_; }
     const Texture& bound_texture(Enum target) const { return *texture_of(unit(), target); }
     // glIsEnabled (6.1.1); nullopt if `cap` is not a capability.
     std::optional<bool> capability(Enum cap) const;
@@ -136,8 +138,8 @@ class State {
     Effect push_attrib, pop_attrib;
     Effect enable, disable;
     Effect client_arrays, array_element, draw_arrays;
-    Effect draw_buffer, driver_only_state, driver_only_drawing, driver_only_attribute, driver_only_query,
-        driver_only_pixel_transfer, driver_only_bitmap;
+    Effect draw_buffer, driver_only_state, driver_only_drawing, driver_only_attribute, driver_only_query;
+    Effect raster_pos, window_pos, bitmap, draw_pixels, pixel_zoom, pixel_transfer, pixel_map;
     Effect stencil_func, stencil_op, stencil_mask, clear_stencil;
     Effect accumulate, clear_accumulation;
     Effect line_stipple, polygon_stipple, logic_op;
@@ -222,6 +224,12 @@ class State {
     const TextureBindings& unit() const { return a_.units[a_.active_unit]; }
     bool check_pixel_type(const Command& command, const PixelSource& source);
     std::optional<PixelRows> pixels(const Command& command, const PixelSource& source);
+    // The memory that the command's pointer points to, or the buffer bound for pixels (2.9). If it has less than `needed`
+    // bytes, raises the error and returns nullopt.
+    std::optional<std::span<const std::byte>> pixel_memory(const Command& command, std::size_t needed);
+    std::shared_ptr<RasterVertex> raster_vertex() const;  // of the current values
+    // Adds a Draw of pixels with the raster position's values. `colors`: of each place; none: the raster position's.
+    void draw_at_raster_position(const Command& command, WindowPixels pixels, const std::vector<glm::dvec4>& colors);
     void generate_mipmaps(Texture& texture, std::size_t face) const;
     // What a command with images in one or two dimensions names. Raises GL_INVALID_ENUM and returns nullopt for a wrong
     // target; for one of a proxy only if not `allows_proxy`.
@@ -271,6 +279,7 @@ class State {
     mutable std::map<const Texture*, std::pair<std::shared_ptr<const Texture>, std::shared_ptr<const Texture>>>
         parts_of_textures_;
     PixelStore pixel_store_;
+    PixelMaps pixel_maps_{std::vector<double>{0}, {0}, {0}, {0}};
     std::vector<std::optional<PixelStore>> saved_pixel_stores_;  // by glPushClientAttrib, one per level
     VertexArrays arrays_;
     Lists lists_;

@@ -31,19 +31,11 @@ void State::polygon_stipple(const Command& c) {
                      "glPolygonStipple reads {} bytes with these glPixelStore values, but its array has {}", needed,
                      bytes.size());
     }
-    const auto whole = [](int number) { return static_cast<std::size_t>(number); };
-    const std::size_t per_row = whole(pixel_store_.unpack_row_length > 0 ? pixel_store_.unpack_row_length : kSide);
-    const std::size_t alignment = whole(pixel_store_.unpack_alignment), bits = 8 * alignment;
-    const std::size_t stride = alignment * ((per_row + bits - 1) / bits);
+    std::vector<std::byte> memory;
+    for (const double byte : bytes) memory.push_back(static_cast<std::byte>(byte));
+    const std::vector<bool> bits = bitmap_bits(kSide, kSide, memory, pixel_store_);
     PolygonStipple stipple{};
-    for (std::size_t row = 0; row < stipple.size(); ++row)
-        for (std::size_t column = 0; column < whole(kSide); ++column) {
-            const std::size_t bit = whole(pixel_store_.unpack_skip_pixels) + column;
-            const auto byte =
-                static_cast<unsigned>(bytes[(whole(pixel_store_.unpack_skip_rows) + row) * stride + bit / 8]);
-            const std::size_t place = pixel_store_.unpack_lsb_first ? bit % 8 : 7 - bit % 8;
-            stipple[row] |= ((byte >> place) & 1U) << column;
-        }
+    for (std::size_t i = 0; i < bits.size(); ++i) stipple[i / kSide] |= (bits[i] ? std::uint32_t{1} : 0U) << i % kSide;
     a_.polygon_stipple = std::make_shared<const PolygonStipple>(stipple);
 }
 

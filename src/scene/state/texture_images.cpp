@@ -53,8 +53,12 @@ void State::pixel_store(const Command& c) {
 // 3.6.4: checks that the format and the type are known and can be used together.
 bool State::check_pixel_type(const Command& c, const PixelSource& source) {
     if (source.type == kGL_BITMAP || source.format == kGL_COLOR_INDEX || source.format == kGL_DEPTH_COMPONENT) {
-        note_lasting(fmt::format("{} with {} and {}", c.name(), enum_name(source.format), enum_name(source.type)),
-                     c.place);
+        // glDrawPixels changes only this picture.
+        if (c.id == CommandId::glDrawPixels)
+            note_unsupported(fmt::format("glDrawPixels({})", enum_name(source.format)), c.place);
+        else
+            note_lasting(fmt::format("{} with {} and {}", c.name(), enum_name(source.format), enum_name(source.type)),
+                         c.place);
         return false;
     }
     if (!components_of(source.format)) {
@@ -73,27 +77,35 @@ bool State::check_pixel_type(const Command& c, const PixelSource& source) {
     return false;
 }
 
-// The pixels that the command's pointer points to, in memory or in the buffer bound for pixels (2.9). If the memory is
-// too small, raises the error and returns nullopt. RULING: a null pointer gives pixels of value 0; 3.8.1 leaves them
-// undefined.
-std::optional<PixelRows> State::pixels(const Command& c, const PixelSource& source) {
+std::optional<std::span<const std::byte>> State::pixel_memory(const Command& c, std::size_t needed) {
+    if (needed == 0) return std::span<const std::byte>();
     const BufferObject* buffer = lists_.nesting > 0 ? nullptr : arrays_.pixel_unpack_buffer();
-    if (!c.memory && !buffer) return PixelRows{source, pixel_store_, {}};
     if (buffer && (c.memory || buffer->mapped)) {
         raise(kGL_INVALID_OPERATION, c, "{} reads the buffer that is bound to GL_PIXEL_UNPACK_BUFFER, {}", c.name(),
               c.memory ? "but is given an array; give an offset" : "which is mapped; call glUnmapBuffer first");
         return std::nullopt;
     }
-    const std::vector<std::byte>& bytes = buffer ? buffer->bytes : c.memory->bytes;
+    const std::span<const std::byte> bytes = buffer     ? std::span(buffer->bytes)
+                                             : c.memory ? std::span(c.memory->bytes)
+                                                        : std::span<const std::byte>();
     const double offset = c.arguments.back();
-    const std::size_t needed = bytes_read(source, pixel_store_), size = bytes.size();
-    if (offset < 0 || offset > static_cast<double>(size) || needed > size - static_cast<std::size_t>(offset)) {
+    if (offset < 0 || offset > static_cast<double>(bytes.size()) ||
+        needed > bytes.size() - static_cast<std::size_t>(offset)) {
         raise(kGL_INVALID_OPERATION, c,
               "{} reads {} bytes, but its array has {}; check GL_UNPACK_ALIGNMENT, which is {}", c.name(), needed,
-              static_cast<double>(size) - offset, pixel_store_.unpack_alignment);
+              static_cast<double>(bytes.size()) - offset, pixel_store_.unpack_alignment);
         return std::nullopt;
     }
-    return PixelRows{source, pixel_store_, std::span(bytes).subspan(static_cast<std::size_t>(offset))};
+    return bytes.subspan(static_cast<std::size_t>(offset));
+}
+
+// RULING: a null pointer gives pixels of value 0; 3.8.1 leaves them undefined.
+std::optional<PixelRows> State::pixels(const Command& c, const PixelSource& source) {
+    const bool has_buffer = lists_.nesting == 0 && arrays_.pixel_unpack_buffer();
+    if (!c.memory && !has_buffer) return PixelRows{source, pixel_store_, {}};
+    const auto memory = pixel_memory(c, bytes_read(source, pixel_store_));
+    if (!memory) return std::nullopt;
+    return PixelRows{source, pixel_store_, *memory, a_.pixel_transfer, &pixel_maps_};
 }
 
 std::size_t texels_of(const Texture& texture) {

@@ -37,10 +37,10 @@ TEST(UntrustedNames, DoNotReachTheTerminalRaw) {
         "a\x1b[31m\x7f\nb\xc2\x9b"
         "c";
     const std::string scene = folder / (odd + ".gl"), report = folder / (odd + "-report");
-    // glBitmap: a note names the place; GL_LIGHT1: a warning of the linter does.
+    // glCopyPixels: a note names the place; GL_LIGHT1: a warning of the linter does.
     write_file_atomically(
         scene, "glEnable(GL_LIGHTING); glEnable(GL_LIGHT1);\n" + kSphere +
-                   "glBitmap(1, 1, 0, 0, 0, 0, (GLubyte[]){1});\nGLint v[4]; glGetIntegerv(GL_VIEWPORT, v);\n");
+                   "glCopyPixels(0, 0, 1, 1, GL_COLOR);\nGLint v[4]; glGetIntegerv(GL_VIEWPORT, v);\n");
     const std::vector<std::vector<std::string>> commands = {
         {"compare", scene, "--size", "16x16", "-o", report},
         {"render", scene, "--with", "reference", "--size", "16x16", "-o", folder / (odd + ".png")},

@@ -128,6 +128,26 @@ TEST_F(Traces, ReadTheMemoryOfArraysFromBlobs) {
     EXPECT_EQ(commands[2].arguments.back(), 0);
 }
 
+// As glutBitmapCharacter and the usual display list for each letter record it.
+TEST_F(Traces, HaveTextOfBitmaps) {
+    write_file_atomically(folder_ / "letter.bin", std::string("\x80\xC0", 2));
+    write_file_atomically(folder_ / "text.bin", "AA");
+    const auto list = recording(
+        "1 glViewport(x = 0, y = 0, width = 32, height = 24)\n"
+        "2 glPixelStorei(pname = GL_UNPACK_ALIGNMENT, param = 1)\n"
+        "3 glNewList(list = 1065, mode = GL_COMPILE)\n"
+        "4 glBitmap(width = 2, height = 2, xorig = 0, yorig = 0, xmove = 3, ymove = 0, bitmap = blob(\"letter.bin\"))\n"
+        "5 glEndList()\n6 glListBase(base = 1000)\n7 glRasterPos2f(x = 0.03, y = 0.03)\n"
+        "8 glCallLists(n = 2, type = GL_UNSIGNED_BYTE, lists = blob(\"text.bin\"))\n"
+        "9 glXSwapBuffers(dpy = 0x1, drawable = 2)\n");
+    const Frame frame = make_recorded_frame(list, {}).scene.frame;
+    EXPECT_EQ(std::pair(frame.width, frame.height), std::pair(32, 24));
+    EXPECT_TRUE(frame.unsupported.empty());
+    ASSERT_EQ(frame.draws().size(), 2u);
+    ASSERT_TRUE(frame.draws()[1]->pixels);
+    EXPECT_EQ(frame.draws()[1]->pixels->places, (std::vector<glm::ivec2>{{19, 12}, {19, 13}, {20, 13}}));
+}
+
 // The tracer records a program's writes to a mapped buffer as memcpy.
 TEST_F(Traces, TakeWritesToMappedBuffersForGlBufferSubData) {
     write_file_atomically(folder_ / "blob_call3.bin", "abcd");

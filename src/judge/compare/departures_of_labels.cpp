@@ -1,0 +1,76 @@
+// Departures in bitmaps and pixel rectangles. Mesa lights a raster position by itself, not as it lights vertices.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "judge/compare/departure_rules.h"
+#include "render/reference/vertex_stage.h"
+
+namespace twinlight::compare {
+
+namespace {
+
+bool is_lit_label(const Draw& draw) { return draw.pixels && draw.lighting.enabled; }
+
+template <class Holds>
+bool any_light_on(const Draw& draw, const Holds& holds) {
+    return std::ranges::any_of(draw.lighting.lights,
+                               [&](const LightSource& light) { return light.enabled && holds(light); });
+}
+
+bool is_positional(const LightSource& light) { return light.position_eye.w != 0; }
+
+}  // namespace
+
+bool has_fog_at_raster_position(const Draw& draw) { return draw.pixels && draw.fog.enabled; }
+
+bool has_raster_position_in_eye_coordinates(const Draw& draw) {
+    return is_lit_label(draw) && draw.eye_from_object != glm::dmat4(1) &&
+           (draw.lighting.light_model.local_viewer || any_light_on(draw, is_positional));
+}
+
+// The driver takes the current values of glBitmap and glDrawPixels, which a Draw does not know.
+bool has_texture_at_raster_position(const Draw& draw) {
+    return draw.pixels && (draw.texture.texture || !draw.further_units.empty());
+}
+
+bool has_secondary_color_at_raster_position(const Draw& draw) {
+    if (draw.pixels && !draw.secondary_colors.empty()) return true;
+    return is_lit_label(draw) && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR &&
+           glm::dvec3(draw.lighting.front.specular) != glm::dvec3(0) &&
+           any_light_on(draw, [](const LightSource& light) { return glm::dvec3(light.specular) != glm::dvec3(0); });
+}
+
+bool has_long_normal_at_raster_position(const Draw& draw) {
+    if (!is_lit_label(draw) || (!draw.lighting.normalize && !draw.lighting.rescale_normal)) return false;
+    Draw unscaled = draw;
+    unscaled.lighting.normalize = unscaled.lighting.rescale_normal = false;
+    const Vertex& vertex = draw.vertices[0];
+    const glm::dvec3 scaled = reference::vertex_stage(draw, {&vertex, 1}).front().normal_eye,
+                     sent = reference::vertex_stage(unscaled, {&vertex, 1}).front().normal_eye;
+    constexpr double kRounding = 1e-5;
+    return glm::distance(scaled, sent) > kRounding;
+}
+
+// The driver leaves a light out if attenuation and spot make it weaker than a thousandth.
+bool has_dim_light_at_raster_position(const Draw& draw) {
+    return is_lit_label(draw) && any_light_on(draw, [&](const LightSource& light) {
+               if (light.position_eye.w == 0 && !light.has_cone()) return false;
+               const glm::dvec4 eye = draw.eye_from_object * draw.vertices[0].position_object;
+               const glm::dvec3 to_light =
+                   is_positional(light)
+                       ? glm::dvec3(light.position_eye) / light.position_eye.w - glm::dvec3(eye) / eye.w
+                       : glm::dvec3(light.position_eye);
+               const double d = glm::length(to_light);
+               double reach = is_positional(light) ? 1 / (light.constant_attenuation + light.linear_attenuation * d +
+                                                          light.quadratic_attenuation * d * d)
+                                                   : 1;
+               if (light.has_cone())
+                   reach *= std::pow(std::max(-glm::dot(to_light / d, glm::normalize(light.spot_direction_eye)), 0.0),
+                                     light.spot_exponent);
+               constexpr double kDim = 1.1e-3;
+               return reach < kDim;
+           });
+}
+
+}  // namespace twinlight::compare
