@@ -24,15 +24,14 @@ class Label {
         add("glColor4f({0}); glSecondaryColor3f({1:.3f}, {1:.3f}, {2:.3f}); glFogCoordf({3:.3f});", numbers(4, 0, 1),
             random_.uniform(0, 1), random_.uniform(0, 1), random_.uniform(0, 14));
         add("glTexCoord4f({}, 0, 1); glMultiTexCoord4f(GL_TEXTURE1, {}, 0, 1);", numbers(2, -1, 2), numbers(2, -1, 2));
-        const bool is_textured = shows("the texture coordinates of a raster position");
-        if (is_textured)
+        if (shows("the texture coordinates of a raster position"))
             add("glActiveTexture(GL_TEXTURE0); glBindTexture(GL_TEXTURE_2D, 40); glEnable(GL_TEXTURE_2D); "
                 "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST); "
                 "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST); "
                 "glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 2, 1, 0, GL_LUMINANCE, GL_FLOAT, (GLfloat[]){{0.1, 0.9}}); "
-                "glColor4f(1, 1, 1, 1); glTexCoord4f(0.25, 0.5, 0, 1);");
+                "glColor4f(1, 1, 1, 1); glTexCoord4f(0.25, 0.5, 0, 1); "
+                "glMatrixMode(GL_TEXTURE); glLoadIdentity(); glTranslatef(0.5, 0, 0); glMatrixMode(GL_MODELVIEW);");
         position();
-        if (is_textured) add("glTexCoord4f(0.75, 0.5, 0, 1);");
         is_rectangle ? rectangle() : bitmaps();
         return std::move(text_);
     }

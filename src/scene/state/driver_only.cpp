@@ -1,5 +1,4 @@
 // Commands that only the driver supports. State notes them as unsupported if they can change the picture.
-
 #include <string>
 
 #include "scene/state/state.h"

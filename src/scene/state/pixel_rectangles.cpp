@@ -80,7 +80,8 @@ void State::draw_at_raster_position(const Command& c, WindowPixels pixels, const
     draw.raster.depth_near = 0;
     draw.raster.depth_far = 1;
     draw.raster.point_size = 1;
-    draw.raster.point_smooth = false;
+    draw.raster.point_smooth = draw.raster.point_sprite = false;
+    draw.raster.point_parameters = {};
     draw.raster.clip_planes_eye.fill(std::nullopt);
     draw.eye_from_object = raster.eye_from_object;
     draw.clip_from_eye = raster.clip_from_eye;
