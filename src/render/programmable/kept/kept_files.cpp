@@ -23,6 +23,13 @@
 namespace twinlight::programmable {
 namespace {
 
+bool depends_on_distance(const PointParameters& parameters) {
+    return parameters.distance_attenuation.y != 0 || parameters.distance_attenuation.z != 0;
+}
+
+// That of each point, because it does not depend on the distance.
+double point_size(const Draw& draw) { return draw.raster.point_parameters.derived_size(draw.raster.point_size, 0); }
+
 constexpr int kMostKeptLights = 16;  // MOST_LIGHTS of loader.c; OpenGL promises room for this many uniforms
 
 // ---- Kinds ----
@@ -243,7 +250,7 @@ class Writer {
         uses_logic_op_ |= draw.fragment.logic_op.has_value();
         if (uses_logic_op_) enable(kGL_COLOR_LOGIC_OP, draw.fragment.logic_op.has_value());
         if (draw.fragment.logic_op) set("logic op", fmt::format("glLogicOp({});", enum_name(*draw.fragment.logic_op)));
-        if (draw.draws_points()) set("point size", fmt::format("glPointSize({});", c_.number(raster.point_size)));
+        if (draw.draws_points()) set("point size", fmt::format("glPointSize({});", c_.number(point_size(draw))));
         // The program has one clip distance for each enabled plane, without gaps.
         const int planes = raster.clip_plane_count();
         for (int i = 0; i < kMaxClipPlanes; ++i) {
@@ -302,8 +309,8 @@ class Writer {
         if (draw.fragment.alpha_test)
             uniform("alpha", fmt::format("number(\"AlphaRef\", {});", c_.number(draw.fragment.alpha_ref)));
         if (kind.form.kept->sizes_points)
-            uniform("point size", fmt::format("number(\"PointSize\", {});",
-                                              c_.number(std::max(std::round(draw.raster.point_size), 1.0))));
+            uniform("point size",
+                    fmt::format("number(\"PointSize\", {});", c_.number(std::max(std::round(point_size(draw)), 1.0))));
         if (effects.has_fog()) {
             const Fog& fog = draw.fog;
             uniform("fog", fmt::format("fog({}, {}, {}, {});", c_.floats(fog.color), c_.number(fog.density),
@@ -498,7 +505,8 @@ std::string why_not_kept(const Frame& frame) {
         if (draw->raster.line_stipple) return "it uses a line stipple, which core GL lacks";
         if (draw->raster.polygon_stipple) return "it uses a polygon stipple, which core GL lacks";
         if (draw->raster.point_sprite) return "it uses point sprites (GL_POINT_SPRITE)";
-        if (draw->raster.point_parameters != PointParameters{}) return "it uses glPointParameter";
+        if (depends_on_distance(draw->raster.point_parameters))
+            return "its points become smaller with the distance (glPointParameter)";
         if (draw->raster.point_smooth) return "it uses smooth points, which core GL lacks";
         if (!draw->lighting.enabled) continue;
         if (draw->lighting.light_model.spectrum) return "it multiplies colours as spectra (#pragma twinlight spectrum)";
