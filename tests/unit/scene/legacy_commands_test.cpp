@@ -169,7 +169,8 @@ TEST(CopiedImages, OfDepthsAreNamed) {
 TEST(TextureParametersOfLaterVersions, AreNamedWhereTheyAreNotAtTheirInitialValue) {
     const auto after = [](const std::string& call) { return unsupported(call + kPoint); };
     EXPECT_EQ(after("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_NONE);"), Names());
-    const std::string compares = "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);";
+    const std::string compares =
+        "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, 0x884E);";  // ..._R_TO_TEXTURE
     EXPECT_EQ(after(compares), Names{"glTexParameter(GL_TEXTURE_COMPARE_MODE)"});
     State state = run(compares);
     state.drop_picture();  // the state still applies in the next picture
