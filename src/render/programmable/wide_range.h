@@ -32,7 +32,7 @@ glm::dmat4 keeping_w(const glm::dmat4& eye_from_object);
 double reach_xyz(const glm::dmat4& matrix, const glm::dvec4& reach);
 double reach_w(const glm::dmat4& matrix, const glm::dvec4& reach);
 
-// The largest power of two that is at most x; 1 if there is none.
+// x rounded down to a power of two; 1 if x is not positive, or infinite.
 double power_of_two(double x);
 // What to divide homogeneous coordinates by, whose largest x, y or z is `longest` and whose largest w is `w`: neither this scale nor
 // its inverse is a denormal, and products with it do not overflow. Not all come down to 1: the driver divides what it interpolates
