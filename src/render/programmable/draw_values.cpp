@@ -84,6 +84,7 @@ Sizes sizes_of(const Draw& draw, const Plan& plan) {
     }
     return sizes;
 }
+
 // The unit of length where vertices keep their w, so that only the largest and the smallest lengths of all need one.
 double unit_of_homogeneous(const Sizes& sizes, const Plan& plan) {
     // In scenes that are tiny as a whole, products of lengths would vanish. Vertices that are all directions have no distances.
@@ -115,6 +116,7 @@ double unit_of_homogeneous(const Sizes& sizes, const Plan& plan) {
     const bool keeps_factors = quickest * unit < kMost && squared * unit * unit < kMost;
     return slowest < kSlow && keeps_factors && is_far ? unit : 1;
 }
+
 // The matrix for normals (2.11.3). If normals are scaled to length 1 later, its scale does not matter.
 glm::dmat3 normal_matrix_of(const Draw& draw, const Plan& plan) {
     glm::dmat3 normals = normal_matrix(glm::dmat3(draw.eye_from_object));
