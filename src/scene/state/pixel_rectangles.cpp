@@ -87,6 +87,7 @@ void State::draw_at_raster_position(const Command& c, WindowPixels pixels, const
     draw.clip_from_eye = raster.clip_from_eye;
     draw.vertices = std::vector<Vertex>(pixels.places.size(), raster.vertex);
     const auto take = [&](TextureUnit& unit, const RasterVertex::Unit& values) {
+        unit.coord_replace = false;
         unit.texture_matrix = values.texture_matrix;
         unit.generated = unit.texture ? values.generated : std::vector<GeneratedCoordinate>();
     };
