@@ -215,21 +215,27 @@ std::optional<int> pixel_bytes(Enum format, Enum type) {
     return element ? std::optional(*element * *components) : std::nullopt;
 }
 
+namespace {
+
+// The bytes from one row of a bitmap to the next (3.7).
+std::size_t bitmap_row_bytes(int width, const PixelStore& store) {
+    const auto alignment = static_cast<std::size_t>(store.unpack_alignment), bits_of_unit = 8 * alignment;
+    const auto pixels = static_cast<std::size_t>(store.unpack_row_length > 0 ? store.unpack_row_length : width);
+    return (pixels + bits_of_unit - 1) / bits_of_unit * alignment;
+}
+
+}  // namespace
+
 std::size_t bitmap_bytes(int width, int height, const PixelStore& store) {
     if (width <= 0 || height <= 0) return 0;
     const auto at_least_0 = [](int value) { return static_cast<std::size_t>(std::max(0, value)); };
-    const auto alignment = at_least_0(store.unpack_alignment);
-    const std::size_t row_pixels = at_least_0(store.unpack_row_length > 0 ? store.unpack_row_length : width);
-    const std::size_t row = (row_pixels + 8 * alignment - 1) / (8 * alignment) * alignment;
     const std::size_t rows = at_least_0(store.unpack_skip_rows) + at_least_0(height) - 1;
-    return rows * row + (at_least_0(store.unpack_skip_pixels) + at_least_0(width) + 7) / 8;
+    return rows * bitmap_row_bytes(width, store) + (at_least_0(store.unpack_skip_pixels) + at_least_0(width) + 7) / 8;
 }
 
 std::vector<bool> bitmap_bits(int width, int height, std::span<const std::byte> bytes, const PixelStore& store) {
     const auto whole = [](int number) { return static_cast<std::size_t>(number); };
-    const std::size_t alignment = whole(store.unpack_alignment), bits_of_unit = 8 * alignment;
-    const std::size_t row_pixels = whole(store.unpack_row_length > 0 ? store.unpack_row_length : width);
-    const std::size_t row_size = (row_pixels + bits_of_unit - 1) / bits_of_unit * alignment;
+    const std::size_t row_size = bitmap_row_bytes(width, store);
     std::vector<bool> bits;
     bits.reserve(whole(width) * whole(height));
     for (std::size_t y = 0; y < whole(height); ++y)

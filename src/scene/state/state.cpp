@@ -313,11 +313,11 @@ Draw State::new_draw(Enum mode, const Place& place) {
         if (!row.changes_pixels) continue;
         note_unsupported(fmt::format("glEnable({})", enum_name(row.cap)), where);
     }
-    // `#pragma twinlight light(8, ...)`: GL has only eight lights.
     bool replaces = false;
     draw.for_each_unit([&](std::size_t, const TextureUnit& unit) { replaces = replaces || unit.coord_replace; });
     if (replaces && !draw.draws_only_points())
         note_unsupported("point sprites for one face of polygons", place, MissingFrom::kShaders);
+    // `#pragma twinlight light(8, ...)`: GL has only eight lights.
     const auto& lights = draw.lighting.lights;
     const bool has_more =
         lights.size() > kMaxLights &&
