@@ -2,6 +2,8 @@
 // or at a vertex of a Draw.
 #pragma once
 
+#include <algorithm>
+
 #include "judge/compare/departures.h"
 
 namespace twinlight::compare {
@@ -26,6 +28,14 @@ DrawRule draws_borders_of_clipped_polygons, has_faces_on_borders, has_faces_in_s
 VertexRule has_no_q;
 
 // ---- In lighting ----
+
+// Whether an enabled light of a lit Draw is so.
+template <class Predicate>
+bool any_light(const Draw& draw, Predicate predicate) {
+    return draw.lighting.enabled && std::ranges::any_of(draw.lighting.lights, [&](const LightSource& light) {
+               return light.enabled && predicate(light);
+           });
+}
 
 DrawRule has_shininess_0_with_factors, has_shininess_0_on_one_side, has_color_material_on_back_alone, rescales_much;
 VertexRule has_color_material_of_no_color, has_w_under_positional_light, has_extreme_direction,

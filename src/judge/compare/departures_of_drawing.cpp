@@ -167,8 +167,7 @@ bool has_wide_points(const Draw& draw) {
 
 // Mesa takes |z| for the distance.
 bool attenuates_points_aside(const Draw& draw) {
-    const glm::dvec3& factors = draw.raster.point_parameters.distance_attenuation;
-    return draw.draws_points() && (factors.y != 0 || factors.z != 0) &&
+    return draw.draws_points() && draw.raster.point_parameters.depends_on_distance() &&
            std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
                const glm::dvec4 eye = draw.eye_from_object * vertex.position_object;
                return glm::length(glm::dvec3(eye) / eye.w) != std::abs(eye.z);

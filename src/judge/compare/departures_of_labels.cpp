@@ -12,12 +12,6 @@ namespace {
 
 bool is_lit_label(const Draw& draw) { return draw.pixels && draw.lighting.enabled; }
 
-template <class Holds>
-bool any_light_on(const Draw& draw, const Holds& holds) {
-    return std::ranges::any_of(draw.lighting.lights,
-                               [&](const LightSource& light) { return light.enabled && holds(light); });
-}
-
 bool is_positional(const LightSource& light) { return light.position_eye.w != 0; }
 
 }  // namespace
@@ -26,7 +20,7 @@ bool has_fog_at_raster_position(const Draw& draw) { return draw.pixels && draw.f
 
 bool has_raster_position_in_eye_coordinates(const Draw& draw) {
     return is_lit_label(draw) && draw.eye_from_object != glm::dmat4(1) &&
-           (draw.lighting.light_model.local_viewer || any_light_on(draw, is_positional));
+           (draw.lighting.light_model.local_viewer || any_light(draw, is_positional));
 }
 
 // The driver takes the current values of glBitmap and glDrawPixels, which a Draw does not know.
@@ -38,7 +32,7 @@ bool has_secondary_color_at_raster_position(const Draw& draw) {
     if (draw.pixels && !draw.secondary_colors.empty()) return true;
     return is_lit_label(draw) && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR &&
            glm::dvec3(draw.lighting.front.specular) != glm::dvec3(0) &&
-           any_light_on(draw, [](const LightSource& light) { return glm::dvec3(light.specular) != glm::dvec3(0); });
+           any_light(draw, [](const LightSource& light) { return glm::dvec3(light.specular) != glm::dvec3(0); });
 }
 
 bool has_long_normal_at_raster_position(const Draw& draw) {
@@ -54,7 +48,7 @@ bool has_long_normal_at_raster_position(const Draw& draw) {
 
 // The driver leaves a light out if attenuation and spot make it weaker than a thousandth.
 bool has_dim_light_at_raster_position(const Draw& draw) {
-    return is_lit_label(draw) && any_light_on(draw, [&](const LightSource& light) {
+    return is_lit_label(draw) && any_light(draw, [&](const LightSource& light) {
                if (light.position_eye.w == 0 && !light.has_cone()) return false;
                const glm::dvec4 eye = draw.eye_from_object * draw.vertices[0].position_object;
                const glm::dvec3 to_light =

@@ -28,13 +28,6 @@ glm::dvec3 toward(const LightSource& light, const glm::dvec3& position_eye) {
     return glm::normalize(light.position_eye.w == 0 ? p : p / light.position_eye.w - position_eye);
 }
 
-template <class Predicate>
-bool any_light(const Draw& draw, Predicate predicate) {
-    if (!draw.lighting.enabled) return false;
-    return std::any_of(draw.lighting.lights.begin(), draw.lighting.lights.end(),
-                       [&](const LightSource& light) { return light.enabled && predicate(light); });
-}
-
 // Whether `predicate` is true for any vertex's materials, (front, back).
 bool any_material(const Draw& draw, const std::function<bool(const Material&, const Material&)>& predicate) {
     if (predicate(draw.lighting.front, draw.lighting.back)) return true;

@@ -251,6 +251,7 @@ struct PointParameters {  // 3.3, 3.3.1: glPointParameter
     Enum sprite_coord_origin = kGL_UPPER_LEFT;  // or GL_LOWER_LEFT
 
     bool attenuates() const { return distance_attenuation != glm::dvec3(1, 0, 0); }
+    bool depends_on_distance() const { return distance_attenuation.y != 0 || distance_attenuation.z != 0; }
     // RULING: a negative factor counts by its size, and where the limits are in the wrong order, that of the smallest size
     // counts. 3.3 leaves both open.
     double derived_size(double size, double distance_eye) const {

@@ -23,10 +23,6 @@
 namespace twinlight::programmable {
 namespace {
 
-bool depends_on_distance(const PointParameters& parameters) {
-    return parameters.distance_attenuation.y != 0 || parameters.distance_attenuation.z != 0;
-}
-
 // That of each point, because it does not depend on the distance.
 double point_size(const Draw& draw) { return draw.raster.point_parameters.derived_size(draw.raster.point_size, 0); }
 
@@ -505,7 +501,7 @@ std::string why_not_kept(const Frame& frame) {
         if (draw->raster.line_stipple) return "it uses a line stipple, which core GL lacks";
         if (draw->raster.polygon_stipple) return "it uses a polygon stipple, which core GL lacks";
         if (draw->raster.point_sprite) return "it uses point sprites (GL_POINT_SPRITE)";
-        if (depends_on_distance(draw->raster.point_parameters))
+        if (draw->raster.point_parameters.depends_on_distance())
             return "its points become smaller with the distance (glPointParameter)";
         if (draw->raster.point_smooth) return "it uses smooth points, which core GL lacks";
         if (!draw->lighting.enabled) continue;
