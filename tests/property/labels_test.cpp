@@ -34,14 +34,9 @@ class LabelsTest : public OnePixel {
             }
             return text_of_rows;
         };
-        const std::string expected = rows(reference::render(scene.frame, {}));
-        EXPECT_EQ(rows(fixed::render(scene)), expected) << text;
-        fixed::Replay(scene.frame, {}).draw();
-        EXPECT_EQ(rows(read_pixels(kSide, kSide)), expected) << "replayed\n" << text;
-        EXPECT_EQ(rows(renderer_.render(scene.frame, {}).image), expected) << text;
-        programmable::Options kept;
-        kept.tier = programmable::Tier::kAuto;
-        EXPECT_EQ(rows(renderer_.render(scene.frame, kept).image), expected) << text;
+        const std::vector<Picture> all = pictures(scene);
+        const std::string expected = rows(all.front().image);
+        for (const auto& [name, image] : all) EXPECT_EQ(rows(image), expected) << name << "\n" << text;
         return expected;
     }
     // How many pixels of the picture are not black.

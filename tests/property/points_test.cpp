@@ -5,42 +5,27 @@
 
 #include <algorithm>
 
-#include "../unit/compare_three_ways.h"
-#include "render/fixed/replay.h"
-#include "scene/command/text.h"
+#include "../unit/all_renderers.h"
 #include "scene/state/answers.h"
-#include "scene/state/state.h"
 
 namespace twinlight {
 namespace {
 
 constexpr int kSide = 64;
 
-class Points : public testing::Test {
+class Points : public AllRenderers {
   protected:
-    static Scene scene_of(const std::string& text) {
-        const auto list = std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene"));
-        return make_scene(list, {.width = kSide, .height = kSide});
-    }
-    // The pictures of all renderers, named.
-    std::vector<std::pair<const char*, Image>> pictures(const std::string& text) {
+    Points() : AllRenderers(kSide) {}
+
+    std::vector<Picture> pictures_of(const std::string& text) {
         const Scene scene = scene_of(text);
         EXPECT_TRUE(scene.frame.unsupported.empty()) << text;
-        std::vector<std::pair<const char*, Image>> all;
-        all.emplace_back("reference", reference::render(scene.frame, {}));
-        all.emplace_back("fixed", fixed::render(scene));
-        fixed::Replay(scene.frame, {}).draw();
-        all.emplace_back("replayed", read_pixels(kSide, kSide));
-        all.emplace_back("programmable", renderer_.render(scene.frame, {}).image);
-        programmable::Options kept;
-        kept.tier = programmable::Tier::kAuto;
-        all.emplace_back("programmable, kept", renderer_.render(scene.frame, kept).image);
-        return all;
+        return pictures(scene);
     }
     // How many pixels wide the only square is that is not black, which all renderers must agree on.
     int width(const std::string& text) {
         int expected = -1;
-        for (const auto& [name, image] : pictures(text)) {
+        for (const auto& [name, image] : pictures_of(text)) {
             const auto lit = std::ranges::count_if(image.pixels, [](const Rgba& pixel) { return pixel[1] > 0; });
             const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(lit))));
             EXPECT_EQ(side * side, lit) << name << "\n" << text;
@@ -52,7 +37,7 @@ class Points : public testing::Test {
     // The codes of red and green at a pixel, y up, which all renderers must agree on to `tolerance`.
     std::pair<int, int> color(const std::string& text, int x, int y, int tolerance = 0) {
         std::optional<Rgba> expected;
-        for (const auto& [name, image] : pictures(text)) {
+        for (const auto& [name, image] : pictures_of(text)) {
             const Rgba& found = image.at(x, kSide - 1 - y);
             if (!expected) expected = found;
             for (std::size_t i = 0; i < 2; ++i)
@@ -60,9 +45,6 @@ class Points : public testing::Test {
         }
         return {channel_code((*expected)[0]), channel_code((*expected)[1])};
     }
-
-    std::unique_ptr<OffscreenContext> context_ = make_offscreen_context(kSide, kSide);
-    programmable::Renderer renderer_;
 };
 
 // Object coordinates are those of the window; z reaches from 100 to -100.

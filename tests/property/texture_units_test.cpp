@@ -241,7 +241,7 @@ TEST_F(TextureUnits, WithoutATextureCannotBeReadByCombine) {
 }
 
 TEST_F(TextureUnits, ChangeNoProgramOfADrawWithOneTexture) {
-    const auto effects = [](const std::string& text) {
+    const auto effects = [this](const std::string& text) {
         return plan_effects(*scene_of(text).frame.draws().at(0), PlanOptions{}).effects;
     };
     const std::string one = unit(0, "255, 0, 0, 255", "0, 0, 0, 0");

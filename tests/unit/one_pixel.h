@@ -1,33 +1,18 @@
 // Tests of what one pixel shows. All renderers must give it the same colour.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <memory>
 #include <string>
 
-#include "render/context/context.h"
-#include "render/context/gl.h"
-#include "render/fixed/fixed.h"
-#include "render/fixed/replay.h"
-#include "render/programmable/programmable.h"
-#include "render/reference/reference.h"
-#include "scene/command/text.h"
-#include "scene/state/state.h"
+#include "all_renderers.h"
 
 namespace twinlight {
 
 inline constexpr int kSide = 16;  // of the square picture
 
-inline std::shared_ptr<const CommandList> list_of(const std::string& text) {
-    return std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene"));
-}
-
-class OnePixel : public testing::Test {
+class OnePixel : public AllRenderers {
   protected:
-    static Scene scene_of(const std::string& text) {
-        return make_scene(list_of(text), {.width = kSide, .height = kSide});
-    }
+    OnePixel() : AllRenderers(kSide) {}
+
     static void expect_color(const char* name, const Rgba& found, const Rgba& expected, const std::string& text) {
         constexpr float kRounding = 0.51F;  // to 8 bits, in 1/255
         for (std::size_t i = 0; i < 4; ++i)
@@ -49,9 +34,6 @@ class OnePixel : public testing::Test {
         expect_color("programmable", at(renderer_.render(scene.frame, {}).image), expected, text);
         return expected;
     }
-
-    std::unique_ptr<OffscreenContext> context_ = make_offscreen_context(kSide, kSide);
-    programmable::Renderer renderer_;
 };
 
 }  // namespace twinlight
