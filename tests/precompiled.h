@@ -23,4 +23,11 @@
 #include <string_view>
 #include <variant>
 #include <vector>
+
+#include "base/image/file.h"
+#include "render/fixed/fixed.h"
+#include "render/programmable/programmable.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/state/frame.h"
 #endif

@@ -5,6 +5,7 @@
 #include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
@@ -146,17 +147,29 @@ bool offsets_borders_out_of_range(const Draw& draw) {
            });
 }
 
-bool has_no_q(const Draw& draw, const Vertex& vertex) {
+// Whether a texture unit's texture and final texture coordinates at the vertex are so.
+template <class Holds>
+bool any_tex_coord(const Draw& draw, const Vertex& vertex, const Holds& holds) {
     const reference::StageVertex staged = reference::vertex_stage(draw, {&vertex, 1}).front();
     const std::size_t number = static_cast<std::size_t>(&vertex - draw.vertices.data());  // if it is one of the Draw's
-    bool any = draw.texture.texture && staged.tex_coord.w <= 1e-6;
+    bool any = draw.texture.texture && holds(*draw.texture.texture, staged.tex_coord);
     for (const FurtherUnit& further : draw.further_units) {
         const glm::dvec4 own = number < further.tex_coords.size() ? further.tex_coords[number] : vertex.tex_coord;
         const glm::dvec4 generated =
             reference::generated_tex_coord(further.unit, vertex, own, staged.position_eye, staged.normal_eye);
-        any = any || (further.unit.texture_matrix * generated).w <= 1e-6;
+        any = any || holds(*further.unit.texture, further.unit.texture_matrix * generated);
     }
     return any;
+}
+
+bool has_no_q(const Draw& draw, const Vertex& vertex) {
+    return any_tex_coord(draw, vertex, [](const Texture&, const glm::dvec4& coord) { return coord.w <= 1e-6; });
+}
+
+bool has_no_direction_into_cube(const Draw& draw, const Vertex& vertex) {
+    return any_tex_coord(draw, vertex, [](const Texture& texture, const glm::dvec4& coord) {
+        return texture.is_cube() && glm::length(glm::dvec3(coord)) <= 1e-6;
+    });
 }
 
 bool has_wide_points(const Draw& draw) {
@@ -216,6 +229,32 @@ bool has_negative_fog_coords(const Draw& draw) {
 // Mesa makes separate lines of the strips in a list if another strip or line follows, so the count begins with each.
 bool stipples_listed_strips(const Draw& draw) {
     return draw.raster.line_stipple && draw.in_list && (draw.mode == kGL_LINE_STRIP || draw.mode == kGL_LINE_LOOP);
+}
+
+// Depths are linear in the window, so they do not count.
+bool stipples_in_perspective(const Draw& draw) {
+    if (!draw.raster.line_stipple || !draw.draws_lines()) return false;
+    const glm::dvec4 row = glm::row(draw.clip_from_eye * draw.eye_from_object, 3);
+    const auto w = [&](const Vertex& vertex) { return glm::dot(row, vertex.position_object); };
+    return std::ranges::any_of(draw.vertices,
+                               [&](const Vertex& vertex) { return w(vertex) != w(draw.vertices.front()); });
+}
+
+bool stipples_borders(const Draw& draw) {
+    const RasterState& raster = draw.raster;
+    return raster.polygon_stipple && draw.draws_borders() && draw.draws_polygons_as(kGL_FILL);
+}
+
+bool has_scissored_sprites(const Draw& draw) { return draw.draws_sprites() && draw.fragment.scissor.enabled; }
+
+// A mirrored image begins with the texels of its edge.
+bool wraps_cube_maps(const Draw& draw) {
+    const auto is_at_edge = [](Enum wrap) { return wrap == kGL_CLAMP_TO_EDGE || wrap == kGL_MIRRORED_REPEAT; };
+    return any_unit(draw, [&](const TextureUnit& unit) {
+        const Texture& texture = *unit.texture;
+        return texture.is_cube() && !(is_at_edge(texture.wrap_s) && is_at_edge(texture.wrap_t)) &&
+               (texture.min_filter != kGL_NEAREST || texture.mag_filter != kGL_NEAREST);
+    });
 }
 
 bool clamps_between_nearest_and_linear(const Draw& draw) {

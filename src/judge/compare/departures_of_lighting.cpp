@@ -133,10 +133,28 @@ bool rescales_much(const Draw& draw) {
     return scale > 1e5 || scale < 1e-5;
 }
 
+bool has_normals_in_projection(const Draw& draw) {
+    const glm::dmat4& matrix = draw.eye_from_object;
+    bool uses_normals = draw.lighting.enabled;
+    draw.for_each_unit([&](std::size_t, const TextureUnit& unit) {
+        uses_normals |= std::ranges::any_of(unit.generated, &GeneratedCoordinate::needs_normal);
+    });
+    if (!uses_normals || (matrix[0][3] == 0 && matrix[1][3] == 0 && matrix[2][3] == 0)) return false;
+    constexpr double kRounding = 1e-6;
+    const glm::dmat3 right = glm::inverse(glm::dmat3(matrix)), drivers = glm::dmat3(glm::inverse(matrix));
+    double size = 0, difference = 0;
+    for (int column = 0; column < 3; ++column) {
+        size = std::max(size, glm::length(right[column]));
+        difference = std::max(difference, glm::length(drivers[column] - right[column]));
+    }
+    return !(difference <= kRounding * size);  // nor if a matrix has no inverse
+}
+
 bool has_no_answer(const Draw& draw, const Vertex& vertex) {
     const glm::dvec4 eye = draw.eye_from_object * vertex.position_object;
     constexpr double kHuge = 0x1p100;  // the driver divides colours by w of clip coordinates, and loses them
-    if (eye.w < 0 || std::abs((draw.clip_from_eye * eye).w) > kHuge) return true;
+    const glm::dvec4 clip = draw.clip_from_eye * eye;
+    if (eye.w < 0 || std::abs(clip.w) > kHuge || clip == glm::dvec4(0)) return true;
     if (!draw.lighting.enabled) return false;
     if (vertex.normal_object == glm::dvec3(0) || glm::determinant(glm::dmat3(draw.eye_from_object)) == 0) return true;
     return any_light(draw, [&](const LightSource& light) {

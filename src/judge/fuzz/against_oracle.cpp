@@ -285,20 +285,24 @@ class Judged {
             look_at(std::array{p.x, p.y, p.z}, p.w);
             for (const double k : {light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation})
                 denormal |= is_denormal(k);
-            if (p.w == 0) continue;
+            // A vertex and a light that are directions differ as two places do; other directions stand for themselves.
+            const bool directions = p.w == 0;
+            if (directions && exact.position_eye[3] != 0) continue;
+            const double vertex_w = directions ? 1 : exact.position_eye[3], light_w = directions ? 1 : p.w;
             double distance = 0, size = 0;
             for (std::size_t i = 0; i < 3; ++i) {
-                const double v = exact.position_eye[i] / exact.position_eye[3], l = p[static_cast<int>(i)] / p.w;
+                const double v = exact.position_eye[i] / vertex_w, l = p[static_cast<int>(i)] / light_w;
                 distance = std::max(distance, std::abs(v - l));
                 denormal |= is_denormal(v - l);
                 size = std::max({size, std::abs(v), std::abs(l)});
             }
+            interpolated |= per_pixel && distance < 0x1p-18 * size;
+            if (directions) continue;
             const double divisor = light.constant_attenuation +
                                    distance * (light.linear_attenuation + distance * light.quadratic_attenuation);
             denormal |= is_denormal(divisor);
             // The reference in floats starts from eye coordinates; all others take the difference in doubles, or of object coordinates.
             cancels |= distance > 0 && distance < (type == NumberType::kFloat ? 0x1p-16 : 0x1p-45) * size;
-            interpolated |= per_pixel && distance < 0x1p-18 * size;
             wide |= !(distance > 0x1p-8 * size) || !(size < 1e9) || !(size > 1e-9);
         }
         const LightingState& lighting = draw().lighting;

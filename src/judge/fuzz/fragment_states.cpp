@@ -46,7 +46,7 @@ class Builder {
                                  shows("GL_GENERATE_MIPMAP after glPopAttrib") ||
                                  shows("texture coordinates of other primitives beside point sprites");
         if (of_textures || (structure_.chance(0.7) && !shows("the colour sum in fog"))) texture();
-        if (departure_.empty() && cubes_.chance(0.1)) cube_map();
+        if (shows("wrap modes of cube maps") || (departure_.empty() && cubes_.chance(0.1))) cube_map();
         if (departure_.empty() && units_.chance(0.25)) further_units();
         secondary_ = departure_.empty() && more_.chance(0.12);
         if (secondary_) add("glEnable(GL_COLOR_SUM);");
@@ -185,7 +185,8 @@ class Builder {
     // A cube map in place of the texture of unit 0. Its numbers are its own, so that the rest of the scene does not depend on
     // them.
     void cube_map() {
-        const int size = 1 << cubes_.below(4), filter = cubes_.below(4);
+        const bool repeats = shows("wrap modes of cube maps");
+        const int size = repeats ? 4 : 1 << cubes_.below(4), filter = repeats ? 1 : cubes_.below(4);
         const char* const formats[] = {"GL_RGB", "GL_RGBA", "GL_LUMINANCE", "GL_ALPHA", "GL_INTENSITY"};
         const char* const wraps[] = {"GL_CLAMP_TO_EDGE", "GL_CLAMP_TO_EDGE", "GL_REPEAT", "GL_MIRRORED_REPEAT"};
         const char* const filters[] = {"GL_NEAREST", "GL_LINEAR", "GL_NEAREST_MIPMAP_NEAREST",
@@ -205,7 +206,8 @@ class Builder {
             "glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, {});",
             filters[filter], filters[filter % 2]);
         for (const char* axis : {"S", "T"})
-            add("glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_{}, {});", axis, wraps[cubes_.below(4)]);
+            add("glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_{}, {});", axis,
+                repeats ? "GL_REPEAT" : wraps[cubes_.below(4)]);
         add("glMatrixMode(GL_MODELVIEW); glPushMatrix(); glLoadIdentity();");
         const int mode = cubes_.below(3);
         for (const char coordinate : std::string_view("STR")) {
@@ -473,6 +475,10 @@ class Builder {
                 random_.uniform(9, 30));
         if (shows("clipped polygons as lines and points")) add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);");
         if (shows("edge flags of strips and fans")) add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);");
+        if (shows("polygon stipple where one face is filled")) {
+            polygon_stipple();
+            add("glPolygonMode(GL_BACK, GL_LINE); glLineWidth(9);");
+        }
         if (shows("polygon offset of one of two polygon modes"))
             add("glPolygonMode(GL_BACK, GL_LINE); glEnable(GL_POLYGON_OFFSET_FILL); glPolygonOffset(0, 4e6);"
                 "glLineWidth(9); glEnable(GL_DEPTH_TEST); glDepthFunc(GL_LESS);");
@@ -501,9 +507,10 @@ class Builder {
     }
 
     bool of_points() const {
-        return shows("size of points by their distance") ||
+        return shows("size of points by their distance") || scissors_sprites() ||
                shows("texture coordinates of other primitives beside point sprites");
     }
+    bool scissors_sprites() const { return shows("point sprites below the scissor box"); }
     // The size of points, and point sprites. Factors of the distance are 0 or would show a known bug.
     void points() {
         const bool by_distance = shows("size of points by their distance");
@@ -516,8 +523,9 @@ class Builder {
             add("glPointParameterf(GL_POINT_SIZE_MIN, {:.2f}); glPointParameterf(GL_POINT_SIZE_MAX, {:.2f});",
                 points_.uniform(0, 10), points_.uniform(10, 25));
         const bool beside = shows("texture coordinates of other primitives beside point sprites");
-        if (!beside && (by_distance || !points_.chance(0.15))) return;
+        if (!beside && (by_distance || !(scissors_sprites() || points_.chance(0.15)))) return;
         sprites_ = !beside;
+        if (scissors_sprites()) add("glPointSize(20); glEnable(GL_SCISSOR_TEST); glScissor(0, 32, 64, 32);");
         add("glEnable(GL_POINT_SPRITE); glTexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, {});",
             beside || points_.chance(0.8) ? 1 : 0);
         if (points_.chance(0.5)) add("glPointParameteri(GL_POINT_SPRITE_COORD_ORIGIN, GL_LOWER_LEFT);");
@@ -580,6 +588,8 @@ class Builder {
         if (shows("stippled line strips in a display list"))
             return "glLineStipple(8, 255); glEnable(GL_LINE_STIPPLE); glNewList(9, GL_COMPILE);\n" +
                    anywhere("GL_LINE_STRIP") + anywhere("GL_LINE_STRIP") + "glEndList(); glCallList(9);\n";
+        if (shows("stippled lines in perspective"))
+            return "glLineWidth(9); glLineStipple(4, 0x3333); glEnable(GL_LINE_STIPPLE);\n" + anywhere("GL_LINES");
         if (shows("level of detail of points") || shows("the alpha of smooth points") ||
             shows("size of points by their distance"))
             return anywhere("GL_POINTS");

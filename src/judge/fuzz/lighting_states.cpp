@@ -52,7 +52,7 @@ class LightingState {
         scale_ = structure_.chance(0.5) ? 1.5 : 0.4;  // 0.4 keeps colours below 1, 1.5 does not
         projection();
         // A light's position is transformed by the modelview matrix at the time of its command (2.14.2).
-        const bool lights_first = chance(0.3) || shows("a vertex on the edge of a spot's cone");
+        const bool lights_first = chance(0.3) || projects() || shows("a vertex on the edge of a spot's cone");
         if (lights_first) lights();
         modelview();
         if (!lights_first) lights();
@@ -79,6 +79,7 @@ class LightingState {
         list_.commands.push_back({id, std::move(arguments), {}});
     }
     bool shows(std::string_view departure) const { return departure_ == departure; }
+    bool projects() const { return shows("normals under a matrix that projects"); }
     bool shows_w_0() const { return shows("a vertex whose w is 0 under a directional light"); }
 
     // ---- Values ----
@@ -160,6 +161,12 @@ class LightingState {
             add(chance(0.5) ? Id::glScaled : Id::glScalef, {by.x, by.y, by.z});
             eye_from_object_ = glm::scale(eye_from_object_, by);
         };
+        if (projects()) {
+            glm::dmat4 by_depth(1);
+            by_depth[2][3] = uniform(0.02, 0.05);
+            load(by_depth, true);
+            eye_from_object_ *= by_depth;
+        }
         if (shows("GL_RESCALE_NORMAL under a large scale")) {
             scaled(glm::dvec3(1e7));
             return add(Id::glEnable, {kGL_RESCALE_NORMAL});
@@ -212,7 +219,7 @@ class LightingState {
         const bool needs_place = shows("a vertex whose w is not 1 under a positional light") ||
                                  shows("shininess 0 with attenuation or a spot");
         const bool tiny = shows("a direction whose square does not fit a float");
-        const bool directional = tiny || shows_w_0() || (!needs_place && chance(0.4));
+        const bool directional = tiny || shows_w_0() || projects() || (!needs_place && chance(0.4));
         const double reach = tiny ? 1e-30 : directional ? 1 : 4;
         add(Id::glLightfv, {l, kGL_POSITION, reach * coordinate(), reach * coordinate(), reach * coordinate(),
                             directional ? 0 : uniform(0.5, 2)});
@@ -399,7 +406,8 @@ class LightingState {
         const double y_ndc = (corner / 2 ? 1 : -1) * uniform(0.55, 0.95);
         const double z_eye = uniform(-6, -2), w = clip_from_eye_[2][3] * z_eye + clip_from_eye_[3][3];
         const glm::dvec4 eye(x_ndc * w / clip_from_eye_[0][0], y_ndc * w / clip_from_eye_[1][1], z_eye, 1);
-        const glm::dvec4 object = glm::inverse(eye_from_object_) * eye;
+        glm::dvec4 object = glm::inverse(eye_from_object_) * eye;
+        if (projects()) object /= object.w;
         if (shows_w_0()) {
             const glm::dvec3 direction = glm::inverse(glm::dmat3(eye_from_object_)) * glm::dvec3(eye);
             return add(Id::glVertex4f, {direction.x, direction.y, direction.z, 0});
