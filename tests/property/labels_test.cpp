@@ -253,8 +253,9 @@ TEST_F(LabelsTest, BesideABorderOfPixelsAreOpen) {
     EXPECT_EQ(open_pixels("glWindowPos2i(3, 4);\n" + kDraw), 0);
     EXPECT_EQ(open_pixels("glRasterPos2f(0.07, 0.07);\n" + kDraw), 0);
     EXPECT_GE(open_pixels("glRasterPos2f(0, 0.07);\n" + kDraw), 10);
-    EXPECT_GE(open_pixels("glRasterPos3f(0.07, 0.07, 1);\n" + kDraw), 10);
-    EXPECT_GE(open_pixels("glRasterPos3f(0.07, 0.07, 1.000001);\n" + kDraw), 10);
+    // Beside the far plane: inside it in one driver, beyond it in another.
+    EXPECT_GE(open_pixels("glTranslatef(0, 0, 0.1); glRasterPos3f(0.07, 0.07, 0.9);\n" + kDraw), 10);
+    EXPECT_GE(open_pixels("glTranslatef(0, 0, 0.1); glRasterPos3f(0.07, 0.07, 0.900001);\n" + kDraw), 10);
 }
 
 TEST_F(LabelsTest, AreComparedThreeWays) {
@@ -265,6 +266,22 @@ TEST_F(LabelsTest, AreComparedThreeWays) {
 }
 
 // ---- The raster position itself ----
+
+// Where floats compute a position without rounding, no driver can find another.
+TEST_F(LabelsTest, AreCertainAtACornerOfTheWindow) {
+    const auto is_certain = [&](const std::string& commands) {
+        const Scene scene = scene_of(kStairs + (commands + kDraw));
+        const std::vector<const Draw*> draws = scene.frame.draws();
+        return draws.size() == 1 && draws.front()->pixels->doubtful.empty();
+    };
+    EXPECT_TRUE(is_certain("glRasterPos2i(-1, -1);"));
+    EXPECT_TRUE(
+        is_certain("gluOrtho2D(0, 640, 0, 480); glRasterPos2i(0, 0);"));  // 2/640 is no float, but 0 times it is
+    EXPECT_TRUE(is_certain("glTranslatef(-0.25, 0.5, 0); glRasterPos2f(-0.75, -1.5);"));
+    EXPECT_TRUE(is_certain("glRasterPos4f(-3, -3, 0, 3);"));
+    EXPECT_FALSE(is_certain("gluOrtho2D(-3, 0, 0, 1); glRasterPos2i(-3, 0);"));  // 2/3 times -3
+    EXPECT_FALSE(is_certain("glTranslatef(0.1, 0, 0); glRasterPos2d(-1.1, -1);"));
+}
 
 TEST(RasterPositions, AreTheDrivers) {
     const auto context = make_offscreen_context(64, 48);

@@ -38,9 +38,12 @@ class Builder {
         const bool accumulates = departure_.empty() && structure_.chance(0.15);
         if (has_stencil) add("glClearStencil({}); glClear(GL_STENCIL_BUFFER_BIT);", random_.below(300) - 20);
         if (accumulates) add("glClearAccum({}); glClear(GL_ACCUM_BUFFER_BIT);", four(-0.2, 0.2));
+        const char* const parallel = "glLoadIdentity(); glScalef(0.12, 0.12, 1); glOrtho(-1, 1, -1, 1, 0, 10)";
         add("glMatrixMode(GL_PROJECTION); {};",
-            one_of({"glFrustum(-1, 1, -1, 1, 1, 10)", "glFrustum(-1, 1, -1, 1, 1, 10)", "gluPerspective(90, 1, 1, 10)",
-                    "glLoadIdentity(); glScalef(0.12, 0.12, 1); glOrtho(-1, 1, -1, 1, 0, 10)"}));
+            shows("stippled line strips in a display list")
+                ? parallel
+                : one_of({"glFrustum(-1, 1, -1, 1, 1, 10)", "glFrustum(-1, 1, -1, 1, 1, 10)",
+                          "gluPerspective(90, 1, 1, 10)", parallel}));
         const bool of_textures = shows("GL_CLAMP between a nearest and a linear filter") ||
                                  shows("glTexCoord1 to 3 after glTexCoord4") || shows("level of detail of points") ||
                                  shows("GL_GENERATE_MIPMAP after glPopAttrib") ||
