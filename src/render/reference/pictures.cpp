@@ -38,19 +38,20 @@ PixelRect common(const PixelRect& a, const PixelRect& b) {
     return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
 
+// The smallest rectangle that contains both.
+PixelRect joined(const PixelRect& a, const PixelRect& b) {
+    if (a.is_empty() || b.is_empty()) return a.is_empty() ? b : a;
+    return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
 // The smallest rectangle around the pixels that Draws with this property may reach.
 template <class Property>
 PixelRect reach_of(const StagedFrame& stages, const PixelRect& window, const Property& has_property) {
     std::vector<char> reaches;
     for (const StagedDraw& staged : stages.draws) reaches.push_back(has_property(*staged.draw) ? 1 : 0);
-    PixelRect reach{window.x1, window.y1, window.x0, window.y0};
-    for (const Piece& piece : stages.pieces) {
-        if (reaches[piece.draw] == 0) continue;
-        const PixelRect one = reach_of(piece, window);
-        if (one.is_empty()) continue;
-        reach = {std::min(reach.x0, one.x0), std::min(reach.y0, one.y0), std::max(reach.x1, one.x1),
-                 std::max(reach.y1, one.y1)};
-    }
+    PixelRect reach;
+    for (const Piece& piece : stages.pieces)
+        if (reaches[piece.draw] != 0) reach = joined(reach, reach_of(piece, window));
     return reach;
 }
 
@@ -61,20 +62,24 @@ std::size_t size_of(const PixelRect& rect) { return rect.is_empty() ? 0 : rect.c
 Image Pictures::render(const Options& options) {
     if (frame_->copies_pixels) return reference::render(*frame_, options);  // the copies depend on the options
     const Frame& frame = *frame_;
+    const PixelRect window = whole_window(frame);
     StagedFrame stages = run_stages(frame, options);
+    // Quadrilaterals that are not flat, or are clipped, may reach other pixels if they are cut the other way.
+    const PixelRect of_quadrilaterals = reach_of(stages, window, is_quadrilaterals);
     Image image(frame.width, frame.height);
-    PixelRect within = whole_window(frame);
+    PixelRect within = window;
     for (const Drawn& drawn : drawn_) {
         if (!differ_in_look_or_cut_only(drawn.options, options)) continue;
-        const PixelRect changed = reach_of(stages, whole_window(frame),
-                                           [&](const Draw& draw) { return depends_on(draw, drawn.options, options); });
+        PixelRect changed =
+            reach_of(stages, window, [&](const Draw& draw) { return depends_on(draw, drawn.options, options); });
+        if (drawn.options.quad_cut != options.quad_cut) changed = joined(changed, drawn.of_quadrilaterals);
         if (size_of(changed) >= size_of(within)) continue;
         within = changed;
         image = drawn.image;
     }
     draw_pixels(std::move(stages), options, within, image);
     std::erase_if(drawn_, [&](const Drawn& drawn) { return drawn.options.quad_cut == options.quad_cut; });
-    drawn_.push_back({options, image});
+    drawn_.push_back({options, image, of_quadrilaterals});
     return image;
 }
 
@@ -85,22 +90,35 @@ AllowedDifference Pictures::allowed_difference(const Options& given) {
         return Pictures(*whole).allowed_difference(given);
     }
     const Frame& frame = *frame_;
+    const PixelRect window = whole_window(frame);
     Options options = given;
     options.in_clip_plane = InClipPlane::kPerhaps;
     options.quad_cut = QuadCut::kFirstToThird;
     StagedFrame stages = run_stages(frame, options);
-    PixelRect within = whole_window(frame);
-    if (found_ && differ_in_look_or_cut_only(found_->options, options)) {
-        within = reach_of(stages, within, [&](const Draw& draw) { return depends_on(draw, found_->options, options); });
-        found_->options = options;
+    PixelRect within = window;
+    const bool is_first = !found_ || !differ_in_look_or_cut_only(found_->options, options);
+    if (is_first) {
+        found_ = Found{options,
+                       {std::vector<char>(size_of(window)), Image(frame.width, frame.height)},
+                       reach_of(stages, window, is_quadrilaterals)};
     } else {
-        found_ = Found{options, {std::vector<char>(size_of(within)), Image(frame.width, frame.height)}};
+        bool of_quadrilaterals = false;
+        within = reach_of(stages, window, [&](const Draw& draw) {
+            const bool depends = depends_on(draw, found_->options, options);
+            of_quadrilaterals = of_quadrilaterals || (depends && is_quadrilaterals(draw));
+            return depends;
+        });
+        if (of_quadrilaterals) within = joined(within, found_->of_quadrilaterals);
+        found_->options = options;
     }
-    const PixelRect of_quadrilaterals = common(within, reach_of(stages, whole_window(frame), is_quadrilaterals));
     find_differences(std::move(stages), options, within, found_->difference, Joining::kReplaces);
-    if (!of_quadrilaterals.is_empty()) {
-        options.quad_cut = QuadCut::kSecondToFourth;
-        find_differences(run_stages(frame, options), options, of_quadrilaterals, found_->difference, Joining::kAdds);
+    options.quad_cut = QuadCut::kSecondToFourth;
+    if (is_first && has_quadrilaterals(frame)) {
+        stages = run_stages(frame, options);
+        found_->of_quadrilaterals = joined(found_->of_quadrilaterals, reach_of(stages, window, is_quadrilaterals));
+        find_differences(std::move(stages), options, found_->of_quadrilaterals, found_->difference, Joining::kAdds);
+    } else if (const PixelRect again = common(within, found_->of_quadrilaterals); !again.is_empty()) {
+        find_differences(run_stages(frame, options), options, again, found_->difference, Joining::kAdds);
     }
     AllowedDifference result{.edge = {}, .channels = found_->difference.channels};
     result.edge.assign(found_->difference.edge.begin(), found_->difference.edge.end());

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/reference/coverage.h"
 #include "render/reference/reference.h"
 #include "render/reference/staged_frame.h"
 
@@ -30,10 +31,12 @@ class Pictures {
     struct Drawn {
         Options options;
         Image image;
+        PixelRect of_quadrilaterals;  // what they may reach, cut as in this picture
     };
     struct Found {
         Options options;
         OpenDifference difference;
+        PixelRect of_quadrilaterals;  // in both cuts
     };
 
     const Frame* frame_;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,22 @@ TEST(Pictures, OfRandomScenesAreDrawnAgainOnlyWhereTheyChange) {
         ++pictures;
         const CommandList commands = fuzz::random_scene({{.seed = 7}}, state);
         expect_same(make_frame(commands, {.width = kWidth, .height = kHeight}), "state " + std::to_string(state));
+    }
+}
+
+// Three corners are directions, so the quadrilateral is half of the picture if it is cut from its first corner, and nothing if it
+// is cut from its second.
+TEST(Pictures, OfAQuadrilateralWhoseCutsReachOtherPixelsAreDrawnWhole) {
+    for (const char* const order : {"GL_QUADS); V0; V1; V2; V3", "GL_QUADS); V1; V2; V3; V0"}) {
+        std::string text =
+            std::string("glFrustum(-1, 0, -1, 0, 1, 10); glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glBegin(") +
+            order + "; glEnd();";
+        const std::array<const char*, 4> corners = {"glVertex3f(0, 0, -3)", "glVertex3f(0, 1, 0)",
+                                                    "glVertex3f(-2, -2, 0)", "glVertex3f(-3, 0, 0)"};
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            text.replace(text.find("V" + std::to_string(i)), 2, corners.at(i));
+        const CommandList commands = read_scene(text, "quadrilateral.gl", "quadrilateral", no_images, {});
+        expect_same(make_frame(commands, {.width = kWidth, .height = kHeight}), order);
     }
 }
 
