@@ -55,10 +55,9 @@ double eye_unit(const glm::dmat4& eye_from_object, const glm::dvec4& reach, cons
 
 // The largest components, in eye coordinates.
 struct Sizes {
-    double vertices = 0;          // after the division by w
-    double places = 0;            // of places_eye()
-    double directions = 0;        // of vertices with w = 0, and of lights that meet them (between_directions())
-    bool has_directions = false;  // a vertex has w = 0
+    double vertices = 0;    // after the division by w
+    double places = 0;      // of places_eye()
+    double directions = 0;  // of vertices with w = 0, and of lights that meet them (between_directions())
 };
 Sizes sizes_of(const Draw& draw, const Plan& plan) {
     Sizes sizes;
@@ -66,12 +65,10 @@ Sizes sizes_of(const Draw& draw, const Plan& plan) {
     const bool meet = plan.effects.any_light(&LightEffects::meets_directions);
     for (const Vertex& vertex : draw.vertices) {
         const glm::dvec4 at = draw.eye_from_object * vertex.position_object;
-        if (at.w != 0) {
+        if (at.w != 0)
             enlarge(sizes.vertices, glm::dvec3(at) / at.w);
-        } else {
+        else
             enlarge(sizes.directions, glm::dvec3(at));
-            sizes.has_directions = true;
-        }
     }
     for (const glm::dvec3& place : places_eye(plan)) enlarge(sizes.places, place);
     // Beside a light that is so much larger than all of these vertices, floats lose them, and it may come nearer.
@@ -108,10 +105,10 @@ double unit_of_homogeneous(const Sizes& sizes, const Plan& plan) {
     constexpr double kVeryTiny = 1e-25, kUnit = 0x1p-50;
     if (sizes.vertices > 0 && std::max(sizes.vertices, sizes.directions) < kVeryTiny && least * kUnit * kUnit > 1e-36)
         return kUnit;
-    // Vertices at infinity, or this far away, need one if a light grows weaker so slowly that k_1 times the greatest distance of
+    // Vertices this far away need one if a light grows weaker so slowly that k_1 times the greatest distance of
     // the shader (distance_of() in equation.glsl) would not be large.
     constexpr double kFar = 1e28, kSlow = 1e-30, kMost = 1e37;
-    const bool is_far = sizes.has_directions || sizes.vertices > kFar;
+    const bool is_far = sizes.vertices > kFar;
     const double unit = power_of_two(kSlow / slowest);
     const bool keeps_factors = quickest * unit < kMost && squared * unit * unit < kMost;
     return slowest < kSlow && keeps_factors && is_far ? unit : 1;
@@ -516,11 +513,10 @@ class DrawUniforms {
         }
         each({"attenuation"}, [&](const LightSource& light) {
             const double length_unit = placed(light).length_unit;
-            // In the unit of a tiny scene a factor may vanish. Infinitely far from the light it still counts. In a scene that is tiny as
-            // a whole no other distance is large.
-            const double least = length_unit < 0x1p-50 ? 1e-30 : 1e-36;
+            // In the unit of a tiny scene a factor may vanish. Infinitely far from the light it still counts.
+            constexpr double kLeast = 1e-36;
             const auto in_unit = [&](double k, double factor) {
-                return k > 0 && factor < 1 ? std::max(k * factor, least) : k * factor;
+                return k > 0 && factor < 1 ? std::max(k * factor, kLeast) : k * factor;
             };
             return attenuation_scale(light) *
                    glm::dvec3(light.constant_attenuation, in_unit(light.linear_attenuation, length_unit),

@@ -114,11 +114,11 @@ class Writer : LightingWriter {
     std::string reach(std::size_t i) {
         const LightEffects& light = effects_.lights[i];
         std::string reach;
-        if (light.attenuated)
-            reach =
-                fmt::format("attenuation({}, {})", names_.light(i, "vec3", "attenuation", "k_0i, k_1i, k_2i"),
-                            names_.position_is_homogeneous() ? fmt::format("distance_of(vp, {}.w)", names_.position())
-                                                             : "length(vp)");
+        if (light.attenuated) {
+            const std::string k = names_.light(i, "vec3", "attenuation", "k_0i, k_1i, k_2i");
+            reach = names_.position_is_homogeneous() ? fmt::format("attenuation_of({}, vp, {}.w)", k, names_.position())
+                                                     : fmt::format("attenuation({}, length(vp))", k);
+        }
         if (!light.spot && !light.smooth_cone) return reach;
         if (!reach.empty()) reach += " *\n            ";
         const std::string spot_dir = names_.light(i, "vec3", "spot_dir_" + names_.space(), "s_dli, of length 1");

@@ -46,7 +46,7 @@ vec3 between_directions(vec3 toward_light, vec3 vertex, float vertex_w) {
     return vertex_w == 0.0 ? toward_light - vertex : toward_light;
 }
 
-// The distance to a light whose VP times |w| is vp. That to a vertex at infinity (w = 0) is the greatest there is here.
+// The distance to a light whose VP times |w| is vp.
 float distance_of(vec3 vp, float w) {
     const float greatest = 1e37;
     vec3 size = abs(vp);
@@ -86,6 +86,12 @@ float positive_dot(vec3 a, vec3 b) {
 float attenuation(vec3 k, float light_distance) {
     float divisor = k[0] + light_distance * (k[1] + light_distance * k[2]);
     return divisor > 0.0 ? 1.0 / max(divisor, 1e-37) : 0.0;
+}
+
+// The same at a vertex whose VP times |w| is vp. Nothing is left of a light that grows weaker if the vertex is at infinity (w = 0).
+float attenuation_of(vec3 k, vec3 vp, float w) {
+    bool weakens = max(k[1], k[2]) > 0.0;
+    return w == 0.0 && weakens ? 0.0 : attenuation(k, distance_of(vp, w));
 }
 
 // spot_i: the spotlight factor, 0 outside the cone and (PV . s_dli)^s_rli inside (section 2.14.1). The cone includes
