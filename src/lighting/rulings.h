@@ -28,6 +28,7 @@ enum class Ruling : std::uint8_t {
     kDecal,
     kZeroQuotient,
     kUncountable,
+    kMixedOutcomes,
 };
 
 struct RulingText {
@@ -74,6 +75,9 @@ inline constexpr RulingText kRulings[] = {
     {Ruling::kZeroQuotient, "q of 0 in texture coordinates", "the quotient is 0", "there is no limit; 0 is finite"},
     {Ruling::kUncountable, "a texture coordinate beyond 1e15 or not a number", "0",
      "it has no fraction left that could choose a texel"},
+    {Ruling::kMixedOutcomes, "a linear filter of a texture that compares its depths with r",
+     "each depth is compared, and the outcomes are mixed",
+     "section 3.8.14 asks for a number proportional to the passes; a mean of depths would lie on no surface"},
 };
 constexpr bool are_in_enum_order() {
     for (std::size_t i = 0; i < std::size(kRulings); ++i)

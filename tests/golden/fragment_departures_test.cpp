@@ -111,6 +111,13 @@ const std::vector<FragmentCase>& fragment_cases() {
             glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
             glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 1); glEnable(GL_TEXTURE_2D);
             glPointSize(8); glBegin(GL_POINTS); glVertex2f(0, 0); glEnd();)"},
+        // r is less than the depth, and t is more: 1, which is white.
+        {"depths in one dimension", R"(
+            glTexImage1D(GL_TEXTURE_1D, 0, GL_DEPTH_COMPONENT, 1, 0, GL_DEPTH_COMPONENT, GL_FLOAT, (GLfloat[]){0.5});
+            glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+            glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE); glEnable(GL_TEXTURE_1D);
+            glTexCoord3f(0.5, 0.9, 0.1);
+            glBegin(GL_TRIANGLES); glVertex2f(-1, -1); glVertex2f(1, -1); glVertex2f(-1, 1); glEnd();)"},
         // White and a white highlight are white, and half of it in black fog is grey.
         {"the colour sum in fog", R"(
             glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);

@@ -46,16 +46,12 @@ Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter)
     if (random.chance(0.06)) {
         const auto& names = gl_names();
         const Enum any = names[static_cast<std::size_t>(random.below(static_cast<int>(names.size())))].value;
-        // Of GL 3.0 to 3.3 (GL_SRC1_ALPHA is a factor of blending there), and the parameters of textures whose values
-        // State does not look at.
+        // Of GL 3.0 to 3.3 (GL_SRC1_ALPHA is a factor of blending there), and textures of other kinds.
         const std::set<Enum> not_followed = {kGL_TEXTURE_3D,
                                              kGL_TEXTURE_CUBE_MAP,
                                              kGL_TEXTURE_RECTANGLE,
                                              kGL_FRAMEBUFFER_SRGB,
                                              kGL_TEXTURE_CUBE_MAP_SEAMLESS,
-                                             kGL_TEXTURE_COMPARE_MODE,
-                                             kGL_TEXTURE_COMPARE_FUNC,
-                                             kGL_DEPTH_TEXTURE_MODE,
                                              kGL_PRIMITIVE_RESTART,
                                              kGL_RASTERIZER_DISCARD,
                                              kGL_SRC1_ALPHA};

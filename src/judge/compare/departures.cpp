@@ -12,6 +12,7 @@ namespace {
 constexpr SeenOn kBoth[] = {
     {"llvmpipe", "Mesa 22.3"}, {"softpipe", "Mesa 22.3"}, {"llvmpipe", "Mesa 25.0"}, {"softpipe", "Mesa 25.0"}};
 constexpr SeenOn kBothUntilMended[] = {{"llvmpipe", "Mesa 22.3"}, {"softpipe", "Mesa 22.3"}};  // by Mesa 25.0
+constexpr SeenOn kBothOf22[] = {{"llvmpipe", "Mesa 22.3"}, {"softpipe", "Mesa 22.3"}};  // 25.0 is not measured yet
 constexpr SeenOn kLlvmpipe[] = {{"llvmpipe", "Mesa 22.3"}, {"llvmpipe", "Mesa 25.0"}};
 constexpr SeenOn kSoftpipe[] = {{"softpipe", "Mesa 22.3"}, {"softpipe", "Mesa 25.0"}};
 
@@ -294,6 +295,10 @@ const std::vector<Departure>& departures() {
          .section = "3.6.5: each component is looked up in its own table",
          .seen_on = kBoth,
          .command_rule = maps_drawn_pixels},
+        {.name = "depths in one dimension",
+         .section = "3.8.14: depths are compared with r in one dimension, too",
+         .seen_on = kBothOf22,
+         .draw_rule = compares_depths_in_one_dimension},
     };
     return list;
 }

@@ -105,6 +105,12 @@ bool has_level_of_detail(const Draw& draw) {
     return any_unit(draw, [](const TextureUnit& unit) { return unit.texture->min_filter != unit.texture->mag_filter; });
 }
 
+bool compares_depths_in_one_dimension(const Draw& draw) {
+    return any_unit(draw, [](const TextureUnit& unit) {
+        return unit.texture->target == kGL_TEXTURE_1D && unit.texture->compares();
+    });
+}
+
 bool has_edge_flags_in_strip(const Draw& draw) {
     const bool strip = draw.mode == kGL_TRIANGLE_STRIP || draw.mode == kGL_TRIANGLE_FAN || draw.mode == kGL_QUAD_STRIP;
     return strip && draw.draws_borders() &&

@@ -64,6 +64,10 @@ Lines coordinates_lines(const TextureSteps& steps, const TextureUnit& unit, bool
     constexpr double kRounding = 1e-9;  // of the interpolation
     if (std::abs(steps.coordinates.w - 1) > kRounding)
         lines += line("s/q, t/q", fmt::format("({:.5g}, {:.5g})", steps.st.x, steps.st.y), "the place in the texture");
+    if (unit.texture->compares())
+        lines += line("r/q", fmt::format("{:.7g}", steps.r),
+                      fmt::format("compared with depths (3.8.14): 1 where {} passes, 0 where not",
+                                  enum_name(unit.texture->compare_func)));
     return lines;
 }
 
@@ -90,10 +94,12 @@ Lines texels_lines(const TextureSteps& steps, const Texture& texture) {
         lines += line(fmt::format("level {}", image.level), fmt::format("weight {:.5f}", image.weight),
                       fmt::format("{} x {} texels", level.width, level.height));
         for (const TextureSteps::Texel& texel : image.texels)
-            lines += color_line("",
-                                fmt::format("texel {}, {}{}, weight {:.5f}", texel.i, texel.j,
-                                            texel.is_border ? " (the border colour)" : "", texel.weight),
-                                rgb_of(texel.color));
+            lines += color_line(
+                "",
+                fmt::format("texel {}, {}{}{}, weight {:.5f}", texel.i, texel.j,
+                            texel.is_border ? " (the border colour)" : "",
+                            texture.has_depths() ? fmt::format(", depth {:.7f}", texel.depth) : "", texel.weight),
+                rgb_of(texel.color));
     }
     return lines;
 }
@@ -140,7 +146,7 @@ Lines combine_lines(const TextureSteps& steps, const TextureUnit& unit) {
 
 Lines texture_lines(const TextureSteps& steps, const Draw& draw, bool is_exact) {
     const TextureUnit& unit = unit_of(steps, draw);
-    const Enum format = unit.texture->levels[0].base_format;
+    const Enum format = unit.texture->base_format();
     const EnvironmentFormulas formulas = environment_formulas(unit.env_mode, format);
     const std::string name =
         draw.combines_textures() ? fmt::format("texture unit {} (3.8)", steps.unit) : "texture (3.8)";
@@ -240,12 +246,14 @@ Json texture_json(const TextureSteps& steps, const Draw& draw) {
     for (const TextureSteps::Image& image : steps.images) {
         const TextureImage& level = unit.texture->levels[static_cast<std::size_t>(image.level)];
         Json texels = Json::array();
-        for (const TextureSteps::Texel& texel : image.texels)
+        for (const TextureSteps::Texel& texel : image.texels) {
             texels.push_back({{"i", texel.i},
                               {"j", texel.j},
                               {"border", texel.is_border},
                               {"weight", texel.weight},
                               {"color", rgba_json(texel.color)}});
+            if (unit.texture->has_depths()) texels.back()["depth"] = texel.depth;
+        }
         json["levels"].push_back({{"level", image.level},
                                   {"width", level.width},
                                   {"height", level.height},
@@ -255,6 +263,11 @@ Json texture_json(const TextureSteps& steps, const Draw& draw) {
     if (unit.texture->is_cube()) json["face"] = steps.face;
     json["texel"] = rgba_json(steps.texel);
     json["format"] = enum_name(unit.texture->levels[0].base_format);
+    if (unit.texture->has_depths()) json["depth_mode"] = enum_name(unit.texture->depth_mode);
+    if (unit.texture->compares()) {
+        json["r"] = steps.r;
+        json["compare_func"] = enum_name(unit.texture->compare_func);
+    }
     json["environment"] = enum_name(unit.env_mode);
     json["environment_color"] = rgba_json(clamped_rgba(unit.env_color));
     if (unit.env_mode == kGL_COMBINE) json["combine"] = combine_json(unit.combine);

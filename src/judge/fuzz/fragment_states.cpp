@@ -30,6 +30,7 @@ class Builder {
           points_(seed.structure + 7),
           anisotropy_(seed.structure + 8),
           labels_(~seed.values + 2),
+          depths_(seed.structure + 9),
           departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
@@ -86,6 +87,7 @@ class Builder {
             for (int i = 1 + copies_.below(2); i > 0; --i) copied();
         if (is_of_labels(departure_) || (departure_.empty() && labels_.chance(0.1)))
             text_ += label(labels_, departure_);
+        if (shows("depths in one dimension") || (departure_.empty() && depths_.chance(0.1))) depths();
         if (has_quadric_) add("gluDeleteQuadric(quadric);");
         return std::move(text_);
     }
@@ -289,6 +291,61 @@ class Builder {
                 copies_.below(height / 2), copies_.below(32), copies_.below(32), 1 + copies_.below(width / 2),
                 1 + copies_.below(height / 2));
         }
+        text_ += batch();
+    }
+
+    // A texture of random depths or of those of the picture so far, on further primitives; last, as copied().
+    void depths() {
+        const char* const formats[] = {"GL_DEPTH_COMPONENT", "GL_DEPTH_COMPONENT24", "GL_DEPTH_COMPONENT16",
+                                       "GL_DEPTH_COMPONENT32"};
+        const char* const filters[] = {"GL_NEAREST", "GL_LINEAR", "GL_LINEAR_MIPMAP_LINEAR",
+                                       "GL_NEAREST_MIPMAP_NEAREST"};
+        const char* const wraps[] = {"GL_REPEAT", "GL_CLAMP", "GL_CLAMP_TO_EDGE", "GL_CLAMP_TO_BORDER"};
+        const char* const modes[] = {"GL_LUMINANCE", "GL_INTENSITY", "GL_ALPHA"};
+        const char* const functions[] = {"GL_LEQUAL", "GL_GEQUAL",   "GL_LESS",   "GL_GREATER",
+                                         "GL_EQUAL",  "GL_NOTEQUAL", "GL_ALWAYS", "GL_NEVER"};
+        const bool flat = shows("depths in one dimension");
+        const char* const target = flat ? "GL_TEXTURE_1D" : "GL_TEXTURE_2D";
+        const int filter = depths_.below(4), width = 1 + depths_.below(8), height = 1 + depths_.below(8);
+        add("glDisable(GL_TEXTURE_1D); glDisable(GL_TEXTURE_2D); glDisable(GL_TEXTURE_CUBE_MAP); glEnable({0}); "
+            "glBindTexture({0}, 40);",
+            target);
+        add("glTexParameteri({0}, GL_TEXTURE_MIN_FILTER, {1}); glTexParameteri({0}, GL_TEXTURE_MAG_FILTER, {2});",
+            target, filters[filter], filters[filter % 3 == 0 ? 0 : 1]);
+        if (filter > 1) add("glTexParameteri({}, GL_GENERATE_MIPMAP, GL_TRUE);", target);
+        for (const char* axis : {"S", "T"})
+            add("glTexParameteri({}, GL_TEXTURE_WRAP_{}, {});", target, axis, wraps[depths_.below(4)]);
+        add("glTexParameterfv({}, GL_TEXTURE_BORDER_COLOR, (GLfloat[]){{{:.4f}, 1, 0, 0}});", target,
+            depths_.uniform(0, 1));
+        add("glTexParameteri({}, GL_DEPTH_TEXTURE_MODE, {});", target, modes[depths_.below(3)]);
+        if (flat || depths_.chance(0.8))
+            add("glTexParameteri({0}, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE); "
+                "glTexParameteri({0}, GL_TEXTURE_COMPARE_FUNC, {1});",
+                target, functions[depths_.below(8)]);
+        const char* const format = formats[depths_.below(4)];
+        if (flat) {
+            add("glTexImage1D(GL_TEXTURE_1D, 0, {}, 2, 0, GL_DEPTH_COMPONENT, GL_FLOAT, (GLfloat[]){{{:.4f}, "
+                "{:.4f}}});",
+                format, depths_.uniform(0, 1), depths_.uniform(0, 1));
+        } else if (depths_.chance(0.5)) {
+            add("glEnable(GL_DEPTH_TEST); glDepthMask(GL_TRUE);");
+            text_ += batch();
+            const int side = 8 + depths_.below(40);
+            add("glCopyTexImage2D(GL_TEXTURE_2D, 0, {}, {}, {}, {}, {}, 0);", format, depths_.below(64 - side),
+                depths_.below(64 - side), side, side);
+            if (depths_.chance(0.5)) clear("GL_DEPTH_BUFFER_BIT");
+        } else {
+            std::string texels;
+            for (int i = 0; i < width * height; ++i)
+                texels += fmt::format("{}{:.4f}", i ? "," : "", depths_.uniform(-0.1, 1.1));
+            add("glTexImage2D(GL_TEXTURE_2D, 0, {}, {}, {}, 0, GL_DEPTH_COMPONENT, GL_FLOAT, (GLfloat[]){{{}}});",
+                format, width, height, texels);
+        }
+        add("glMatrixMode(GL_MODELVIEW); glPushMatrix(); glLoadIdentity();");
+        add("glTexGenfv(GL_R, GL_EYE_PLANE, (GLfloat[]){{{:.4f}, {:.4f}, {:.4f}, {:.4f}}});",
+            depths_.uniform(-0.2, 0.2), depths_.uniform(-0.2, 0.2), depths_.uniform(-0.2, 0.05),
+            depths_.uniform(-0.2, 0.4));
+        add("glTexGeni(GL_R, GL_TEXTURE_GEN_MODE, GL_EYE_LINEAR); glEnable(GL_TEXTURE_GEN_R); glPopMatrix();");
         text_ += batch();
     }
 
@@ -748,7 +805,7 @@ class Builder {
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
     Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_, more_, more_values_, stipples_,
-        copies_, cubes_, points_, anisotropy_, labels_;
+        copies_, cubes_, points_, anisotropy_, labels_, depths_;
     bool secondary_ = false, fog_coords_ = false;  // vertices have secondary colours, fog coordinates
     bool sprites_ = false;                         // everything is points
     std::vector<int> further_units_;               // the numbers of those with a texture

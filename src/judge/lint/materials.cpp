@@ -282,7 +282,7 @@ class FlatDropsColors : public Watch {
 class TextureReplacesLight : public Watch {
     void drawn(const Draw& draw, const State&) override {
         if (enabled_lights(draw).empty() || !draw.texture.texture || draw.texture.texture->levels.empty()) return;
-        const Enum format = draw.texture.texture->levels[0].base_format;
+        const Enum format = draw.texture.texture->base_format();
         if (draw.texture.env_mode != kGL_REPLACE || format == kGL_ALPHA || draw.combines_textures()) return;
         warn(
             {.place = draw.place,

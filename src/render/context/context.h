@@ -27,5 +27,7 @@ std::string_view context_provider();  // what made the context: "OSMesa", "EGL",
 
 // The colour buffer of the current context (the back buffer of a window), row 0 at the top.
 Image read_pixels(int width, int height);
+// The depth buffer in the same way, as red, green and blue.
+Image read_depths(int width, int height);
 
 }  // namespace twinlight

@@ -92,6 +92,7 @@ std::string describe(const TextureEffects& texture) {
     const auto add = [&](bool fact, const char* name) {
         if (fact) text += fmt::format(", {}", name);
     };
+    add(texture.depth_mode != 0, texture.compares ? "depths that are compared with r" : "depths");
     add(texture.matrix, "texture matrix");
     add(texture.q, "division by q");
     add(texture.clamp_s, "GL_CLAMP of s");

@@ -27,6 +27,7 @@
 //   texture.texels kAlpha                    the environment is kModulate or kReplace; kBlend and kAdd become kModulate
 //   texture.one_dimensional, .cube           at most one of them
 //   texture.q, .clamp_s, .clamp_t            no cube
+//   texture.compares                         texture.depth_mode
 //   texture.q, .matrix, .generated           no sprite
 //   texture.clamp_t                          the texture has two dimensions
 //   texture.clamp_s, .clamp_t                a filter is linear; otherwise GL_CLAMP equals GL_CLAMP_TO_EDGE
@@ -125,11 +126,14 @@ struct TextureEffects {
     TextureEnvironment environment = TextureEnvironment::kNone;
     Texels texels = Texels::kColor;
     bool one_dimensional = false;
-    bool cube = false;     // a cube map, whose coordinates s, t and r are a direction
-    bool sprite = false;   // the coordinates are those of point sprites
-    bool matrix = false;   // the texture matrix is not the identity
-    bool q = false;        // a texture coordinate's q may be other than 1
-    bool clamp_s = false;  // GL_CLAMP, that core GL and some drivers lack: the shader does it
+    bool cube = false;    // a cube map, whose coordinates s, t and r are a direction
+    bool sprite = false;  // the coordinates are those of point sprites
+    // The texture has depths, which become texels of this base internal format (3.8.14); 0: it has colours.
+    Enum depth_mode = 0;
+    bool compares = false;  // the depths are compared with r first
+    bool matrix = false;    // the texture matrix is not the identity
+    bool q = false;         // a texture coordinate's q may be other than 1
+    bool clamp_s = false;   // GL_CLAMP, that core GL and some drivers lack: the shader does it
     bool clamp_t = false;
     bool gradients = false;                // the filter and level come from the coordinates before clamping
     std::array<Generated, 4> generated{};  // s, t, r, q
@@ -139,7 +143,7 @@ struct TextureEffects {
     // Whether coordinate i (0 to 3: s, t, r, q) can change a pixel.
     bool uses(std::size_t i) const {
         if (sprite) return false;
-        return matrix || i == 0 || (i == 1 && !one_dimensional) || (i == 2 && cube) || (i == 3 && q);
+        return matrix || i == 0 || (i == 1 && !one_dimensional) || (i == 2 && (cube || compares)) || (i == 3 && q);
     }
     bool generates() const { return generated != std::array<Generated, 4>{}; }
     bool generates_all() const {

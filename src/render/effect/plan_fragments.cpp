@@ -82,6 +82,8 @@ void plan_lookup(const Draw& draw, std::size_t number, const TextureUnit& unit, 
     const Texture& texture = *unit.texture;
     facts.one_dimensional = texture.target == kGL_TEXTURE_1D;
     facts.cube = texture.is_cube();
+    if (texture.has_depths()) facts.depth_mode = texture.depth_mode;
+    facts.compares = texture.compares();
     facts.sprite = unit.coord_replace;
     facts.matrix = !facts.sprite && unit.texture_matrix != glm::dmat4(1);
     facts.q = !facts.cube && !facts.sprite && !q_is_1(unit, has_q_1);
@@ -137,7 +139,7 @@ void plan_units(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
             effects.texture = {.environment = TextureEnvironment::kCombine, .texels = Texels::kColorAndAlpha};
             effects.combine = canonical(unit.combine);
         } else {
-            effects.texture = environment_of(unit.env_mode, unit.texture->levels.front().base_format);
+            effects.texture = environment_of(unit.env_mode, unit.texture->base_format());
         }
         if (effects.texture.environment == TextureEnvironment::kNone && !is_read(number))
             return plan.leave_out(fmt::format("texture unit {}", number),
@@ -156,7 +158,7 @@ void plan_texture(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     const Texture* texture = draw.texture.texture.get();
     if (!texture) return plan.leave_out("texture", "none is enabled, or the enabled one is incomplete", true);
     TextureEffects& facts = plan.effects.texture;
-    facts = environment_of(draw.texture.env_mode, texture->levels.front().base_format);
+    facts = environment_of(draw.texture.env_mode, texture->base_format());
     if (!plan.effects.has_texture())
         return plan.leave_out("texture", "with this texture format its environment mode changes nothing");
     plan_lookup(draw, 0, draw.texture, vertices.q_is_1, vertices, facts, plan);

@@ -104,6 +104,9 @@ void reset_texture(GLenum target) {
     glTexParameterf(target, GL_TEXTURE_MIN_LOD, static_cast<float>(start.min_lod));
     glTexParameterf(target, GL_TEXTURE_MAX_LOD, static_cast<float>(start.max_lod));
     glTexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, static_cast<float>(start.max_anisotropy));
+    set(GL_DEPTH_TEXTURE_MODE, start.depth_mode);
+    set(GL_TEXTURE_COMPARE_MODE, start.compare_mode);
+    set(GL_TEXTURE_COMPARE_FUNC, start.compare_func);
     glTexParameteri(target, GL_TEXTURE_BASE_LEVEL, start.base_level);
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, start.max_level);
     const bool is_cube = target == GL_TEXTURE_CUBE_MAP;

@@ -189,9 +189,9 @@ struct PreparedDraw {
 
 struct Replay::Impl {
     Impl(const Frame& frame, const ReplayOptions& options)
-        : width(frame.width), height(frame.height), whole(frame, [&](const Frame& picture) {
+        : width(frame.width), height(frame.height), whole(frame, [&](const Frame& picture, CopiedBuffer buffer) {
               Replay(picture, options).draw();
-              return CopySource{.picture = read_pixels(picture.width, picture.height)};
+              return CopySource{.picture = read_copied(buffer, picture.width, picture.height)};
           }) {}
 
     int width, height;

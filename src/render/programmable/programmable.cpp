@@ -231,9 +231,9 @@ namespace {
 
 // Copies pixels (3.8.2) of pictures that the renderer draws into the current colour buffer.
 DrawableFrame drawable(const Frame& frame, Renderer& renderer, const Options& options) {
-    return {frame, [&](const Frame& picture) {
+    return {frame, [&](const Frame& picture, CopiedBuffer buffer) {
                 renderer.draw(picture, options);
-                return CopySource{.picture = read_pixels(picture.width, picture.height)};
+                return CopySource{.picture = read_copied(buffer, picture.width, picture.height)};
             }};
 }
 

@@ -279,7 +279,10 @@ class Assembler {
 
     // `suffix`: "" for the only texture; for a Draw that combines textures, the unit's number.
     static std::string tex_coord_type(const TextureEffects& texture) {
-        const int parts = (texture.one_dimensional ? 1 : texture.cube ? 3 : 2) + (texture.q ? 1 : 0);
+        const int parts = (texture.cube || texture.compares ? 3
+                           : texture.one_dimensional        ? 1
+                                                            : 2) +
+                          (texture.q ? 1 : 0);
         return parts == 1 ? "float" : fmt::format("vec{}", parts);
     }
     static Varying tex_coord_varying(const TextureEffects& texture, const std::string& suffix) {
@@ -287,9 +290,9 @@ class Assembler {
         return {tex_coord_type(texture), "v_tex_coord" + suffix,
                 fmt::format("{}.{}",
                             texture.matrix ? fmt::format("(u_texture_matrix{} * {})", suffix, tex_coord) : tex_coord,
-                            std::string(texture.one_dimensional ? "s"
-                                        : texture.cube          ? "stp"
-                                                                : "st") +
+                            std::string(texture.cube || texture.compares ? "stp"
+                                        : texture.one_dimensional        ? "s"
+                                                                         : "st") +
                                 (texture.q ? "q" : ""))};
     }
 
@@ -417,7 +420,8 @@ class Assembler {
             scope.inserts = {{"texture_environment", ""}};
             scope.words = texture_words(texture, false);
             Words names;
-            for (const char* name : {"texel", "tex_coord", "v_tex_coord", "per_x", "per_y", "texture_end", "u_texture"})
+            for (const char* name :
+                 {"texel", "depth", "tex_coord", "v_tex_coord", "per_x", "per_y", "texture_end", "u_texture"})
                 names[name] = fmt::format("{}{}", name, unit.number);
             text += with_words(preprocessed("texture.glsl", scope), names);
         }
@@ -525,26 +529,40 @@ class Assembler {
                 {"EFFECT_TEXTURE_CLAMP_S", texture.clamp_s},
                 {"EFFECT_TEXTURE_CLAMP_T", texture.clamp_t},
                 {"EFFECT_TEXTURE_CLAMP", texture.clamp_s || texture.clamp_t},
-                {"EFFECT_TEXTURE_GRADIENTS", texture.gradients}};
+                {"EFFECT_TEXTURE_GRADIENTS", texture.gradients},
+                {"EFFECT_TEXTURE_DEPTHS", texture.depth_mode != 0}};
     }
     // of_ray: the coordinates are those of an exact surface's point.
     static Words texture_words(const TextureEffects& texture, bool of_ray) {
-        const bool one = texture.one_dimensional, q = texture.q;
-        const std::string sprite = one            ? "gl_PointCoord.s"
-                                   : texture.cube ? "vec3(gl_PointCoord, 0.0)"
-                                                  : "gl_PointCoord";  // section 3.3.1
+        // Samplers of shadows take s, t and r in one dimension too.
+        const bool one = texture.one_dimensional, q = texture.q, compares = texture.compares;
+        const std::string sprite = texture.cube || compares ? "vec3(gl_PointCoord, 0.0)"
+                                   : one                    ? "gl_PointCoord.s"
+                                                            : "gl_PointCoord";  // section 3.3.1
+        const std::string sampler = one ? "sampler1D" : texture.cube ? "samplerCube" : "sampler2D";
+        const bool one_number = one && !compares;
         return {{"TEX_COORD", texture.sprite ? sprite : "v_tex_coord"},
-                {"SAMPLER", one            ? "sampler1D"
-                            : texture.cube ? "samplerCube"
-                                           : "sampler2D"},
-                {"DIVIDED_TYPE", one ? "float" : "vec2"},
+                {"SAMPLER", sampler + (compares ? "Shadow" : "")},
+                {"DIVIDED_TYPE", one_number ? "float"
+                                 : compares ? "vec3"
+                                            : "vec2"},
                 {"DIVIDED_PARTS", one ? "s" : "st"},
                 {"DIVIDED_TEX_COORD", texture.sprite ? sprite
                                       : of_ray       ? (one ? "tex_place.s" : "tex_place.st")
+                                      : compares     ? (q ? "v_tex_coord.stp / v_tex_coord.q" : "v_tex_coord")
                                       : one          ? (q ? "v_tex_coord.s / v_tex_coord.t" : "v_tex_coord")
                                                      : (q ? "v_tex_coord.st / v_tex_coord.p" : "v_tex_coord")},
-                {"TEX_COORD_S", one ? "tex_coord" : "tex_coord.s"},
-                {"TEXTURE_LOOKUP", q ? "textureProj" : "texture"}};
+                {"GRADIENT_TYPE", one ? "float" : "vec2"},
+                {"TEX_COORD_PLACE", !compares ? "tex_coord"
+                                    : one     ? "tex_coord.s"
+                                              : "tex_coord.st"},
+                {"TEX_COORD_S", one_number ? "tex_coord" : "tex_coord.s"},
+                {"TEXTURE_LOOKUP", q ? "textureProj" : "texture"},
+                {"LOOKED_UP", texture.depth_mode != 0 ? "float depth" : "vec4 texel"},
+                {"LOOKED_UP_PART", texture.depth_mode != 0 && !compares ? ".r" : ""},
+                {"DEPTH_TEXEL", texture.depth_mode == kGL_ALPHA       ? "vec4(vec3(0.0), depth)"
+                                : texture.depth_mode == kGL_INTENSITY ? "vec4(depth)"
+                                                                      : "vec4(vec3(depth), 1.0)"}};
     }
 
     Scope scope_of(Stage stage) const {

@@ -119,6 +119,7 @@ class OpenPixels {
         }
         return reference::depth_outcome(depth_func, depth - depth_[at]);
     }
+    const Interval& stored_depth(std::size_t at) const { return depth_[at]; }
     void set_depth(std::size_t at, StepId id, const Interval& depth, Outcome outcome) {
         const bool certain = outcome == Outcome::kPasses;
         depth_[at] = certain ? depth : hull(depth_[at], depth);
@@ -153,6 +154,9 @@ class OpenPixels {
         if (of_stencil != Outcome::kFails && of_depth != Outcome::kFails) may_do(face.depth_pass);
         stored = *result;
     }
+
+  protected:
+    const StagedFrame& stages() const { return stages_; }
 
   private:
     static constexpr StepId kNobody = std::numeric_limits<StepId>::min();
@@ -258,6 +262,41 @@ class IntervalBuffer : public FragmentLoop<OpenPixels> {
     }
 };
 
+// The same for the depths at the centres of the pixels.
+class OpenDepths : public OpenPixels {
+  public:
+    using OpenPixels::OpenPixels;
+
+    static Interval depth(const Fragment& fragment) {
+        const Piece& piece = *fragment.piece;
+        // Lines and points may have the depth of a place nearby.
+        if (piece.shape != Shape::kTriangle) return OpenPixels::depth(fragment);
+        constexpr double kRoundings = 8 * 0x1p-24;  // of the plane, in floats: a constant plus slope times pixel number
+        const glm::dvec3 plane = glm::abs(piece.planes().depth);
+        const glm::dvec2 place = glm::abs(fragment.position_window);
+        return widened(
+            depth_at(piece, fragment.position_window),
+            kSnap * (plane.x + plane.y) + kRoundings * (plane.x * place.x + plane.y * place.y + std::abs(plane.z)));
+    }
+    void set_depth(std::size_t at, StepId id, const Interval& depth, Outcome outcome) {
+        Interval stored = depth;
+        if (id >= 0) {  // drivers have an r of their own (3.5.5)
+            const PolygonOffset& offset = stages().draw_of(stages().piece(id)).raster.polygon_offset;
+            if (offset.point || offset.line || offset.fill)
+                stored = widened(depth, 2 * std::abs(offset.units) * kDepthStep);
+        }
+        OpenPixels::set_depth(at, id, stored, outcome);
+    }
+    const Interval& depth(std::size_t at) const { return stored_depth(at); }
+};
+
+class DepthIntervals : public FragmentLoop<OpenDepths> {
+  public:
+    using FragmentLoop::FragmentLoop;
+
+    const Interval& depth(int x, int y) const { return kept_.depth(window_.index(x, y)); }
+};
+
 // ---- Exact surfaces: their silhouettes differ from their meshes' ----
 
 // The frame with every Draw moved in the window by this fraction of a pixel.
@@ -303,6 +342,21 @@ void find_differences(StagedFrame stages, const Options& options, const PixelRec
                                           }
                                       });
                                   });
+}
+
+DepthBounds depth_bounds(StagedFrame stages, const Options& options, int width, int height) {
+    DepthBounds range{Image(width, height), Image(width, height)};
+    draw_in_bands<DepthIntervals>(stages, make_color_shaders(stages, options), {0, 0, width, height},
+                                  [&](const DepthIntervals& buffer, const PixelRect& band) {
+                                      for_each(band, [&](int x, int y) {
+                                          const Interval& depth = buffer.depth(x, y);
+                                          const auto low = static_cast<float>(depth.low),
+                                                     high = static_cast<float>(depth.high);
+                                          range.low.at(x, height - 1 - y) = {low, low, low, 1};
+                                          range.high.at(x, height - 1 - y) = {high, high, high, 1};
+                                      });
+                                  });
+    return range;
 }
 
 AllowedDifference allowed_difference(const Frame& frame, Options options) {

@@ -18,4 +18,11 @@ enum class Joining : std::uint8_t {
 void find_differences(StagedFrame stages, const Options& options, const PixelRect& within, OpenDifference& difference,
                       Joining joining);
 
+// The depths that correct renderers may leave in the depth buffer, as red, green and blue, with one cut of quadrilaterals. Of
+// meshes.
+struct DepthBounds {
+    Image low, high;
+};
+DepthBounds depth_bounds(StagedFrame stages, const Options& options, int width, int height);
+
 }  // namespace twinlight::reference

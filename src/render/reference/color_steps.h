@@ -15,6 +15,7 @@ struct TextureSteps {
         bool is_border = false;  // outside the image: the border colour
         double weight = 1;
         glm::dvec4 color{0};
+        double depth = 0;  // of a texture of depths
     };
     struct Image {
         int level = 0;
@@ -26,6 +27,7 @@ struct TextureSteps {
     glm::dvec4 coordinates{0, 0, 0, 1};  // s, t, r, q after the texture matrix; interpolated
     glm::dvec2 st{0};                    // s/q and t/q; on the face of a cube map
     std::size_t face = 0;                // of a cube map
+    double r = 0;                        // r/q, if the texture compares depths with it
     bool of_point = false;               // rho is 1 by definition (3.8.8)
     double rho = 1, lambda = 0;
     bool is_magnified = false;

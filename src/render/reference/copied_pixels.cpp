@@ -1,7 +1,10 @@
 #include "render/reference/copied_pixels.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "render/reference/allowed_difference.h"
+#include "render/reference/framebuffer.h"
 #include "render/reference/pictures.h"
 
 namespace twinlight::reference {
@@ -9,7 +12,8 @@ namespace twinlight::reference {
 namespace {
 
 CopySource source_with_range(const Frame& frame, Options options) {
-    constexpr float kRounding = 0.05F / 255;  // how near a colour must be to halfway between two 8-bit values, that either may be copied
+    constexpr float kRounding =
+        0.05F / 255;  // how near a colour must be to halfway between two 8-bit values, that either may be copied
     CopySource source;
     options.quad_cut = QuadCut::kSecondToFourth;
     const Image other_cut = render(frame, options);
@@ -27,14 +31,45 @@ CopySource source_with_range(const Frame& frame, Options options) {
     return source;
 }
 
+CopySource depths(const Frame& frame, const Options& options) {
+    return {.picture = draw_depths(run_stages(frame, options), options, frame.width, frame.height)};
+}
+
+CopySource depths_with_range(const Frame& frame, Options options) {
+    CopySource source = depths(frame, options);
+    options.in_clip_plane = InClipPlane::kPerhaps;
+    const auto range = [&](QuadCut cut) {
+        options.quad_cut = cut;
+        return depth_bounds(run_stages(frame, options), options, frame.width, frame.height);
+    };
+    auto [low, high] = range(QuadCut::kFirstToThird);
+    if (has_quadrilaterals(frame)) {
+        const DepthBounds other = range(QuadCut::kSecondToFourth);
+        for (std::size_t i = 0; i < low.pixels.size(); ++i)
+            for (std::size_t c = 0; c < 3; ++c) {
+                low.pixels[i][c] = std::min(low.pixels[i][c], other.low.pixels[i][c]);
+                high.pixels[i][c] = std::max(high.pixels[i][c], other.high.pixels[i][c]);
+            }
+    }
+    source.low = std::move(low);
+    source.high = std::move(high);
+    return source;
+}
+
 }  // namespace
 
 DrawableFrame drawable(const Frame& frame, const Options& options) {
-    return {frame, [&options](const Frame& picture) { return CopySource{.picture = render(picture, options)}; }};
+    return {frame, [&options](const Frame& picture, CopiedBuffer buffer) {
+                return buffer == CopiedBuffer::kDepths ? depths(picture, options)
+                                                       : CopySource{.picture = render(picture, options)};
+            }};
 }
 
 DrawableFrame drawable_with_ranges(const Frame& frame, const Options& options) {
-    return {frame, [&options](const Frame& picture) { return source_with_range(picture, options); }};
+    return {frame, [&options](const Frame& picture, CopiedBuffer buffer) {
+                return buffer == CopiedBuffer::kDepths ? depths_with_range(picture, options)
+                                                       : source_with_range(picture, options);
+            }};
 }
 
 }  // namespace twinlight::reference

@@ -34,6 +34,18 @@ std::vector<Channels<double>> Framebuffer::colors() {
     return colors;
 }
 
+Image draw_depths(StagedFrame stages, const Options& options, int width, int height) {
+    Image image(width, height);
+    draw_in_bands<Framebuffer>(stages, make_color_shaders(stages, options), {0, 0, width, height},
+                               [&](const Framebuffer& framebuffer, const PixelRect& band) {
+                                   for_each(band, [&](int x, int y) {
+                                       const auto depth = static_cast<float>(framebuffer.depth(x, y));
+                                       image.at(x, height - 1 - y) = {depth, depth, depth, 1};
+                                   });
+                               });
+    return image;
+}
+
 void draw_pixels(StagedFrame stages, const Options& options, const PixelRect& within, Image& image) {
     if (within.is_empty()) return;
     draw_in_bands<Framebuffer>(

@@ -44,6 +44,7 @@ class DrawnPixels {
                                                              : face.depth_pass;
         stencil(at) = byte(stencil_after(face, operation, stencil(at)));
     }
+    double depth(std::size_t at) const { return depth_[at]; }
     static bool is_open(std::size_t) { return false; }
     void open(std::size_t) {}
     void settle(std::size_t) {}
@@ -73,9 +74,14 @@ class Framebuffer : public FragmentLoop<DrawnPixels> {
     // The colours of all pixels, row by row from y0 up, before the last rounding to the bits of the colour buffer.
     std::vector<Channels<double>> colors();
 
+    double depth(int x, int y) const { return kept_.depth(window_.index(x, y)); }
+
     // The step whose colour the pixel has; nothing if colours were blended.
     std::optional<StepId> step(int x, int y) const;
 };
+
+// The depth buffer after the last step, as red, green and blue.
+Image draw_depths(StagedFrame stages, const Options& options, int width, int height);
 
 // Draws the pixels `within`, y up, of a picture; others keep their colours.
 void draw_pixels(StagedFrame stages, const Options& options, const PixelRect& within, Image& image);

@@ -204,9 +204,9 @@ void Shader::add_fog(const Fragment& fragment, Finish<Interval>& finish) const {
 }
 
 TexturePlace Shader::texture_place_of(const Fragment& fragment, const Unit& unit) const {
-    return fragment.point ? fragment.point->place
-                          : texture_place(unit.tex_coords, *fragment.piece, fragment.position_window,
-                                          unit.state->texture->is_cube());
+    return fragment.point
+               ? fragment.point->place
+               : texture_place(unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture);
 }
 
 template <class Real>
@@ -222,7 +222,7 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<dou
     const Texture& texture = *unit.state->texture;
     const TexturePlace place = texture_place_of(fragment, unit);
     const double lambda = level_of_detail(scale_factor(texture, place), *unit.state);
-    texel = channels<double>(sample(texture, place.st, lambda, place.face));
+    texel = channels<double>(sample(texture, place.st, lambda, place.face, place.r));
 }
 
 // `has_choice` stays true if it is.
@@ -245,7 +245,8 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<Int
     }
     const TexturePlaceBounds place =
         texture_place_bounds(unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, error);
-    const TexelBounds bounds = sample_bounds(*unit.state, place.st, place.st_error, place.rho, 0, place.change);
+    const TexelBounds bounds =
+        sample_bounds(*unit.state, place.st, place.st_error, place.rho, 0, place.change, place.r);
     texel = bounds.texel;
     has_choice |= bounds.has_choice;
 }
@@ -263,10 +264,13 @@ Channels<Marked> Shader::marked_color(const Fragment& fragment, const MarkedColo
         Finish<double> unmarked;
         add_texels(fragment, unmarked);
         const auto marked = [&](const Channels<double>& texel, const Unit& unit) {
-            const lighting::RulingSet rulings =
+            lighting::RulingSet rulings =
                 fragment.point || unit.state->texture->is_cube()
                     ? lighting::RulingSet{}
                     : texture_rulings(unit.tex_coords, *fragment.piece, fragment.position_window);
+            const auto is_mixed = [](double channel) { return channel > 0 && channel < 1; };
+            if (unit.state->texture->compares() && std::ranges::any_of(texel, is_mixed))
+                rulings |= {lighting::Ruling::kMixedOutcomes};
             Channels<Marked> result;
             for (std::size_t i = 0; i < result.size(); ++i) result[i] = {texel[i], rulings};
             return result;
@@ -300,13 +304,13 @@ Channels<Real> Shader::finished(const Colors& colors, const Finish<Real>& finish
             const TextureUnit& unit = *units_[i].state;
             result = unit.env_mode == kGL_COMBINE
                          ? combined(unit, units_[i].number, primary, result, texel_of)
-                         : textured(unit, unit.texture->levels[0].base_format, result, finish.texels[i]);
+                         : textured(unit, unit.texture->base_format(), result, finish.texels[i]);
             see(Step::kTextured, result);
         }
     } else {
         if (finish.texel) {
             const TextureUnit& unit = *units_.front().state;
-            result = textured(unit, unit.texture->levels[0].base_format, result, *finish.texel);
+            result = textured(unit, unit.texture->base_format(), result, *finish.texel);
         }
         see(Step::kTextured, result);
     }

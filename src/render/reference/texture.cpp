@@ -8,6 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/reference/fragment_operations.h"
+
 namespace twinlight::reference {
 
 namespace {
@@ -56,22 +58,41 @@ TexelPair linear_texels(Enum wrap, double coordinate, int size) {
     return pair;
 }
 
-glm::dvec4 texel_at(const Texture& texture, const TextureImage& image, int i, int j) {
+double texel_depth(const Texture& texture, const TextureImage& image, int i, int j) {
+    const bool is_border = i < 0 || i >= image.width || j < 0 || j >= image.height;
+    return is_border ? texture.border_texel().r : static_cast<double>(image.texel(i, j).r);
+}
+
+glm::dvec4 depth_texel(Enum depth_mode, double value) {
+    switch (depth_mode) {
+        case kGL_ALPHA: return {0, 0, 0, value};
+        case kGL_INTENSITY: return glm::dvec4(value);
+        default: return {value, value, value, 1};  // GL_LUMINANCE
+    }
+}
+
+glm::dvec4 texel_at(const Texture& texture, const TextureImage& image, int i, int j, double r) {
+    if (texture.has_depths()) {
+        const double depth = texel_depth(texture, image, i, j);
+        if (!texture.compares()) return depth_texel(texture.depth_mode, depth);
+        return depth_texel(texture.depth_mode, compares(texture.compare_func, std::clamp(r, 0.0, 1.0), depth) ? 1 : 0);
+    }
     if (i < 0 || i >= image.width || j < 0 || j >= image.height) return texture.border_texel();
     glm::dvec4 texel(image.texel(i, j));
     if (image.base_format == kGL_INTENSITY) texel.a = texel.r;  // table 3.21: A_s is I_t
     return texel;
 }
 
-glm::dvec4 sample_image(const Texture& texture, const TextureImage& image, Enum filter, const glm::dvec2& st) {
+glm::dvec4 sample_image(const Texture& texture, const TextureImage& image, Enum filter, const glm::dvec2& st,
+                        double r) {
     const bool flat = texture.target == kGL_TEXTURE_1D;
     if (filter == kGL_NEAREST) {
         const int i = nearest_texel(texture.wrap_s, st.x, image.width);
-        return texel_at(texture, image, i, flat ? 0 : nearest_texel(texture.wrap_t, st.y, image.height));
+        return texel_at(texture, image, i, flat ? 0 : nearest_texel(texture.wrap_t, st.y, image.height), r);
     }
     const TexelPair i = linear_texels(texture.wrap_s, st.x, image.width);
     const auto row = [&](int j) {
-        return glm::mix(texel_at(texture, image, i.first, j), texel_at(texture, image, i.second, j), i.weight);
+        return glm::mix(texel_at(texture, image, i.first, j, r), texel_at(texture, image, i.second, j, r), i.weight);
     };
     if (flat) return row(0);
     const TexelPair j = linear_texels(texture.wrap_t, st.y, image.height);
@@ -166,11 +187,11 @@ CubePlace cube_place(const glm::dvec3& direction) {
     return place_on_face(direction, static_cast<std::size_t>(2 * axis + (direction[axis] < 0 ? 1 : 0)));
 }
 
-glm::dvec4 sample(const Texture& texture, const glm::dvec2& st, double lambda, std::size_t face) {
+glm::dvec4 sample(const Texture& texture, const glm::dvec2& st, double lambda, std::size_t face, double r) {
     assert(!texture.levels.empty() && !image_of(texture, 0).texels.empty());
     const FilteredImages images = filtered_images(texture, lambda);
     const auto level = [&](int number) {
-        return sample_image(texture, texture.face(face)[static_cast<std::size_t>(number)], images.filter, st);
+        return sample_image(texture, texture.face(face)[static_cast<std::size_t>(number)], images.filter, st, r);
     };
     if (images.first == images.second) return level(images.first);
     return glm::mix(level(images.first), level(images.second), images.weight);

@@ -16,12 +16,13 @@
 
 namespace twinlight::reference {
 
-// A fragment's place in its texture: (s, t) divided by q, and their change per pixel in x and y.
+// A fragment's place in its texture: (s, t) divided by q, and their change per pixel in x and y; r divided by q.
 struct TexturePlace {
     glm::dvec2 st{0};
     glm::dvec2 per_x{0}, per_y{0};
     bool of_point = false;  // the fragment is part of a point, where rho is 1 (3.8.8)
     std::size_t face = 0;   // of a cube map: see Texture::face()
+    double r = 0;           // only if the texture compares depths with it (3.8.14)
 };
 
 // The face of a cube map that a direction (s, t, r) points to, and (s, t) on it (3.8.7, table 3.21). RULING: between two faces
@@ -49,7 +50,7 @@ double magnification_limit(const Texture& texture);
 // The number of the last level in use: q of 3.8.8.
 int last_level(const Texture& texture);
 
-glm::dvec4 sample(const Texture& texture, const glm::dvec2& st, double lambda, std::size_t face = 0);
+glm::dvec4 sample(const Texture& texture, const glm::dvec2& st, double lambda, std::size_t face = 0, double r = 0);
 
 // ---- The parts of sampling ----
 
@@ -67,11 +68,19 @@ Real countable(Real coordinate) {
 int nearest_texel(Enum wrap, double coordinate, int size);
 TexelPair linear_texels(Enum wrap, double coordinate, int size);
 
-// The texel at i, j, or the border colour outside (3.8.8), in the image's base internal format (table 3.15).
-glm::dvec4 texel_at(const Texture& texture, const TextureImage& image, int i, int j);
+// The texel at i, j, or the border colour outside (3.8.8), in the image's base internal format (table 3.15). A depth is a colour of
+// the texture's depth_mode. If the texture compares, it has the outcome of its comparison with r, 0 or 1, in place of the depth
+// (3.8.14).
+// RULING: a linear filter mixes the outcomes; 3.8.14 leaves that open. llvmpipe does this too; softpipe compares the mean of the
+// depths.
+glm::dvec4 texel_at(const Texture& texture, const TextureImage& image, int i, int j, double r = 0);
+glm::dvec4 depth_texel(Enum depth_mode, double value);
+// The depth at i, j, or that of the border.
+double texel_depth(const Texture& texture, const TextureImage& image, int i, int j);
 
 // tau of one image, filtered with GL_NEAREST or GL_LINEAR.
-glm::dvec4 sample_image(const Texture& texture, const TextureImage& image, Enum filter, const glm::dvec2& st);
+glm::dvec4 sample_image(const Texture& texture, const TextureImage& image, Enum filter, const glm::dvec2& st,
+                        double r = 0);
 
 // The two parts of a minification filter: how it filters an image, and how it chooses images.
 Enum image_filter(Enum min_filter);  // GL_NEAREST or GL_LINEAR

@@ -8,6 +8,9 @@
 #include <tuple>
 #include <vector>
 
+#include "render/reference/fragment_operations.h"
+#include "scene/state/pixel_unpacking.h"
+
 namespace twinlight::reference {
 
 namespace {
@@ -140,6 +143,21 @@ class Sampler {
         return all;
     }
 
+    // The depths within `reach` texels of the place.
+    Interval depths(int number, const glm::dvec2& st_error, double reach) const {
+        const TextureImage& image = face_[static_cast<std::size_t>(number)];
+        const bool flat = texture_.target == kGL_TEXTURE_1D;
+        const std::vector<int> columns =
+            texels_around(texture_.wrap_s, st_.x, st_error.x + reach / image.width, image.width);
+        const std::vector<int> rows =
+            flat ? std::vector{0}
+                 : texels_around(texture_.wrap_t, st_.y, st_error.y + reach / image.height, image.height);
+        Interval all(texel_depth(texture_, image, columns.front(), rows.front()));
+        for (const int j : rows)
+            for (const int i : columns) all = hull(all, texel_depth(texture_, image, i, j));
+        return all;
+    }
+
   private:
     // The same with sample_image(); here each row of texels is mixed once for all looks between the same two rows.
     TexelBounds linear_level(const TextureImage& image, const Looks& along_s, const Looks& along_t) const {
@@ -208,6 +226,57 @@ TexelBounds anisotropic_bounds(const Texture& texture, const TextureUnit& unit, 
     return *all;
 }
 
+// The depths that the comparison of 3.8.14 may see, at the levels and with the filters that correct implementations may use.
+Interval depths_around(const Texture& texture, const TextureUnit& unit, const Sampler& sampler, const Interval& rho,
+                       const glm::dvec2& st_error) {
+    const Interval lambda(level_of_detail(rho.low, unit) - kLogTooSmall,
+                          level_of_detail(rho.high, unit) + kSwitchError);
+    const bool may_be_magnified = lambda.low <= magnification_limit(texture), may_be_minified = lambda.high > 0;
+    const bool is_linear = (may_be_magnified && texture.mag_filter == kGL_LINEAR) ||
+                           (may_be_minified && image_filter(texture.min_filter) == kGL_LINEAR);
+    int first = 0, last = 0;
+    if (may_be_minified && level_choice(texture.min_filter) != LevelChoice::kBase) {
+        const auto level = [&](double at) {
+            return static_cast<int>(std::clamp(std::floor(at), 0.0, static_cast<double>(last_level(texture))));
+        };
+        first = may_be_magnified ? 0 : level(lambda.low);
+        last = level(lambda.high + 1);
+    }
+    std::optional<Interval> all;
+    for (int i = first; i <= last; ++i) {
+        const Interval one = sampler.depths(i, st_error, is_linear ? 0.5 + kWeightStep : 0);
+        all = all ? hull(*all, one) : one;
+    }
+    return *all;
+}
+
+// A texture that compares (3.8.14).
+TexelBounds compared_bounds(const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
+                            const Interval& rho, const Interval& r) {
+    const Texture& texture = *unit.texture;
+    const auto around = [&](const Texture& one) {
+        return depths_around(one, unit, Sampler(one, 0, st, st_error), rho, st_error);
+    };
+    Interval depths = texture.range ? hull(around(texture.range->low), around(texture.range->high)) : around(texture);
+    // All renderers store 0 and 1 exactly, and clamp r to them.
+    const Interval clamped_r = clamp01(r);
+    if (depths == clamped_r && (depths == Interval(0) || depths == Interval(1)))
+        return exactly(depth_texel(texture.depth_mode, compares(texture.compare_func, 0, 0) ? 1 : 0));
+    // Drivers round depths to the bits of the format in ways of their own.
+    constexpr double kCode = 1;
+    const int bits = internal_format(texture.levels.front().internal_format)->red;
+    depths = widened(depths, kCode / (std::exp2(bits) - 1));
+    switch (depth_outcome(texture.compare_func, clamped_r - depths)) {
+        case Outcome::kFails: return exactly(depth_texel(texture.depth_mode, 0));
+        case Outcome::kPasses: return exactly(depth_texel(texture.depth_mode, 1));
+        case Outcome::kOpen: break;
+    }
+    TexelBounds bounds = exactly(depth_texel(texture.depth_mode, 0));
+    join(bounds, exactly(depth_texel(texture.depth_mode, 1)));
+    bounds.has_choice = true;
+    return bounds;
+}
+
 // With the images of `texture` in place of the unit's.
 TexelBounds bounds_of(const Texture& texture, const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
                       const Interval& rho, std::size_t face, const glm::dvec2& change) {
@@ -248,7 +317,8 @@ TexelBounds bounds_of(const Texture& texture, const TextureUnit& unit, const glm
 
 // Weights are not negative, so the smallest texels give the smallest mean.
 TexelBounds sample_bounds(const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
-                          const Interval& rho, std::size_t face, const glm::dvec2& change) {
+                          const Interval& rho, std::size_t face, const glm::dvec2& change, const Interval& r) {
+    if (unit.texture->compares()) return compared_bounds(unit, st, st_error, rho, r);
     if (!unit.texture->range) return bounds_of(*unit.texture, unit, st, st_error, rho, face, change);
     TexelBounds bounds = bounds_of(unit.texture->range->low, unit, st, st_error, rho, face, change);
     join(bounds, bounds_of(unit.texture->range->high, unit, st, st_error, rho, face, change));

@@ -108,15 +108,15 @@ std::vector<TexturePlaceBounds> cube_place_bounds(const TexCoords& tex_coords, c
         bounds.push_back(one);
     }
     if (bounds.empty()) {  // the direction is 0
-        const TexturePlace place = texture_place(tex_coords, piece, position_window, true);
+        const TexturePlace place = texture_place(tex_coords, piece, position_window, texture);
         bounds.push_back({.st = place.st, .rho = Interval(scale_factor(texture, place)), .face = place.face});
     }
     return bounds;
 }
 
 TexturePlace texture_place(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window,
-                           bool is_cube) {
-    if (is_cube) {
+                           const Texture& texture) {
+    if (texture.is_cube()) {
         const Linear3 str = stq_over_w(tex_coords, piece, position_window, kR);
         TexturePlace place = place_of(str, cube_place(str.value));
         place.of_point = has_no_change(tex_coords, piece);
@@ -129,6 +129,7 @@ TexturePlace texture_place(const TexCoords& tex_coords, const Piece& piece, cons
     };
     place.per_x = change(stq.per_x);
     place.per_y = change(stq.per_y);
+    if (texture.compares()) place.r = quotient(stq_over_w(tex_coords, piece, position_window, kR).value.z, stq.value.z);
     return place;
 }
 
@@ -146,23 +147,38 @@ TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece
     // Float arithmetic: the rounding of the texture matrix, of the plane (a constant plus slope times pixel number) and
     // of the division, each at most half a unit in the last place of the magnitudes added.
     constexpr double kRoundings = 8 * 0x1p-24;
-    const TexturePlace place = texture_place(tex_coords, piece, position_window, false);
+    const TexturePlace place = texture_place(tex_coords, piece, position_window, texture);
     Linear3 stq = stq_over_w(tex_coords, piece, position_window);
     const glm::dvec3 added_up = glm::abs(stq.value) + glm::abs(stq.per_x) * std::abs(position_window.x) +
                                 glm::abs(stq.per_y) * std::abs(position_window.y);
     const double q = std::abs(stq.value.z);
     glm::dvec2 arithmetic = kRoundings * glm::dvec2(quotient(added_up.x + std::abs(place.st.x) * added_up.z, q),
                                                     quotient(added_up.y + std::abs(place.st.y) * added_up.z, q));
+    double of_vertices = 0;
     if (vertex_error > 0) {
         const glm::dvec3 weights = glm::abs(weights_over_w_at(piece, position_window).value);
-        const double error = vertex_error * (weights.x + weights.y + weights.z);
-        for (int i = 0; i < 2; ++i) arithmetic[i] += quotient(error * (1 + std::abs(place.st[i])), q);
+        of_vertices = quotient(vertex_error * (weights.x + weights.y + weights.z), q);
+        for (int i = 0; i < 2; ++i) arithmetic[i] += of_vertices * (1 + std::abs(place.st[i]));
     }
 
     TexturePlaceBounds bounds{.st = place.st,
                               .st_error = arithmetic + kSnap * (glm::abs(place.per_x) + glm::abs(place.per_y)),
                               .rho = Interval(scale_factor(texture, place)),
                               .change = glm::abs(place.per_x) + glm::abs(place.per_y)};
+    if (texture.compares()) {  // as s and t
+        const Linear3 str = stq_over_w(tex_coords, piece, position_window, kR);
+        const auto magnitude = [&](const Linear3& one) {
+            return std::abs(one.value.z) + std::abs(one.per_x.z * position_window.x) +
+                   std::abs(one.per_y.z * position_window.y);
+        };
+        const auto change = [&](const glm::dvec3& of_r, const glm::dvec3& of_q) {
+            return std::abs(quotient(of_r.z - place.r * of_q.z, q));
+        };
+        const double error = kRoundings * quotient(magnitude(str) + std::abs(place.r) * magnitude(stq), q) +
+                             of_vertices * (1 + std::abs(place.r)) +
+                             kSnap * (change(str.per_x, stq.per_x) + change(str.per_y, stq.per_y));
+        bounds.r = {place.r - error, place.r + error};
+    }
     const bool has_one_image = level_choice(texture.min_filter) == LevelChoice::kBase &&
                                image_filter(texture.min_filter) == texture.mag_filter;
     if (place.of_point || (has_one_image && texture.max_anisotropy <= 1)) return bounds;  // then rho decides nothing

@@ -42,9 +42,9 @@ class TexCoords {
     std::optional<Enum> sprite_origin_;
 };
 
-// `is_cube`: the place on a face of a cube map.
+// In a cube map: the place on a face.
 TexturePlace texture_place(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window,
-                           bool is_cube);
+                           const Texture& texture);
 
 // The input of texture_bounds.h.
 struct TexturePlaceBounds {
@@ -52,8 +52,9 @@ struct TexturePlaceBounds {
     Interval rho{};
     std::size_t face = 0;
     glm::dvec2 change{0};  // of s and t within a pixel
+    Interval r{};          // if the texture compares depths with it
 };
-// `vertex_error`: the largest error of a vertex's s, t and q.
+// `vertex_error`: the largest error of a vertex's s, t, q and, where it counts, r.
 TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece& piece,
                                         const glm::dvec2& position_window, const Texture& texture,
                                         double vertex_error = 0);

@@ -33,7 +33,8 @@ TextureSteps::Image image_steps(const Texture& texture, int level, double weight
                  .j = j.index,
                  .is_border = i.index < 0 || i.index >= image.width || j.index < 0 || j.index >= image.height,
                  .weight = i.weight * j.weight,
-                 .color = texel_at(texture, image, i.index, j.index)});
+                 .color = texel_at(texture, image, i.index, j.index, place.r),
+                 .depth = texture.has_depths() ? texel_depth(texture, image, i.index, j.index) : 0});
     return steps;
 }
 
@@ -41,7 +42,8 @@ TextureSteps::Image image_steps(const Texture& texture, int level, double weight
 
 TextureSteps texture_steps(const TextureUnit& unit, const glm::dvec4& coordinates, const TexturePlace& place) {
     const Texture& texture = *unit.texture;
-    TextureSteps steps{.coordinates = coordinates, .st = place.st, .face = place.face, .of_point = place.of_point};
+    TextureSteps steps{
+        .coordinates = coordinates, .st = place.st, .face = place.face, .r = place.r, .of_point = place.of_point};
     steps.rho = scale_factor(texture, place);
     steps.lambda = level_of_detail(steps.rho, unit);
     const FilteredImages images = filtered_images(texture, steps.lambda);
@@ -50,7 +52,7 @@ TextureSteps texture_steps(const TextureUnit& unit, const glm::dvec4& coordinate
     steps.images.push_back(image_steps(texture, images.first, 1 - images.weight, images.filter, place));
     if (images.weight > 0)
         steps.images.push_back(image_steps(texture, images.second, images.weight, images.filter, place));
-    steps.texel = sample(texture, place.st, steps.lambda, place.face);
+    steps.texel = sample(texture, place.st, steps.lambda, place.face, place.r);
     return steps;
 }
 

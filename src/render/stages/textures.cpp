@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "render/context/context.h"
 #include "render/context/gl.h"
 
 namespace twinlight {
@@ -20,6 +21,14 @@ void set_unpacking() {
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
 }
 
+// Depths as the only value of a pixel.
+std::vector<float> depths_of(const TextureImage& image) {
+    std::vector<float> depths;
+    depths.reserve(image.texels.size());
+    for (const glm::vec4& texel : image.texels) depths.push_back(texel.r);
+    return depths;
+}
+
 void upload(const Texture& texture) {
     set_unpacking();
     const auto upload_level = [&](std::size_t face, std::size_t i) {
@@ -29,10 +38,14 @@ void upload(const Texture& texture) {
         const auto level = static_cast<GLint>(i), format = static_cast<GLint>(image.internal_format);
         const GLenum target =
             texture.is_cube() ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face) : GLenum{GL_TEXTURE_2D};
+        const bool has_depths = image.base_format == kGL_DEPTH_COMPONENT;
+        const std::vector<float> depths = has_depths ? depths_of(image) : std::vector<float>();
+        const GLenum pixels = has_depths ? GL_DEPTH_COMPONENT : GL_RGBA;
+        const void* const data = has_depths ? static_cast<const void*>(depths.data()) : image.texels.data();
         if (texture.target == kGL_TEXTURE_1D)
-            glTexImage1D(GL_TEXTURE_1D, level, format, image.width, 0, GL_RGBA, GL_FLOAT, image.texels.data());
+            glTexImage1D(GL_TEXTURE_1D, level, format, image.width, 0, pixels, GL_FLOAT, data);
         else
-            glTexImage2D(target, level, format, image.width, image.height, 0, GL_RGBA, GL_FLOAT, image.texels.data());
+            glTexImage2D(target, level, format, image.width, image.height, 0, pixels, GL_FLOAT, data);
         if (const GLenum error = glGetError(); error != GL_NO_ERROR)
             throw std::runtime_error(
                 fmt::format("the driver refuses level {} of a texture, {} x {} texels: GL error {:#x}", level,
@@ -51,6 +64,10 @@ void set_parameters(const Texture& texture, Clamping clamping) {
     if (clamping == Clamping::kDriver || texture.is_cube()) clamped = kGL_CLAMP;
     set(GL_TEXTURE_WRAP_S, texture.wrap_s == kGL_CLAMP ? clamped : texture.wrap_s);
     set(GL_TEXTURE_WRAP_T, texture.wrap_t == kGL_CLAMP ? clamped : texture.wrap_t);
+    // Drivers disagree on what this mode does in GLSL, so a shader has luminance and does the rest itself.
+    set(GL_DEPTH_TEXTURE_MODE, clamping == Clamping::kDriver ? texture.depth_mode : kGL_LUMINANCE);
+    set(GL_TEXTURE_COMPARE_MODE, texture.compare_mode);
+    set(GL_TEXTURE_COMPARE_FUNC, texture.compare_func);
     const glm::vec4 border(texture.border_color);
     glTexParameterfv(texture.target, GL_TEXTURE_BORDER_COLOR, &border[0]);
     glTexParameterf(texture.target, GL_TEXTURE_MIN_LOD, static_cast<float>(texture.min_lod));
@@ -95,17 +112,23 @@ bool are_same(const std::vector<TextureImage>& a, const std::vector<TextureImage
 // Compares all members, as above.
 bool are_same(const Texture& a, const Texture& b) {
     const auto& [target, levels, further_faces, min_filter, mag_filter, wrap_s, wrap_t, border_color, priority,
-                 generate_mipmap, lod_bias, min_lod, max_lod, max_anisotropy, base_level, max_level, range] = a;
+                 generate_mipmap, lod_bias, min_lod, max_lod, max_anisotropy, depth_mode, compare_mode, compare_func,
+                 base_level, max_level, range] = a;
     return target == b.target && min_filter == b.min_filter && mag_filter == b.mag_filter && wrap_s == b.wrap_s &&
            wrap_t == b.wrap_t && border_color == b.border_color && priority == b.priority &&
            generate_mipmap == b.generate_mipmap && lod_bias == b.lod_bias && min_lod == b.min_lod &&
-           max_lod == b.max_lod && max_anisotropy == b.max_anisotropy && base_level == b.base_level &&
+           max_lod == b.max_lod && max_anisotropy == b.max_anisotropy && depth_mode == b.depth_mode &&
+           compare_mode == b.compare_mode && compare_func == b.compare_func && base_level == b.base_level &&
            max_level == b.max_level && range == b.range && are_same(levels, b.levels) &&
            std::ranges::equal(further_faces, b.further_faces,
                               [](const auto& x, const auto& y) { return are_same(x, y); });
 }
 
 }  // namespace
+
+Image read_copied(CopiedBuffer buffer, int width, int height) {
+    return buffer == CopiedBuffer::kDepths ? read_depths(width, height) : read_pixels(width, height);
+}
 
 Textures::~Textures() {
     for (const auto& [key, uploaded] : uploaded_) glDeleteTextures(1, &uploaded.name);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/image/image.h"
 #include "scene/state/frame.h"
 
 namespace twinlight {
@@ -14,6 +15,9 @@ namespace twinlight {
 // How GL_CLAMP is done, which core GL and shaders lack: by the driver's sampler, or by a shader that clamps coordinates
 // to the start of the border.
 enum class Clamping : std::uint8_t { kDriver, kShader };
+
+// What textures copy, of the current context's picture.
+Image read_copied(CopiedBuffer buffer, int width, int height);
 
 // Texture units with their numbers.
 using TextureUnits = std::vector<std::pair<std::size_t, TextureUnit>>;

@@ -163,6 +163,8 @@ Answer of_pixel_transfer(const Attributes& a, const PixelMaps& maps, Enum pname)
         case kGL_GREEN_BIAS: return one(transfer.bias.g);
         case kGL_BLUE_BIAS: return one(transfer.bias.b);
         case kGL_ALPHA_BIAS: return one(transfer.bias.a);
+        case kGL_DEPTH_SCALE: return one(transfer.depth_scale);
+        case kGL_DEPTH_BIAS: return one(transfer.depth_bias);
         case kGL_ZOOM_X: return one(a.pixel_zoom.x);
         case kGL_ZOOM_Y: return one(a.pixel_zoom.y);
         case kGL_PIXEL_MAP_R_TO_R_SIZE:
@@ -334,6 +336,9 @@ Answer tex_parameter_answer(const State& state, Enum target, Enum pname) {
         case kGL_TEXTURE_BASE_LEVEL: return one(texture.base_level);
         case kGL_TEXTURE_MAX_LEVEL: return one(texture.max_level);
         case kGL_TEXTURE_MAX_ANISOTROPY_EXT: return one(texture.max_anisotropy);
+        case kGL_DEPTH_TEXTURE_MODE: return one(texture.depth_mode);
+        case kGL_TEXTURE_COMPARE_MODE: return one(texture.compare_mode);
+        case kGL_TEXTURE_COMPARE_FUNC: return one(texture.compare_func);
         default: return {};
     }
 }
@@ -350,6 +355,10 @@ Answer tex_level_answer(const State& state, Enum target, int level, Enum pname) 
         case kGL_TEXTURE_HEIGHT: return one(image ? image->height : 0);
         case kGL_TEXTURE_BORDER: return one(0);
         case kGL_TEXTURE_INTERNAL_FORMAT: return one(image ? image->internal_format : 1);
+        case kGL_TEXTURE_DEPTH_SIZE: {
+            const bool has_depths = image && image->base_format == kGL_DEPTH_COMPONENT;
+            return one(has_depths ? internal_format(image->internal_format)->red : 0);
+        }
         default: return {};
     }
 }

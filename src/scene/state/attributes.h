@@ -152,6 +152,7 @@ struct RasterPosition {
 // What glDrawPixels and glTexImage do with colours (3.6.3, 3.6.5). The tables of glPixelMap are used if map_color is set.
 struct PixelTransfer {
     glm::dvec4 scale{1}, bias{0};
+    double depth_scale = 1, depth_bias = 0;
     bool map_color = false;
 
     bool is_initial() const { return *this == PixelTransfer{}; }

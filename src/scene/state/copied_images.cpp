@@ -22,6 +22,10 @@ int copies_in_a_row(const TextureImage& image) {
     return depth;
 }
 
+CopiedBuffer buffer_for(Enum base_format) {
+    return base_format == kGL_DEPTH_COMPONENT ? CopiedBuffer::kDepths : CopiedBuffer::kColors;
+}
+
 // The same for what a picture with these items shows.
 int copies_in_a_row(const FrameItems& items) {
     int depth = 0;
@@ -37,13 +41,9 @@ int copies_in_a_row(const FrameItems& items) {
 // Copies have no proxies.
 bool is_driver_only_copy(Enum target) { return is_driver_only_image(target) && target != kGL_PROXY_TEXTURE_RECTANGLE; }
 
-// Formats of depths, compressed formats, sRGB, and formats of later versions.
+// Compressed formats, sRGB, and formats of later versions.
 bool is_driver_only_format(Enum format) {
-    constexpr std::pair<Enum, Enum> kRanges[] = {{kGL_DEPTH_COMPONENT, kGL_DEPTH_COMPONENT},
-                                                 {0x81A5, 0x81A7},
-                                                 {0x84E9, 0x84EE},
-                                                 {0x8C40, 0x8C4B},
-                                                 {0x8814, 0x881B}};
+    constexpr std::pair<Enum, Enum> kRanges[] = {{0x84E9, 0x84EE}, {0x8C40, 0x8C4B}, {0x8814, 0x881B}};
     return std::ranges::any_of(kRanges,
                                [&](const auto& range) { return format >= range.first && format <= range.second; });
 }
@@ -56,7 +56,7 @@ void add_part(TextureImage& image, ImagePart part) {
     image.parts.push_back(std::move(part));
 }
 
-std::shared_ptr<const CopiedPixels> State::copied_pixels(const Command& c, const Viewport& from) {
+std::shared_ptr<const CopiedPixels> State::copied_pixels(const Command& c, CopiedBuffer buffer, const Viewport& from) {
     const double count = static_cast<double>(from.width) * from.height;
     if (!a_.pixel_transfer.is_initial()) note_lasting(fmt::format("{} with glPixelTransfer", c.name()), c.place);
     if (!has_time(c, count + static_cast<double>(items_.size()))) return nullptr;
@@ -68,8 +68,8 @@ std::shared_ptr<const CopiedPixels> State::copied_pixels(const Command& c, const
     }
     if (!has_room(c, sizeof items_[0] + static_cast<std::size_t>(count) * sizeof(glm::vec4))) return nullptr;
     copies_pixels_ = true;
-    auto pixels =
-        std::make_shared<const CopiedPixels>(CopiedPixels{.width = from.width, .height = from.height, .depth = depth});
+    auto pixels = std::make_shared<const CopiedPixels>(
+        CopiedPixels{.buffer = buffer, .width = from.width, .height = from.height, .depth = depth});
     items_.emplace_back(CopyPixels{pixels, from});
     return pixels;
 }
@@ -101,6 +101,7 @@ void State::copy_tex_image(const Command& c) {
                      c.name(), enum_name(c.enumerant(2)));
     }
     if (is_driver_only) return note_lasting(c.name(), c.place);
+    if (!check_depths(c, target->texture, format->base_format, format->base_format)) return;
     // RULING: borders are cut off, as by glTexImage.
     if (border == 1) note_lasting(fmt::format("{} with a border", c.name()), c.place);
     from = {from.x + border, from.y + (two ? border : 0), from.width - 2 * border,
@@ -113,7 +114,7 @@ void State::copy_tex_image(const Command& c) {
     TextureImage image{from.width, from.height, format->base_format, c.enumerant(2),
                        std::vector<glm::vec4>(count, stored({0, 0, 0, 1}, *format))};
     if (count > 0)
-        if (auto pixels = copied_pixels(c, from))
+        if (auto pixels = copied_pixels(c, buffer_for(format->base_format), from))
             image.parts.push_back({.width = from.width, .height = from.height, .copied = std::move(pixels)});
     Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
@@ -157,7 +158,7 @@ void State::copy_tex_sub_image(const Command& c) {
     if (is_base && bound.generate_mipmap && !has_time(c, static_cast<double>(texels_of(bound)))) return;
     Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
-    auto pixels = copied_pixels(c, from);
+    auto pixels = copied_pixels(c, buffer_for(texture->face(target->face)[index].base_format), from);
     if (!pixels) return;
     textures_.texels -= texels_of(*texture);
     add_part(texture->face(target->face)[index],

@@ -43,7 +43,8 @@ std::vector<Rgba> cut(const Image& image, const CopyPixels& copy, float outside)
             const bool is_inside = x >= 0 && x < image.width && y >= 0 && y < image.height;
             Rgba pixel{outside, outside, outside, outside};
             if (is_inside) pixel = image.at(static_cast<int>(x), image.height - 1 - static_cast<int>(y));
-            for (float& channel : pixel) channel = static_cast<float>(channel_code(channel)) / 255.0F;
+            if (size.buffer == CopiedBuffer::kColors)
+                for (float& channel : pixel) channel = static_cast<float>(channel_code(channel)) / 255.0F;
             pixels.push_back(pixel);
         }
     }
@@ -99,13 +100,13 @@ class Copier {
     void go_through(const FrameItems& items) {
         hidden_.clear();
         shown_.clear();
-        source_.reset();
+        sources_.clear();
         for (const FrameItem& item : items) {
             if (std::holds_alternative<CopyPixels>(item)) {
                 if (is_used(item)) take(std::get<CopyPixels>(item));
                 continue;
             }
-            source_.reset();
+            sources_.clear();
             shown_.push_back(item);
             if (Draw* draw = std::get_if<Draw>(&shown_.back())) {
                 fill(draw->texture);
@@ -118,18 +119,21 @@ class Copier {
     }
 
     void take(const CopyPixels& copy) {
-        if (!source_) {
+        const CopiedBuffer buffer = copy.pixels->buffer;
+        auto source = sources_.find(buffer);
+        if (source == sources_.end()) {
             Frame picture = frame_without_items();
             picture.items = std::move(shown_);
-            source_ = draw_(picture);
+            source = sources_.emplace(buffer, draw_(picture, buffer)).first;
             shown_ = std::move(picture.items);
         }
+        const auto& [picture, low, high] = source->second;
         TakenPixels& taken = taken_[copy.pixels.get()];
         taken.width = copy.pixels->width;
-        taken.picture = cut(source_->picture, copy, 0);
-        if (source_->low.pixels.empty()) return;
-        taken.low = cut(source_->low, copy, 0);
-        taken.high = cut(source_->high, copy, 1);
+        taken.picture = cut(picture, copy, 0);
+        if (low.pixels.empty()) return;
+        taken.low = cut(low, copy, 0);
+        taken.high = cut(high, copy, 1);
         has_range_ = true;
     }
 
@@ -176,9 +180,9 @@ class Copier {
 
     const Frame& frame_;
     const DrawSource& draw_;
-    std::set<const CopiedPixels*> used_;  // by Draws
-    FrameItems hidden_, shown_;           // the picture so far: before and since the last Clear that hides all
-    std::optional<CopySource> source_;    // of shown_
+    std::set<const CopiedPixels*> used_;          // by Draws
+    FrameItems hidden_, shown_;                   // the picture so far: before and since the last Clear that hides all
+    std::map<CopiedBuffer, CopySource> sources_;  // of shown_
     bool has_range_ = false;
     std::map<const CopiedPixels*, TakenPixels> taken_;
     std::map<const Texture*, std::shared_ptr<const Texture>> filled_;

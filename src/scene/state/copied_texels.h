@@ -10,20 +10,21 @@
 
 namespace twinlight {
 
-// A picture to copy from.
+// A picture to copy from. One of depths has them as red, green and blue.
 struct CopySource {
     Image picture;
     // What another renderer's picture may have; empty: the same picture.
     Image low{}, high{};
 };
 
-// Draws a Frame that shows no copies.
-using DrawSource = std::function<CopySource(const Frame&)>;
+// Draws a Frame that shows no copies, and returns its colours or its depths.
+using DrawSource = std::function<CopySource(const Frame&, CopiedBuffer)>;
 
 // The frame with all copied texels in its textures, and without the commands that copied them. The Draws are the same, in
 // the same order. RULING: pixels outside the window, which 3.8.2 leaves undefined, are black.
 //
-// `draw` is called once for each picture that is copied from: the commands since the last Clear that hides all before it.
+// `draw` is called once for the colours and once for the depths of each picture that they are copied from: the commands since
+// the last Clear that hides all before it.
 Frame with_copied_texels(const Frame& frame, const DrawSource& draw);
 
 // The frame itself if it shows no copies; otherwise with_copied_texels().

@@ -295,9 +295,13 @@ struct RasterState {
 
 // ---- Fragments: textures (3.8), fog (3.10), per-fragment operations (4.1) ----
 
+// What of a picture is copied.
+enum class CopiedBuffer : std::uint8_t { kColors, kDepths };
+
 // The pixels that a glCopyTexImage or glCopyTexSubImage takes from the picture (3.8.2). Each renderer takes them from its own
 // picture: with_copied_texels(). Two are the same if they are the same object.
 struct CopiedPixels {
+    CopiedBuffer buffer = CopiedBuffer::kColors;
     int width = 0, height = 1;
     // How many copies follow each other: 1 if the picture shows no copied texels, 2 if it shows those of such a picture.
     int depth = 1;
@@ -319,10 +323,11 @@ struct ImagePart {
 // One level of a texture. The texels hold the components of the base internal format (table 3.15) as numbers in [0,1],
 // rounded to the bits of the internal format; other components are 0 (alpha 1). Row 0 is t = 0.
 struct TextureImage {
-    int width = 0, height = 1;        // without the border
-    Enum base_format = kGL_RGBA;      // GL_ALPHA, _LUMINANCE, _LUMINANCE_ALPHA, _INTENSITY, _RGB or _RGBA
+    int width = 0, height = 1;  // without the border
+    // GL_ALPHA, _LUMINANCE, _LUMINANCE_ALPHA, _INTENSITY, _RGB, _RGBA or _DEPTH_COMPONENT
+    Enum base_format = kGL_RGBA;
     Enum internal_format = kGL_RGBA;  // as given; all levels of a complete texture have the same
-    std::vector<glm::vec4> texels{};  // (R, G, B, A); luminance and intensity have R = G = B = the value
+    std::vector<glm::vec4> texels{};  // (R, G, B, A); luminance, intensity and depths have R = G = B = the value
     // What only pictures decide: copied pixels, and the image with copied pixels whose mipmap this is (3.8.8). A renderer
     // draws with images that have neither.
     std::vector<ImagePart> parts{};  // over the texels, in this order
@@ -351,6 +356,10 @@ struct Texture {                         // 3.8.4, table 3.18
     double lod_bias = 0;                     // a Draw's is in its TextureUnit
     double min_lod = -1000, max_lod = 1000;  // limits of the level of detail
     double max_anisotropy = 1;  // EXT_texture_filter_anisotropic: at most as many samples along the longer axis
+    // Of textures of depths (3.8.14): what a depth, or the outcome of its comparison with r, becomes in the environment.
+    Enum depth_mode = kGL_LUMINANCE;  // or GL_INTENSITY, GL_ALPHA
+    Enum compare_mode = kGL_NONE;     // or GL_COMPARE_R_TO_TEXTURE
+    Enum compare_func = kGL_LEQUAL;
     // The first level in use, and the last. A Draw's texture has only the levels in use: they count from 0 again.
     int base_level = 0, max_level = 1000;
     // Only while the allowed difference is found: what the texels may be in other renderers, which copied them from other
@@ -367,11 +376,17 @@ struct Texture {                         // 3.8.4, table 3.18
         };
         return has(levels) || std::ranges::any_of(further_faces, has);
     }
+    // A texture that has images either has depths or colours.
+    bool has_depths() const { return levels.front().base_format == kGL_DEPTH_COMPONENT; }
+    bool compares() const { return has_depths() && compare_mode == kGL_COMPARE_R_TO_TEXTURE; }
+    // The base internal format that the texture environment sees.
+    Enum base_format() const { return has_depths() ? depth_mode : levels.front().base_format; }
     // The border's colour with the components that the texels have (table 3.15).
     glm::dvec4 border_texel() const {
         const glm::dvec4 c = glm::clamp(border_color, 0.0, 1.0);
         switch (levels.front().base_format) {
             case kGL_ALPHA: return {0, 0, 0, c.a};
+            case kGL_DEPTH_COMPONENT:
             case kGL_LUMINANCE: return {c.r, c.r, c.r, 1};
             case kGL_LUMINANCE_ALPHA: return {c.r, c.r, c.r, c.a};
             case kGL_INTENSITY: return {c.r, c.r, c.r, c.r};
@@ -620,14 +635,14 @@ struct Draw {
 
     // Whether Shading::kExact draws surfaces instead of the mesh. It does so only for filled polygons whose texture
     // coordinates are not generated (GL generates them for vertices), that have at most one texture and no GL_COMBINE,
-    // no cube map, no secondary colours without lighting and no fog coordinates,
+    // no cube map, no depths to compare r with, no secondary colours without lighting and no fog coordinates,
     // and only if both faces have the same stencil test: shaders draw a surface as a rectangle, whose face is not the
     // surface's.
     bool has_exact_surfaces() const {
         return surfaces && !draws_borders() && !combines_textures() && texture.generated.empty() &&
-               !(texture.texture && texture.texture->is_cube()) && secondary_colors.empty() && fog_coords.empty() &&
-               raster.viewport.width > 0 && raster.viewport.height > 0 &&
-               (!fragment.stencil || fragment.stencil->front == fragment.stencil->back);
+               !(texture.texture && (texture.texture->is_cube() || texture.texture->compares())) &&
+               secondary_colors.empty() && fog_coords.empty() && raster.viewport.width > 0 &&
+               raster.viewport.height > 0 && (!fragment.stencil || fragment.stencil->front == fragment.stencil->back);
     }
 
     std::size_t count() const { return indices.empty() ? vertices.size() : indices.size(); }

@@ -111,6 +111,8 @@ void State::build_mipmaps(const Command& c) {
     if (!target || two == (target->texture == kGL_TEXTURE_1D) || !format || !fits ||
         !pixel_bytes(source.format, source.type))
         return;
+    if (source.format == kGL_DEPTH_COMPONENT || format->base_format == kGL_DEPTH_COMPONENT)
+        return note_lasting(fmt::format("{} of depths", c.name()), c.place);
     if (!c.memory) return raise(kGL_INVALID_OPERATION, c, "{} is given NULL; it needs an array of pixels", c.name());
     const int width = nearest_power(source.width), height = nearest_power(source.height);
     // The images of this arithmetic need four times the memory.

@@ -192,7 +192,7 @@ void State::draw_pixels(const Command& c) {
 
 void State::pixel_zoom(const Command& c) { a_.pixel_zoom = {c.number(0), c.number(1)}; }
 
-// What belongs to depths, stencil values and indices has no effect on colours.
+// What belongs to stencil values and indices has no effect on colours and depths.
 void State::pixel_transfer(const Command& c) {
     const Enum pname = c.enumerant(0);
     constexpr Enum kScales[] = {kGL_RED_SCALE, kGL_GREEN_SCALE, kGL_BLUE_SCALE, kGL_ALPHA_SCALE};
@@ -204,6 +204,8 @@ void State::pixel_transfer(const Command& c) {
         return;
     PixelTransfer& transfer = a_.pixel_transfer;
     if (pname == kGL_MAP_COLOR) transfer.map_color = c.number(1) != 0;
+    if (pname == kGL_DEPTH_SCALE) transfer.depth_scale = c.number(1);
+    if (pname == kGL_DEPTH_BIAS) transfer.depth_bias = c.number(1);
     for (int i = 0; i < 4; ++i) {
         if (pname == kScales[i]) transfer.scale[i] = c.number(1);
         if (pname == kBiases[i]) transfer.bias[i] = c.number(1);

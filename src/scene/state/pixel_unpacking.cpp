@@ -108,7 +108,8 @@ glm::dvec4 rgba(Enum format, const double* v) {
         case kGL_BGR: return {v[2], v[1], v[0], 1};
         case kGL_RGBA: return {v[0], v[1], v[2], v[3]};
         case kGL_BGRA: return {v[2], v[1], v[0], v[3]};
-        case kGL_LUMINANCE: return {v[0], v[0], v[0], 1};
+        case kGL_LUMINANCE:
+        case kGL_DEPTH_COMPONENT: return {v[0], v[0], v[0], 1};
         default: return {v[0], v[0], v[0], v[1]};  // GL_LUMINANCE_ALPHA
     }
 }
@@ -184,6 +185,10 @@ std::optional<InternalFormat> internal_format(double name) {
         case kGL_RGB10_A2: return InternalFormat{kGL_RGBA, 10, 10, 10, 2};
         case kGL_RGBA12:
         case kGL_RGBA16: return same(kGL_RGBA, 16);
+        case kGL_DEPTH_COMPONENT16: return same(kGL_DEPTH_COMPONENT, 16);
+        case kGL_DEPTH_COMPONENT:
+        case kGL_DEPTH_COMPONENT24: return same(kGL_DEPTH_COMPONENT, 24);
+        case kGL_DEPTH_COMPONENT32: return same(kGL_DEPTH_COMPONENT, 32);
         default: return std::nullopt;
     }
 }
@@ -194,7 +199,8 @@ std::optional<int> components_of(Enum format) {
         case kGL_GREEN:
         case kGL_BLUE:
         case kGL_ALPHA:
-        case kGL_LUMINANCE: return 1;
+        case kGL_LUMINANCE:
+        case kGL_DEPTH_COMPONENT: return 1;
         case kGL_LUMINANCE_ALPHA: return 2;
         case kGL_RGB:
         case kGL_BGR: return 3;
@@ -249,7 +255,7 @@ std::vector<bool> bitmap_bits(int width, int height, std::span<const std::byte> 
 }
 
 std::optional<int> driver_only_pixel_bytes(Enum format, Enum type) {
-    if (format != kGL_COLOR_INDEX && format != kGL_DEPTH_COMPONENT && format != kGL_STENCIL_INDEX) return std::nullopt;
+    if (format != kGL_COLOR_INDEX && format != kGL_STENCIL_INDEX) return std::nullopt;
     return element_bytes(type);
 }
 
@@ -275,7 +281,10 @@ void PixelRows::unpack(int y, std::vector<glm::dvec4>& row) const {
     for (glm::dvec4& texel : row) {
         double values[4] = {};
         read_pixel(at, source.type, components, store.unpack_swap_bytes, values);
-        texel = transferred(rgba(source.format, values), transfer, maps);
+        const glm::dvec4 color = rgba(source.format, values);
+        texel = source.format == kGL_DEPTH_COMPONENT
+                    ? glm::dvec4(glm::dvec3(color * transfer.depth_scale + transfer.depth_bias), 1)
+                    : transferred(color, transfer, maps);
         at += pixel;
     }
 }
@@ -289,7 +298,8 @@ glm::vec4 stored(const glm::dvec4& rgba, const InternalFormat& format) {
     const float r = rounded(rgba.r, format.red), a = rounded(rgba.a, format.alpha);
     switch (format.base_format) {  // table 3.15
         case kGL_ALPHA: return {0, 0, 0, a};
-        case kGL_LUMINANCE: return {r, r, r, 1};
+        case kGL_LUMINANCE:
+        case kGL_DEPTH_COMPONENT: return {r, r, r, 1};
         case kGL_LUMINANCE_ALPHA: return {r, r, r, a};
         case kGL_INTENSITY: return {r, r, r, r};
         case kGL_RGB: return {r, rounded(rgba.g, format.green), rounded(rgba.b, format.blue), 1};

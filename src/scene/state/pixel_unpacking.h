@@ -19,17 +19,17 @@ inline constexpr std::size_t kMaxTexels = std::size_t{1} << 26;
 
 struct InternalFormat {
     Enum base_format = kGL_RGBA;
-    int red = 8, green = 8, blue = 8, alpha = 8;  // bits; luminance and intensity use `red`
+    int red = 8, green = 8, blue = 8, alpha = 8;  // bits; luminance, intensity and depths use `red`
 };
 
 // The components and bits for an internalformat argument: 1 to 4, a base format or a sized format (table 3.16). Returns
-// nullopt for other values, and for formats that Twinlight does not support (depth, compressed, sRGB).
+// nullopt for other values, and for formats that Twinlight does not support (compressed, sRGB).
 //
-// RULING (3.8.1 leaves the resolution to the implementation): 8 bits per component if the name gives no size; otherwise
-// the size in the name, but 8 bits for a single component, and 16 instead of 12. This is what llvmpipe does.
+// RULING (3.8.1 leaves the resolution to the implementation): 8 bits per component and 24 for depths if the name gives no size;
+// otherwise the size in the name, but 8 bits for a single component, and 16 instead of 12. This is what llvmpipe does.
 std::optional<InternalFormat> internal_format(double name);
 
-// The number of values of a pixel of `format`; nullopt for formats without colour.
+// The number of values of a pixel of `format`; nullopt for formats that have neither colours nor depths.
 std::optional<int> components_of(Enum format);
 // The bytes of one pixel; nullopt for an unknown type, or one that cannot be used with the format (3.6.4).
 std::optional<int> pixel_bytes(Enum format, Enum type);
@@ -44,7 +44,7 @@ struct PixelSource {
 std::size_t bitmap_bytes(int width, int height, const PixelStore& store);
 // The bits of a bitmap in memory of at least bitmap_bytes(), row by row from the bottom.
 std::vector<bool> bitmap_bits(int width, int height, std::span<const std::byte> bytes, const PixelStore& store);
-// The bytes of one pixel in the formats and types that only the driver supports: indices, depths, stencil values.
+// The bytes of one pixel in the formats and types that only the driver supports: indices, stencil values.
 std::optional<int> driver_only_pixel_bytes(Enum format, Enum type);
 
 // The number of bytes that are read from the pointer on; 0 for an image without pixels; the largest std::size_t if it
@@ -52,7 +52,7 @@ std::optional<int> driver_only_pixel_bytes(Enum format, Enum type);
 std::size_t bytes_read(const PixelSource& source, const PixelStore& store);
 
 // An image in memory. unpack() converts one row to RGBA in [0,1]: missing components are 0, alpha 1; luminance L
-// becomes R = G = B = L, of which table 3.15 keeps red.
+// becomes R = G = B = L, of which table 3.15 keeps red; so does a depth.
 struct PixelRows {
     PixelSource source;
     PixelStore store;

@@ -223,6 +223,8 @@ class State {
     TextureBindings& unit() { return a_.units[a_.active_unit]; }
     const TextureBindings& unit() const { return a_.units[a_.active_unit]; }
     bool check_pixel_type(const Command& command, const PixelSource& source);
+    // Whether pixels of this format can be put into an image of a texture. If not, raises the error or notes it.
+    bool check_depths(const Command& command, Enum texture, Enum base_format, Enum pixels);
     std::optional<PixelRows> pixels(const Command& command, const PixelSource& source);
     // The memory that the command's pointer points to, or the buffer bound for pixels (2.9). If it has less than `needed`
     // bytes, raises the error and returns nullopt.
@@ -235,7 +237,8 @@ class State {
     // target; for one of a proxy only if not `allows_proxy`.
     std::optional<ImageTarget> image_target(const Command& command, bool two, bool allows_proxy = false);
     // Adds a CopyPixels to the picture. Raises the error and returns null if there is no room.
-    std::shared_ptr<const CopiedPixels> copied_pixels(const Command& command, const Viewport& from);
+    std::shared_ptr<const CopiedPixels> copied_pixels(const Command& command, CopiedBuffer buffer,
+                                                      const Viewport& from);
     // Before the first items are deleted: keeps those that textures have copies of.
     void keep_for_copies(std::size_t count);
     std::size_t bytes_of(const FrameItems& items) const;

@@ -52,9 +52,10 @@ void State::pixel_store(const Command& c) {
 
 // 3.6.4: checks that the format and the type are known and can be used together.
 bool State::check_pixel_type(const Command& c, const PixelSource& source) {
-    if (source.type == kGL_BITMAP || source.format == kGL_COLOR_INDEX || source.format == kGL_DEPTH_COMPONENT) {
-        // glDrawPixels changes only this picture.
-        if (c.id == CommandId::glDrawPixels)
+    const bool is_drawn = c.id == CommandId::glDrawPixels;
+    if (source.type == kGL_BITMAP || source.format == kGL_COLOR_INDEX ||
+        (source.format == kGL_DEPTH_COMPONENT && is_drawn)) {
+        if (is_drawn)  // changes only this picture
             note_unsupported(fmt::format("glDrawPixels({})", enum_name(source.format)), c.place);
         else
             note_lasting(fmt::format("{} with {} and {}", c.name(), enum_name(source.format), enum_name(source.type)),
@@ -74,6 +75,19 @@ bool State::check_pixel_type(const Command& c, const PixelSource& source) {
     else
         raise(kGL_INVALID_ENUM, c, "{} is given the type {}; expected GL_UNSIGNED_BYTE, GL_FLOAT, ...", c.name(),
               enum_name(source.type));
+    return false;
+}
+
+// 3.8.1, 3.8.2: only pixels of depths are for images of depths.
+bool State::check_depths(const Command& c, Enum texture, Enum base_format, Enum pixels) {
+    const bool are_depths = pixels == kGL_DEPTH_COMPONENT, has_depths = base_format == kGL_DEPTH_COMPONENT;
+    if (are_depths != has_depths) {
+        raise(kGL_INVALID_OPERATION, c, "{} puts pixels of {} into an image of {}", c.name(),
+              are_depths ? "depths" : "colours", has_depths ? "depths" : "colours");
+        return false;
+    }
+    if (!has_depths || texture != kGL_TEXTURE_CUBE_MAP) return true;
+    note_lasting(fmt::format("{} of depths for a cube map", c.name()), c.place);  // GL 3.0
     return false;
 }
 
@@ -171,7 +185,9 @@ void State::tex_image(const Command& c) {
         return raise(kGL_INVALID_VALUE, c, "{} is given the internal format {}; expected 1 to 4, GL_RGB, GL_RGBA8, ...",
                      c.name(), enum_name(static_cast<Enum>(std::max(a.internal_format, 0.0))));
     }
-    if (!check_pixel_type(c, source) || !twinlight::image_target(a.target)) return;
+    if (!check_pixel_type(c, source) || !check_depths(c, target->texture, format->base_format, source.format) ||
+        !twinlight::image_target(a.target))
+        return;
     const auto level = static_cast<std::size_t>(a.level);
     const std::vector<TextureImage>& bound = bound_texture(target->texture).face(target->face);
     const std::size_t replaced = level < bound.size() ? bound[level].texels.size() : 0;
@@ -225,6 +241,7 @@ void State::tex_sub_image(const Command& c) {
                      two ? "glTexImage2D" : "glTexImage1D");
     }
     const TextureImage& old = images[static_cast<std::size_t>(level)];
+    if (!check_depths(c, target->texture, old.base_format, source.format)) return;
     if (x0 < 0 || y0 < 0 || x0 > old.width - source.width || y0 > old.height - source.height) {
         return raise(kGL_INVALID_VALUE, c, "{} x {} texels at ({}, {}) are not inside the image of {} x {}",
                      source.width, source.height, x0, y0, old.width, old.height);

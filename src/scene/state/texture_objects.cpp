@@ -64,23 +64,6 @@ void State::active_texture(const Command& c) {
 
 namespace {
 
-// Parameters that only the driver supports: of later versions and of other kinds of textures.
-struct DriverOnlyParameter {
-    Enum pname;
-    std::optional<double> initial;  // nullopt: it only modifies another parameter, and alone changes no pixel
-};
-constexpr DriverOnlyParameter kDriverOnlyParameters[] = {
-    {kGL_TEXTURE_COMPARE_MODE, kGL_NONE},
-    {kGL_TEXTURE_COMPARE_FUNC, std::nullopt},
-    {kGL_DEPTH_TEXTURE_MODE, std::nullopt},
-};
-
-const DriverOnlyParameter* driver_only_parameter(Enum pname) {
-    const auto* row = std::find_if(std::begin(kDriverOnlyParameters), std::end(kDriverOnlyParameters),
-                                   [pname](const DriverOnlyParameter& r) { return r.pname == pname; });
-    return row == std::end(kDriverOnlyParameters) ? nullptr : row;
-}
-
 // GL 2.1 does not say how a float becomes a level. Mesa rounds a single one, and drops the fraction of one in an array.
 int level_number(double value, bool is_array) {
     constexpr double kLargest = std::numeric_limits<int>::max();
@@ -92,7 +75,7 @@ int level_number(double value, bool is_array) {
 void State::query_tex_parameter(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
     if (is_driver_only_texture(target) || !known(c, target, kTextureTargets)) return;
-    if (pname == kGL_TEXTURE_RESIDENT || driver_only_parameter(pname) || find_parameter(Owner::kTexture, pname)) return;
+    if (pname == kGL_TEXTURE_RESIDENT || find_parameter(Owner::kTexture, pname)) return;
     raise(kGL_INVALID_ENUM, c, "{} is given {}; expected GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, ...", c.name(),
           enum_name(pname));
 }
@@ -121,14 +104,12 @@ void State::query_tex_env(const Command& c) {
 void State::tex_parameter(const Command& c) {
     const Enum target = c.enumerant(0), pname = c.enumerant(1);
     if (is_driver_only_texture(target) || !known(c, target, kTextureTargets)) return;
-    if (const DriverOnlyParameter* row = driver_only_parameter(pname)) {
-        const bool changes = row->initial && c.arguments.size() > 2 && c.number(2) != *row->initial;
-        if (changes) note_lasting(fmt::format("glTexParameter({})", enum_name(pname)), c.place);
-        return;
-    }
     const auto values = parameter_values(c, Owner::kTexture, pname);
     if (!values) return;
-    const auto name = static_cast<Enum>(std::clamp(values->front(), 0.0, 4294967295.0));
+    // Negative numbers are no names; GL_NONE is 0. Fractions: see level_number().
+    constexpr double kNoName = 4294967295.0;
+    const double number = c.array().empty() ? std::round(values->front()) : std::trunc(values->front());
+    const auto name = static_cast<Enum>(number < 0 ? kNoName : std::clamp(number, 0.0, kNoName));
     // Setting the same value does not copy a shared texture.
     const auto assign = [&](auto Texture::*member, const auto& value) {
         if (bound_texture(target).*member == value) return;
@@ -162,6 +143,14 @@ void State::tex_parameter(const Command& c) {
         case kGL_TEXTURE_MAX_LOD: return assign(&Texture::max_lod, values->front());
         case kGL_TEXTURE_MAX_ANISOTROPY_EXT:
             return assign(&Texture::max_anisotropy, std::min(values->front(), kMaxAnisotropy));
+        case kGL_DEPTH_TEXTURE_MODE:
+            if (name == kGL_RED)
+                return note_lasting("glTexParameter(GL_DEPTH_TEXTURE_MODE, GL_RED)", c.place);  // GL 3.0
+            return set(&Texture::depth_mode, {kGL_LUMINANCE, kGL_INTENSITY, kGL_ALPHA});
+        case kGL_TEXTURE_COMPARE_MODE: return set(&Texture::compare_mode, {kGL_NONE, kGL_COMPARE_R_TO_TEXTURE});
+        case kGL_TEXTURE_COMPARE_FUNC:
+            return set(&Texture::compare_func,
+                       {kGL_LEQUAL, kGL_GEQUAL, kGL_LESS, kGL_GREATER, kGL_EQUAL, kGL_NOTEQUAL, kGL_ALWAYS, kGL_NEVER});
         case kGL_TEXTURE_BASE_LEVEL: return set_level(&Texture::base_level);
         case kGL_TEXTURE_MAX_LEVEL: return set_level(&Texture::max_level);
         default: return;

@@ -98,6 +98,13 @@ TEST(DecidingRulings, AreToldOfStatesWithoutAHardCase) {
     const std::string texture = textured("GL_LUMINANCE", "GL_MODULATE");
     EXPECT_EQ(rulings_under(texture + "glTexCoord4f(0.5, 0.5, 0, 0);"), Rulings{Ruling::kZeroQuotient});
     EXPECT_EQ(rulings_under(texture + "glTexCoord2f(1e16, 0.5);"), Rulings{Ruling::kUncountable});
+    const std::string depths =
+        "glEnable(GL_TEXTURE_2D); glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);\n"
+        "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);\n"
+        "glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, 2, 1, 0, GL_DEPTH_COMPONENT, GL_FLOAT, (GLfloat[]){0.2, "
+        "0.6});\n";
+    EXPECT_EQ(rulings_under(depths + "glTexCoord3f(0.4, 0.5, 0.5);"), Rulings{Ruling::kMixedOutcomes});
+    EXPECT_EQ(rulings_under(depths + "glTexCoord3f(0.4, 0.5, 0.1);"), Rulings{});
 }
 
 // Only fog, which depends on the distance from the eye; and points of surfaces, which are not vertices.

@@ -160,21 +160,36 @@ TEST(CopiedImages, HaveErrors) {
     EXPECT_EQ(code(image + "glCopyTexSubImage2D(GL_TEXTURE_2D, -1, 0, 0, 0, 0, 8, 4);"), kGL_INVALID_VALUE);
 }
 
-TEST(CopiedImages, OfDepthsAreNamed) {
-    EXPECT_EQ(
-        unsupported("glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, 0, 0, 8, 4, 0);\n" + std::string(kPoint)),
-        Names{"glCopyTexImage2D(GL_DEPTH_COMPONENT)"});
+TEST(CopiedImages, OfDepthsAreNamedForCubeMaps) {
+    EXPECT_EQ(unsupported("glCopyTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X, 0, GL_DEPTH_COMPONENT, 0, 0, 4, 4, 0);\n" +
+                          std::string(kPoint)),
+              Names{"glCopyTexImage2D of depths for a cube map"});
 }
 
-TEST(TextureParametersOfLaterVersions, AreNamedWhereTheyAreNotAtTheirInitialValue) {
-    const auto after = [](const std::string& call) { return unsupported(call + kPoint); };
-    EXPECT_EQ(after("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_NONE);"), Names());
-    const std::string compares =
-        "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, 0x884E);";  // ..._R_TO_TEXTURE
-    EXPECT_EQ(after(compares), Names{"glTexParameter(GL_TEXTURE_COMPARE_MODE)"});
-    State state = run(compares);
-    state.drop_picture();  // the state still applies in the next picture
+TEST(TextureParametersOfLaterVersions, AreNamedAndStayForTheNextPicture) {
+    const std::string red = "glTexParameteri(GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_RED);";
+    EXPECT_EQ(unsupported(red + kPoint), Names{"glTexParameter(GL_DEPTH_TEXTURE_MODE, GL_RED)"});
+    State state = run(red);
+    state.drop_picture();
     EXPECT_EQ(state.take_frame().unsupported.size(), 1U);
+}
+
+TEST(DepthTextureParameters, HaveValuesOfTheirOwn) {
+    const auto code = [](const std::string& text) { return run(text).errors().at(0).code; };
+    EXPECT_EQ(code("glTexParameteri(GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_RGB);"), kGL_INVALID_ENUM);
+    EXPECT_EQ(code("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_LEQUAL);"), kGL_INVALID_ENUM);
+    EXPECT_EQ(code("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_NONE);"), kGL_INVALID_ENUM);
+    const State state =
+        run("glTexParameteri(GL_TEXTURE_1D, GL_DEPTH_TEXTURE_MODE, GL_ALPHA);"
+            "glTexParameterf(GL_TEXTURE_1D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);"
+            "glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_COMPARE_FUNC, GL_GREATER);");
+    const Texture &set = state.bound_texture(kGL_TEXTURE_1D), &initial = state.bound_texture(kGL_TEXTURE_2D);
+    EXPECT_EQ(set.depth_mode, kGL_ALPHA);
+    EXPECT_EQ(set.compare_mode, kGL_COMPARE_R_TO_TEXTURE);
+    EXPECT_EQ(set.compare_func, kGL_GREATER);
+    EXPECT_EQ(initial.depth_mode, kGL_LUMINANCE);
+    EXPECT_EQ(initial.compare_mode, kGL_NONE);
+    EXPECT_EQ(initial.compare_func, kGL_LEQUAL);
 }
 
 TEST(TextureLevels, InUseAreThoseFromBaseToMaxLevel) {

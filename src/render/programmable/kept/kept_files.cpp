@@ -495,6 +495,7 @@ std::string why_not_kept(const Frame& frame) {
     for (const Draw* draw : frame.draws()) {
         if (!draw->further_units.empty()) return "it uses more than one texture unit (glActiveTexture)";
         if (draw->texture.texture && draw->texture.texture->is_cube()) return "it uses a cube map";
+        if (draw->texture.texture && draw->texture.texture->has_depths()) return "it uses a texture of depths";
         if (!draw->secondary_colors.empty()) return "it adds secondary colours without lighting (glSecondaryColor)";
         if (!draw->fog_coords.empty()) return "it uses fog coordinates (glFogCoord)";
         if (draw->combines_textures()) return "it combines textures with GL_COMBINE (glTexEnv)";

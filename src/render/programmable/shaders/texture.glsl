@@ -6,7 +6,7 @@
     DIVIDED_TYPE tex_coord = DIVIDED_TEX_COORD;
 #endif
 #if EFFECT_TEXTURE_GRADIENTS && !EFFECT_RAY_TEX_COORD
-    DIVIDED_TYPE per_x = dFdx(tex_coord), per_y = dFdy(tex_coord);  // unclamped: they choose the level of detail
+    GRADIENT_TYPE per_x = dFdx(TEX_COORD_PLACE), per_y = dFdy(TEX_COORD_PLACE);  // unclamped: they choose the level of detail
 #endif
 #if EFFECT_TEXTURE_CLAMP_S
     TEX_COORD_S = clamp(TEX_COORD_S, 0.0, texture_end);
@@ -15,12 +15,15 @@
     tex_coord.t = clamp(tex_coord.t, 0.0, texture_end);
 #endif
 #if EFFECT_RAY_TEX_COORD
-    vec4 texel = textureGrad(u_texture, tex_coord, tex_per_x.DIVIDED_PARTS, tex_per_y.DIVIDED_PARTS);
+    LOOKED_UP = textureGrad(u_texture, tex_coord, tex_per_x.DIVIDED_PARTS, tex_per_y.DIVIDED_PARTS)LOOKED_UP_PART;
 #elif EFFECT_TEXTURE_GRADIENTS
-    vec4 texel = textureGrad(u_texture, tex_coord, per_x, per_y);
+    LOOKED_UP = textureGrad(u_texture, tex_coord, per_x, per_y)LOOKED_UP_PART;
 #elif EFFECT_TEXTURE_CLAMP
-    vec4 texel = texture(u_texture, tex_coord);
+    LOOKED_UP = texture(u_texture, tex_coord)LOOKED_UP_PART;
 #else
-    vec4 texel = TEXTURE_LOOKUP(u_texture, TEX_COORD);
+    LOOKED_UP = TEXTURE_LOOKUP(u_texture, TEX_COORD)LOOKED_UP_PART;
+#endif
+#if EFFECT_TEXTURE_DEPTHS
+    vec4 texel = DEPTH_TEXEL;  // section 3.8.14: a depth, or the outcome of its comparison with r
 #endif
 #insert texture_environment
