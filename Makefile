@@ -309,7 +309,7 @@ PRECOMPILED := $(OPTIMISATION_test) $(if $(filter files,$(units)),-DONLY_GOOGLET
 $(OBJECTS_tests): CXXFLAGS_test = $(PRECOMPILED) -include $(BUILD)/tests-$(units).h
 $(BUILD)/tests-$(units).h.gch: tests/precompiled.h $(BUILD)/flags
 	@echo "compile $<"
-	@$(CXX) $(CXXFLAGS_all) $(PRECOMPILED) -x c++-header -c $< -o $@
+	@$(CXX) $(CXXFLAGS_all) $(PRECOMPILED) -MMD -MP -MT $@ -MF $(@:.gch=.d) -x c++-header -c $< -o $@
 
 $(BUILD)/libtwinlight.a: $(OBJECTS_library) $(BUILD)/files
 	@rm -f $@
@@ -370,4 +370,4 @@ $(BUILD)/embedded/chart.js: $(CHART)
 $(BUILD)/embedded/%.o: $(BUILD)/embedded/%.cpp $(BUILD)/flags
 	@$(CXX) $(CXXFLAGS_all) -MMD -MP -c $< -o $@
 
--include $(patsubst %.o,%.d,$(call object,$(SOURCES_all)) $(OBJECTS_embedded))
+-include $(patsubst %.o,%.d,$(call object,$(SOURCES_all)) $(OBJECTS_embedded)) $(BUILD)/tests-$(units).h.d

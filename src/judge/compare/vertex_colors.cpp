@@ -119,7 +119,7 @@ std::vector<Color> fixed_colors(const VertexScene& scene) {
 
 namespace {
 
-// The Draw as points at its vertices, inside the tile.
+// The Draw as points at its vertices, inside the tile. softpipe may draw a point on the view's border beside it, hence the scissor.
 Draw as_points(const VertexScene& scene, const Viewport& tile) {
     Draw draw = scene.draw();
     if (!draws_polygons(draw.mode)) {
@@ -131,6 +131,7 @@ Draw as_points(const VertexScene& scene, const Viewport& tile) {
     raster.viewport = tile;
     raster.polygon_mode_front = raster.polygon_mode_back = kGL_POINT;
     draw.raster = raster;
+    draw.fragment.scissor = {.enabled = true, .box = tile};
     return draw;
 }
 
