@@ -76,12 +76,12 @@ struct UploadedFrame::Impl {
         int number = 0;
         for (const auto& item : frame.items) {
             if (const Clear* clear = std::get_if<Clear>(&item)) {
-                end_run(options, kept);
+                end_all(options, kept);
                 items.emplace_back(*clear);
                 continue;
             }
             if (const Accumulate* accumulate = std::get_if<Accumulate>(&item)) {
-                end_run(options, kept);
+                end_all(options, kept);
                 items.emplace_back(*accumulate);
                 continue;
             }
@@ -92,7 +92,7 @@ struct UploadedFrame::Impl {
             const Numbered numbered{number, !last || !are_one_shape(*last, draw)};
             last = &draw;
             if (options.shading == Shading::kExact && draw.has_exact_surfaces()) {
-                end_run(options, kept);
+                end_all(options, kept);
                 if (numbered.begins_shape)
                     add_surfaces(draw, options, numbered);  // the first part draws the whole shape
             } else {
@@ -102,7 +102,7 @@ struct UploadedFrame::Impl {
                 run_vertices += std::max(draw.vertices.size(), draw.indices.size());
             }
         }
-        end_run(options, kept);
+        end_all(options, kept);
         glBindVertexArray(0);
         glBindBuffer(GL_ARRAY_BUFFER, 0);
     }
@@ -116,13 +116,42 @@ struct UploadedFrame::Impl {
     // Adds the Draws of `run`.
     void end_run(const Options& options, KeptMeshes* kept) {
         if (run.empty()) return;
-        if (kept)
+        const bool is_placed = kept && shares_programs && !options.precise && !options.for_any_pose &&
+                               !(options.shading >= Shading::kPhong) && may_be_placed(run);
+        if (!placed.empty() && !(is_placed && have_one_state_when_placed(*placed.front(), *run.front())))
+            end_placed(options, *kept);
+        if (is_placed)
+            placed.insert(placed.end(), run.begin(), run.end());
+        else if (kept)
             add_as_one(options, *kept);
         else
             add_one_by_one(options);
         run.clear();
         run_numbers.clear();
         run_vertices = 0;
+    }
+
+    void end_all(const Options& options, KeptMeshes* kept) {
+        end_run(options, kept);
+        if (!placed.empty()) end_placed(options, *kept);
+    }
+
+    // Adds the Draws of `placed`, without keeping their vertices: most of them move.
+    void end_placed(const Options& options, KeptMeshes& kept) {
+        const JoinedDraws all = placed_together(placed);
+        const Draw* const draw = &all.draw;
+        Plan plan = plan_for({&draw, 1}, options, vertex_facts(*draw));
+        std::optional<DrawProgram> program;
+        if (!has_wide_range(*draw, plan)) program = draw_program(*draw, plan, options.precise);
+        if (program && !program->code.form.homogeneous) {
+            items.emplace_back(std::in_place_type<PreparedDraw>, *draw, std::move(*program),
+                               [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+                                   return std::make_shared<const UploadedMesh>(all, effects, origin_object);
+                               });
+        } else {
+            for (const Draw*& one : placed) add_kept({&one, 1}, {}, options, kept);
+        }
+        placed.clear();
     }
 
     // Changing the program costs more time than lighting some vertices. So small Draws of a large frame are planned
@@ -225,6 +254,7 @@ struct UploadedFrame::Impl {
     std::vector<const Draw*> run;  // have_one_state()
     std::vector<Numbered> run_numbers;
     std::size_t run_vertices = 0;
+    std::vector<const Draw*> placed;  // small Draws after each other that will be placed and drawn as one
 };
 
 namespace {
