@@ -27,7 +27,6 @@ class UploadedFrame {
   private:
     friend class Renderer;
     struct Impl;
-    explicit UploadedFrame(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };
 
@@ -83,9 +82,10 @@ class Renderer {
     Counters counters() const;
 
   private:
-    UploadedFrame prepare_once(const Frame& frame, Options options, bool keeps_plans);
+    void draw_once(const Frame& frame, Options options, std::vector<PlannedDraw>* plans);
 
     struct Impl;
+    class Drawing;
     std::unique_ptr<Impl> impl_;
 };
 
