@@ -130,7 +130,7 @@ JoinedDraws placed_together(DrawRun draws) {
     const Draw* last = nullptr;
     for (const Draw* draw : draws) {
         append(*draw, all);
-        if (!last || last->eye_from_object != draw->eye_from_object)
+        if (!last || glm::dmat3(last->eye_from_object) != glm::dmat3(draw->eye_from_object))
             eye_from_object_normal = placed_normal_matrix(*draw);
         last = draw;
         const std::uint32_t material = lighting.enabled ? add_material(*draw, all.draw.materials) : 0;
