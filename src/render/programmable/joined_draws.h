@@ -33,7 +33,7 @@ JoinedDraws joined(DrawRun run);
 // Placed Draws: small ones, each at its own place or of its own material, such as the leaves of a tree. Their vertices are
 // brought to eye coordinates and bring their materials, which takes less time than a further Draw. All small Draws of a
 // frame are placed, with neighbours or without, so that the same vertices always get the same floats.
-inline constexpr std::size_t kMostPlacedVertices = 64;
+inline constexpr std::size_t kMostPlacedVertices = 16;
 bool may_be_placed(DrawRun run);  // of Draws with one state
 JoinedDraws placed_together(DrawRun draws);
 
