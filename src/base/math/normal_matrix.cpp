@@ -24,13 +24,17 @@ int exponent_of(double x) {
 Scaled scaled(const glm::dmat3& m) {
     constexpr int kRounds = 8;  // each halves the exponents that are left
     Scaled result{m};
-    for (int round = 0; round < kRounds; ++round) {
+    bool changes = true;
+    for (int round = 0; changes && round < kRounds; ++round) {
+        changes = false;
         for (int row = 0; row < 3; ++row) {
             double largest = 0;
             for (int column = 0; column < 3; ++column)
                 largest = std::max(largest, std::abs(result.scaled[column][row]));
             if (!(largest > 0) || !std::isfinite(largest)) return {m, glm::dvec3(1), glm::dvec3(1), true};
             const int exponent = exponent_of(largest);
+            if (exponent == 0) continue;
+            changes = true;
             for (int column = 0; column < 3; ++column)
                 result.scaled[column][row] = std::ldexp(result.scaled[column][row], -exponent);
             result.rows[row] = std::ldexp(result.rows[row], exponent);
@@ -40,6 +44,8 @@ Scaled scaled(const glm::dmat3& m) {
             const double largest = std::max({std::abs(of.x), std::abs(of.y), std::abs(of.z)});
             if (!(largest > 0)) return {m, glm::dvec3(1), glm::dvec3(1), true};
             const int exponent = exponent_of(largest);
+            if (exponent == 0) continue;
+            changes = true;
             for (int row = 0; row < 3; ++row) of[row] = std::ldexp(of[row], -exponent);
             result.columns[column] = std::ldexp(result.columns[column], exponent);
         }

@@ -1,5 +1,13 @@
 #include "render/programmable/joined_draws.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <span>
+
+#include "base/math/normal_matrix.h"
+#include "render/effect/vertex_facts.h"
+
 namespace twinlight::programmable {
 namespace {
 
@@ -15,17 +23,22 @@ Material without_tracked(Material material, const ColorMaterial& tracking, Enum 
     return material;
 }
 
+// Except for the materials.
 bool have_one_lighting(const LightingState& a, const LightingState& b) {
     if (a.enabled != b.enabled || a.shade_model != b.shade_model) return false;
-    if (!a.enabled) return true;
-    const auto have_one_material = [&](Material LightingState::*face, Enum other_face) {
+    return !a.enabled ||
+           (a.color_material == b.color_material && a.normalize == b.normalize &&
+            a.rescale_normal == b.rescale_normal && a.light_model == b.light_model && a.lights == b.lights);
+}
+
+// Of Draws whose vertices have no materials of their own. a and b have one colour material.
+bool have_one_material(const LightingState& a, const LightingState& b) {
+    const auto is_same = [&](Material LightingState::*face, Enum other_face) {
         return a.*face == b.*face ||
                (a.color_material.enabled && without_tracked(a.*face, a.color_material, other_face) ==
                                                 without_tracked(b.*face, b.color_material, other_face));
     };
-    return a.color_material == b.color_material && have_one_material(&LightingState::front, kGL_BACK) &&
-           have_one_material(&LightingState::back, kGL_FRONT) && a.normalize == b.normalize &&
-           a.rescale_normal == b.rescale_normal && a.light_model == b.light_model && a.lights == b.lights;
+    return !a.enabled || (is_same(&LightingState::front, kGL_BACK) && is_same(&LightingState::back, kGL_FRONT));
 }
 
 // Points, lines and polygons differ in which effects they need.
@@ -39,24 +52,97 @@ bool has_only_vertices(const Draw& draw) {
 }  // namespace
 
 bool have_one_state(const Draw& a, const Draw& b) {
-    return a.eye_from_object == b.eye_from_object && kind_of(a.mode) == kind_of(b.mode) &&
-           a.indices.empty() == b.indices.empty() && !a.draws_borders() && a.raster == b.raster &&
-           have_one_lighting(a.lighting, b.lighting) && a.clip_from_eye == b.clip_from_eye && a.texture == b.texture &&
-           has_only_vertices(a) && has_only_vertices(b) && a.fog == b.fog && a.fragment == b.fragment &&
-           a.materials == b.materials;
+    return a.eye_from_object == b.eye_from_object && have_one_state_when_placed(a, b) &&
+           have_one_material(a.lighting, b.lighting) && a.materials == b.materials;
 }
+
+bool have_one_state_when_placed(const Draw& a, const Draw& b) {
+    return kind_of(a.mode) == kind_of(b.mode) && a.indices.empty() == b.indices.empty() && !needs_edge_flags(a) &&
+           !needs_edge_flags(b) && a.raster == b.raster && have_one_lighting(a.lighting, b.lighting) &&
+           a.clip_from_eye == b.clip_from_eye && a.texture == b.texture && has_only_vertices(a) &&
+           has_only_vertices(b) && a.fog == b.fog && a.fragment == b.fragment;
+}
+
+namespace {
+
+void append(const Draw& draw, JoinedDraws& all) {
+    all.parts.push_back(part_of(draw));
+    const auto first = static_cast<std::uint32_t>(all.draw.vertices.size());
+    std::vector<Vertex>& vertices = all.draw.vertices.edit();
+    vertices.insert(vertices.end(), draw.vertices.begin(), draw.vertices.end());
+    if (draw.indices.empty()) return;
+    std::vector<std::uint32_t>& indices = all.draw.indices.edit();
+    for (const std::uint32_t index : draw.indices) indices.push_back(first + index);
+}
+
+// For normals in eye coordinates. There GL_RESCALE_NORMAL's factor (2.11.3) is 1, so it is included.
+glm::dmat3 placed_normal_matrix(const Draw& draw) {
+    const glm::dmat3 normals = normal_matrix(glm::dmat3(draw.eye_from_object));
+    const double third = glm::length(normals[2]);
+    return draw.lighting.rescale_normal && third > 0 ? normals / third : normals;
+}
+
+// Adds the Draw's materials, unless they are there already. Returns the place of the first.
+std::uint32_t add_material(const Draw& draw, std::vector<Materials>& materials) {
+    const auto add = [&](const Materials& one) {
+        const ColorMaterial& tracking = draw.lighting.color_material;
+        materials.push_back(
+            {without_tracked(one.front, tracking, kGL_BACK), without_tracked(one.back, tracking, kGL_FRONT)});
+    };
+    const auto next = static_cast<std::uint32_t>(materials.size());
+    for (const Materials& one : draw.materials) add(one);
+    if (!draw.materials.empty()) return next;
+    add({draw.lighting.front, draw.lighting.back});
+    // Most neighbours have one of a few materials.
+    constexpr std::uint32_t kFew = 8;
+    std::uint32_t known = next - std::min(next, kFew);
+    while (materials[known] != materials[next]) ++known;
+    if (known != next) materials.pop_back();
+    return known;
+}
+
+}  // namespace
 
 JoinedDraws joined(DrawRun run) {
     JoinedDraws all{.draw = *run.front(), .parts = {}};
-    all.parts.push_back(part_of(*run.front()));
-    std::vector<Vertex>& vertices = all.draw.vertices.edit();
-    std::vector<std::uint32_t>& indices = all.draw.indices.edit();
-    for (const Draw* draw : run.subspan(1)) {
-        all.parts.push_back(part_of(*draw));
-        const auto first = static_cast<std::uint32_t>(vertices.size());
-        vertices.insert(vertices.end(), draw->vertices.begin(), draw->vertices.end());
-        for (const std::uint32_t index : draw->indices) indices.push_back(first + index);
+    all.draw.vertices = {};
+    all.draw.indices = {};
+    for (const Draw* draw : run) append(*draw, all);
+    return all;
+}
+
+bool may_be_placed(DrawRun run) {
+    const Draw& draw = *run.front();
+    std::size_t count = 0;
+    for (const Draw* part : run) count += part->vertices.size();
+    return count <= kMostPlacedVertices && keeps_w(draw.eye_from_object) && draw.texture.generated.empty() &&
+           !needs_edge_flags(draw) && has_only_vertices(draw);
+}
+
+JoinedDraws placed_together(DrawRun draws) {
+    JoinedDraws all{.draw = *draws.front(), .parts = {}};
+    all.draw.vertices = {};
+    all.draw.indices = {};
+    all.draw.materials.clear();
+    all.draw.eye_from_object = glm::dmat4(1);
+    const LightingState& lighting = all.draw.lighting;
+    glm::dmat3 eye_from_object_normal(1);
+    const Draw* last = nullptr;
+    for (const Draw* draw : draws) {
+        append(*draw, all);
+        if (!last || glm::dmat3(last->eye_from_object) != glm::dmat3(draw->eye_from_object))
+            eye_from_object_normal = placed_normal_matrix(*draw);
+        last = draw;
+        const std::uint32_t material = lighting.enabled ? add_material(*draw, all.draw.materials) : 0;
+        for (Vertex& vertex : std::span(all.draw.vertices.edit()).last(draw->vertices.size())) {
+            vertex.position_object = draw->eye_from_object * vertex.position_object;
+            vertex.normal_object = eye_from_object_normal * vertex.normal_object;
+            vertex.material += material;
+        }
     }
+    if (!lighting.enabled) return all;
+    all.draw.lighting.front = all.draw.materials.front().front;
+    all.draw.lighting.back = all.draw.materials.front().back;
     return all;
 }
 

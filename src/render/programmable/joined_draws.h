@@ -18,6 +18,8 @@ using DrawRun = std::span<const Draw* const>;
 // Whether both Draws may be drawn by one program with the same numbers, one after the other. They may differ in their
 // vertices, in what is replaced by the vertices' colours (2.14.3), and in whether they draw triangles or other polygons.
 bool have_one_state(const Draw& a, const Draw& b);
+// The same for Draws that are placed (below): they may also differ in their modelview matrices and materials.
+bool have_one_state_when_placed(const Draw& a, const Draw& b);
 
 // Longer runs are cut, because all vertices of a run are uploaded again if one of them has changed.
 inline constexpr std::size_t kMostJoinedVertices = 4096;
@@ -27,6 +29,13 @@ struct JoinedDraws {
     std::vector<ElementsPart> parts;
 };
 JoinedDraws joined(DrawRun run);
+
+// Placed Draws: small ones, each at its own place or of its own material, such as the leaves of a tree. Their vertices are
+// brought to eye coordinates and bring their materials, which takes less time than a further Draw. All small Draws of a
+// frame are placed, with neighbours or without, so that the same vertices always get the same floats.
+inline constexpr std::size_t kMostPlacedVertices = 16;
+bool may_be_placed(DrawRun run);  // of Draws with one state
+JoinedDraws placed_together(DrawRun draws);
 
 inline ElementsPart part_of(const Draw& draw) {
     return {draw.mode, draw.vertices.size(), draw.indices.size(), cuts_quadrilaterals(draw)};

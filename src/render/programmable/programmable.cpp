@@ -1,10 +1,11 @@
 #include "render/programmable/programmable.h"
 
 #include <algorithm>
-#include <list>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "render/context/context.h"
 #include "render/context/gl.h"
@@ -51,23 +52,16 @@ struct PreparedDraw {
     TextureUnits units;  // if the Draw combines textures
 };
 
-}  // namespace
+using Item = std::variant<Clear, PreparedDraw, Accumulate>;
 
-struct UploadedFrame::Impl {
-    // What PlannedDraw says of a Draw besides its plan.
-    struct Numbered {
-        int number;
-        bool begins_shape;
-    };
-
-    // kept: null if the frame shares no meshes with other frames. keeps_plans: `plans` has the plan that is best for
-    // each Draw by itself.
-    Impl(const Frame& frame, Options options, KeptMeshes* kept, bool plans_are_kept)
-        : tier(options.tier),
-          width(frame.width),
-          height(frame.height),
-          keeps_plans(plans_are_kept),
-          shares_programs(!plans_are_kept && frame.draws().size() >= kManyDraws) {
+// Plans and uploads a frame's items, one after the other.
+class Preparation {
+  public:
+    // Hands each item to `take`. kept: null if the frame shares no meshes with other frames. plans: gets the plan that
+    // is best for each Draw by itself; null if nobody needs these.
+    Preparation(const Frame& frame, Options options, KeptMeshes* kept, std::vector<PlannedDraw>* plans,
+                const std::function<void(Item&&)>& take)
+        : take_(take), plans_(plans), shares_programs_(!plans && has_many_draws(frame)) {
         if (options.precise) {
             options = precise_options(options);
             check_has_precise();
@@ -76,13 +70,13 @@ struct UploadedFrame::Impl {
         int number = 0;
         for (const auto& item : frame.items) {
             if (const Clear* clear = std::get_if<Clear>(&item)) {
-                end_run(options, kept);
-                items.emplace_back(*clear);
+                end_all(options, kept);
+                take_(*clear);
                 continue;
             }
             if (const Accumulate* accumulate = std::get_if<Accumulate>(&item)) {
-                end_run(options, kept);
-                items.emplace_back(*accumulate);
+                end_all(options, kept);
+                take_(*accumulate);
                 continue;
             }
             if (!std::holds_alternative<Draw>(item)) continue;  // a copy: see drawable()
@@ -92,37 +86,71 @@ struct UploadedFrame::Impl {
             const Numbered numbered{number, !last || !are_one_shape(*last, draw)};
             last = &draw;
             if (options.shading == Shading::kExact && draw.has_exact_surfaces()) {
-                end_run(options, kept);
+                end_all(options, kept);
                 if (numbered.begins_shape)
                     add_surfaces(draw, options, numbered);  // the first part draws the whole shape
             } else {
                 if (!continues_run(draw)) end_run(options, kept);
-                run.push_back(&draw);
-                run_numbers.push_back(numbered);
-                run_vertices += std::max(draw.vertices.size(), draw.indices.size());
+                run_.push_back(&draw);
+                run_numbers_.push_back(numbered);
+                run_vertices_ += std::max(draw.vertices.size(), draw.indices.size());
             }
         }
-        end_run(options, kept);
-        glBindVertexArray(0);
-        glBindBuffer(GL_ARRAY_BUFFER, 0);
+        end_all(options, kept);
     }
+
+  private:
+    // What PlannedDraw says of a Draw besides its plan.
+    struct Numbered {
+        int number;
+        bool begins_shape;
+    };
 
     bool continues_run(const Draw& draw) const {
-        return !run.empty() &&
-               run_vertices + std::max(draw.vertices.size(), draw.indices.size()) <= kMostJoinedVertices &&
-               have_one_state(*run.front(), draw);
+        return !run_.empty() &&
+               run_vertices_ + std::max(draw.vertices.size(), draw.indices.size()) <= kMostJoinedVertices &&
+               have_one_state(*run_.front(), draw);
     }
 
-    // Adds the Draws of `run`.
+    // Adds the Draws of `run_`.
     void end_run(const Options& options, KeptMeshes* kept) {
-        if (run.empty()) return;
-        if (kept)
+        if (run_.empty()) return;
+        const bool is_placed = kept && shares_programs_ && !options.precise && !options.for_any_pose &&
+                               !(options.shading >= Shading::kPhong) && may_be_placed(run_);
+        if (!placed_.empty() && !(is_placed && have_one_state_when_placed(*placed_.front(), *run_.front())))
+            end_placed(options, *kept);
+        if (is_placed)
+            placed_.insert(placed_.end(), run_.begin(), run_.end());
+        else if (kept)
             add_as_one(options, *kept);
         else
             add_one_by_one(options);
-        run.clear();
-        run_numbers.clear();
-        run_vertices = 0;
+        run_.clear();
+        run_numbers_.clear();
+        run_vertices_ = 0;
+    }
+
+    void end_all(const Options& options, KeptMeshes* kept) {
+        end_run(options, kept);
+        if (!placed_.empty()) end_placed(options, *kept);
+    }
+
+    // Adds the Draws of `placed_`, without keeping their vertices: most of them move.
+    void end_placed(const Options& options, KeptMeshes& kept) {
+        const JoinedDraws all = placed_together(placed_);
+        const Draw* const draw = &all.draw;
+        Plan plan = plan_for({&draw, 1}, options, vertex_facts(*draw));
+        std::optional<DrawProgram> program;
+        if (!has_wide_range(*draw, plan)) program = draw_program(*draw, plan, options.precise);
+        if (program && !program->code.form.homogeneous) {
+            take_(PreparedDraw(*draw, std::move(*program),
+                               [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+                                   return std::make_shared<const UploadedMesh>(all, effects, origin_object);
+                               }));
+        } else {
+            for (const Draw*& one : placed_) add_kept({&one, 1}, {}, options, kept);
+        }
+        placed_.clear();
     }
 
     // Changing the program costs more time than lighting some vertices. So small Draws of a large frame are planned
@@ -131,7 +159,7 @@ struct UploadedFrame::Impl {
         const Draw& draw = *draws.front();
         constexpr std::size_t kFewVertices = 256;
         const bool may_share =
-            shares_programs && count_vertices(draws) <= kFewVertices && !(options.shading >= Shading::kPhong);
+            shares_programs_ && count_vertices(draws) <= kFewVertices && !(options.shading >= Shading::kPhong);
         if (!may_share || options.for_any_pose) return plan_effects(draw, options, facts);
         PlanOptions by_state = options;
         by_state.for_any_pose = true;
@@ -140,9 +168,9 @@ struct UploadedFrame::Impl {
 
     // With one plan for all, unless numbers are too large or small for that (wide_range.h).
     void add_as_one(const Options& options, KeptMeshes& kept) {
-        if (add_kept(run, run_numbers.front(), options, kept)) return;
-        for (std::size_t i = 0; i < run.size(); ++i)
-            add_kept(DrawRun(run).subspan(i, 1), run_numbers[i], options, kept);
+        if (add_kept(run_, run_numbers_.front(), options, kept)) return;
+        for (std::size_t i = 0; i < run_.size(); ++i)
+            add_kept(DrawRun(run_).subspan(i, 1), run_numbers_[i], options, kept);
     }
 
     bool add_kept(DrawRun draws, const Numbered& numbered, const Options& options, KeptMeshes& kept) {
@@ -152,10 +180,9 @@ struct UploadedFrame::Impl {
         if (draws.size() > 1 && has_wide_range(draws, plan)) return false;
         DrawProgram program = draw_program(draw, plan, options.precise);
         if (draws.size() > 1 && program.code.form.homogeneous) return false;
-        items.emplace_back(std::in_place_type<PreparedDraw>, draw, std::move(program),
-                           [&](const EffectSet& effects, const glm::dvec3& origin_object) {
-                               return kept.mesh(*known, draws, effects, origin_object);
-                           });
+        take_(PreparedDraw(draw, std::move(program), [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+            return kept.mesh(*known, draws, effects, origin_object);
+        }));
         keep(std::move(plan), draw, numbered);
         return true;
     }
@@ -165,17 +192,17 @@ struct UploadedFrame::Impl {
     void add_one_by_one(const Options& options) {
         std::optional<DrawProgram> program;
         std::size_t first = 0;
-        for (std::size_t i = 0; i < run.size(); ++i) {
-            Plan plan = plan_for(DrawRun(run).subspan(i, 1), options, vertex_facts(*run[i]));
-            DrawProgram next = draw_program(*run[i], plan, options.precise);
-            keep(std::move(plan), *run[i], run_numbers[i]);
+        for (std::size_t i = 0; i < run_.size(); ++i) {
+            Plan plan = plan_for(DrawRun(run_).subspan(i, 1), options, vertex_facts(*run_[i]));
+            DrawProgram next = draw_program(*run_[i], plan, options.precise);
+            keep(std::move(plan), *run_[i], run_numbers_[i]);
             if (program && !are_one_program(*program, next)) {
-                add_with_program(DrawRun(run).subspan(first, i - first), std::move(*program), options);
+                add_with_program(DrawRun(run_).subspan(first, i - first), std::move(*program), options);
                 first = i;
             }
             program = std::move(next);
         }
-        add_with_program(DrawRun(run).subspan(first), std::move(*program), options);
+        add_with_program(DrawRun(run_).subspan(first), std::move(*program), options);
     }
 
     static bool are_one_program(const DrawProgram& a, const DrawProgram& b) {
@@ -185,26 +212,24 @@ struct UploadedFrame::Impl {
 
     void add_with_program(DrawRun draws, DrawProgram program, const Options& options) {
         const Draw& draw = *draws.front();
-        items.emplace_back(std::in_place_type<PreparedDraw>, draw, std::move(program),
-                           [&](const EffectSet& effects, const glm::dvec3& origin_object) {
-                               return draws.size() > 1
-                                          ? std::make_shared<const UploadedMesh>(joined(draws), effects, origin_object)
-                                          : std::make_shared<const UploadedMesh>(draw, effects, options.patches,
-                                                                                 origin_object);
-                           });
+        take_(PreparedDraw(draw, std::move(program), [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+            return draws.size() > 1
+                       ? std::make_shared<const UploadedMesh>(joined(draws), effects, origin_object)
+                       : std::make_shared<const UploadedMesh>(draw, effects, options.patches, origin_object);
+        }));
     }
 
     void add_surfaces(const Draw& draw, const Options& options, const Numbered& numbered) {
         for (SurfaceProgram& surface : surface_programs(draw, options)) {
             const auto rectangle =
                 std::make_shared<const UploadedMesh>(surface.draw, surface.code.effects, false, glm::dvec3(0));
-            for (const Uniforms& pass : surface.passes) items.emplace_back(PreparedDraw(surface, pass, rectangle));
+            for (const Uniforms& pass : surface.passes) take_(PreparedDraw(surface, pass, rectangle));
             keep(std::move(surface.plan), draw, numbered);
         }
     }
 
     void keep(Plan plan, const Draw& draw, const Numbered& numbered) {
-        if (keeps_plans) plans.push_back({numbered.number, draw.place, numbered.begins_shape, std::move(plan)});
+        if (plans_) plans_->push_back({numbered.number, draw.place, numbered.begins_shape, std::move(plan)});
     }
 
     static std::size_t count_vertices(DrawRun draws) {
@@ -213,21 +238,24 @@ struct UploadedFrame::Impl {
         return count;
     }
 
-    static constexpr std::size_t kManyDraws = 40;
+    static bool has_many_draws(const Frame& frame) {
+        constexpr int kManyDraws = 40;
+        int count = 0;
+        return std::ranges::any_of(frame.items, [&](const FrameItem& item) {
+            return std::holds_alternative<Draw>(item) && ++count == kManyDraws;
+        });
+    }
 
-    Tier tier;
-    int width, height;
-    bool keeps_plans, shares_programs;
-    std::vector<PlannedDraw> plans;
-    std::list<std::variant<Clear, PreparedDraw, Accumulate>> items;
+    const std::function<void(Item&&)>& take_;
+    std::vector<PlannedDraw>* const plans_;
+    const bool shares_programs_;
 
-    // While the frame is prepared: Draws that will be drawn as one.
-    std::vector<const Draw*> run;  // have_one_state()
-    std::vector<Numbered> run_numbers;
-    std::size_t run_vertices = 0;
+    // Draws that will be drawn as one.
+    std::vector<const Draw*> run_;  // have_one_state()
+    std::vector<Numbered> run_numbers_;
+    std::size_t run_vertices_ = 0;
+    std::vector<const Draw*> placed_;  // small Draws after each other that will be placed and drawn as one
 };
-
-namespace {
 
 // Copies pixels (3.8.2) of pictures that the renderer draws into the current colour buffer.
 DrawableFrame drawable(const Frame& frame, Renderer& renderer, const Options& options) {
@@ -239,79 +267,111 @@ DrawableFrame drawable(const Frame& frame, Renderer& renderer, const Options& op
 
 }  // namespace
 
+struct UploadedFrame::Impl {
+    Impl(const Frame& frame, const Options& options) : tier(options.tier), width(frame.width), height(frame.height) {
+        Preparation(frame, options, nullptr, nullptr, [this](Item&& item) { items.push_back(std::move(item)); });
+        glBindVertexArray(0);
+        glBindBuffer(GL_ARRAY_BUFFER, 0);
+    }
+
+    Tier tier;
+    int width, height;
+    std::vector<Item> items;
+};
+
 UploadedFrame::UploadedFrame(const Frame& frame, const Options& options) {
     if (!frame.copies_pixels) {
-        impl_ = std::make_unique<Impl>(frame, options, nullptr, false);
+        impl_ = std::make_unique<Impl>(frame, options);
         return;
     }
     Renderer renderer;
-    impl_ = std::make_unique<Impl>(*drawable(frame, renderer, options), options, nullptr, false);
+    impl_ = std::make_unique<Impl>(*drawable(frame, renderer, options), options);
 }
-UploadedFrame::UploadedFrame(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 UploadedFrame::~UploadedFrame() = default;
 
 struct Renderer::Impl {
     explicit Impl(const KeptLimits& limits) : programs(limits.programs), meshes(limits.mesh_bytes) {}
-
-    // `last`: the Draw that was drawn just before; null after another item.
-    void draw(const PreparedDraw& prepared, const PreparedDraw* last, Tier tier) {
-        if (!last || last->raster != prepared.raster || last->fragment != prepared.fragment)
-            FixedStages::set(prepared.raster, prepared.fragment);
-        const Code& code = prepared.program.code;
-        if (code.effects.has_texture()) textures.bind(prepared.texture);
-        if (!prepared.units.empty()) textures.bind_units(prepared.units);
-        programs.use(code.effects, code.form, prepared.program.numbers, tier);
-        prepared.mesh->draw();
-        if (!prepared.units.empty()) Textures::release_units(prepared.units);
-    }
 
     KeptPrograms programs;
     KeptMeshes meshes;
     Textures textures{Clamping::kShader};
 };
 
+// Draws the items of a frame into the current colour buffer.
+class Renderer::Drawing {
+  public:
+    Drawing(Renderer::Impl& renderer, Tier tier, int width, int height)
+        : renderer_(renderer), tier_(tier), accumulation_(width, height) {
+        stages_.clear_all();
+    }
+
+    void draw(const Item& item) {
+        if (const auto* prepared = std::get_if<PreparedDraw>(&item)) return draw(*prepared);
+        if (const auto* clear = std::get_if<Clear>(&item)) {
+            stages_.clear(*clear);
+            accumulation_.clear(*clear);
+        } else {
+            accumulation_.apply(std::get<Accumulate>(item));
+        }
+        set_.reset();
+    }
+    void end() {
+        renderer_.textures.drop_unused();
+        renderer_.programs.end_frame();
+        renderer_.meshes.end_frame();
+    }
+
+  private:
+    void draw(const PreparedDraw& prepared) {
+        if (!set_ || set_->first != prepared.raster || set_->second != prepared.fragment) {
+            FixedStages::set(prepared.raster, prepared.fragment);
+            set_.emplace(prepared.raster, prepared.fragment);
+        }
+        const Code& code = prepared.program.code;
+        if (code.effects.has_texture()) renderer_.textures.bind(prepared.texture);
+        if (!prepared.units.empty()) renderer_.textures.bind_units(prepared.units);
+        renderer_.programs.use(code.effects, code.form, prepared.program.numbers, tier_);
+        prepared.mesh->draw();
+        if (!prepared.units.empty()) Textures::release_units(prepared.units);
+    }
+
+    Renderer::Impl& renderer_;
+    const Tier tier_;
+    const FixedStages stages_;
+    AccumulationBuffer accumulation_;
+    std::optional<std::pair<RasterState, FragmentState>> set_;  // in GL; nothing: another state
+};
+
 Renderer::Renderer(const KeptLimits& limits) : impl_(std::make_unique<Impl>(limits)) {}
 Renderer::~Renderer() = default;
 
 void Renderer::draw(const UploadedFrame& frame) {
-    const FixedStages stages;
-    stages.clear_all();
-    AccumulationBuffer accumulation(frame.impl_->width, frame.impl_->height);
-    const PreparedDraw* last = nullptr;
-    for (const auto& item : frame.impl_->items) {
-        const auto* prepared = std::get_if<PreparedDraw>(&item);
-        if (prepared) {
-            impl_->draw(*prepared, last, frame.impl_->tier);
-        } else if (const Clear* clear = std::get_if<Clear>(&item)) {
-            stages.clear(*clear);
-            accumulation.clear(*clear);
-        } else {
-            accumulation.apply(std::get<Accumulate>(item));
-        }
-        last = prepared;
-    }
-    impl_->textures.drop_unused();
-    impl_->programs.end_frame();
-    impl_->meshes.end_frame();
+    Drawing drawing(*impl_, frame.impl_->tier, frame.impl_->width, frame.impl_->height);
+    for (const Item& item : frame.impl_->items) drawing.draw(item);
+    drawing.end();
 }
 
 void Renderer::draw(const Frame& frame, const Options& options) {
     Options quick = options;
     quick.reasons = false;
-    draw(prepare_once(frame, quick, false));
+    draw_once(frame, quick, nullptr);
 }
 
 Picture Renderer::render(const Frame& frame, const Options& options) {
-    const UploadedFrame prepared = prepare_once(frame, options, true);
-    draw(prepared);
-    return {read_pixels(frame.width, frame.height), std::move(prepared.impl_->plans)};
+    Picture picture;
+    draw_once(frame, options, &picture.plans);
+    picture.image = read_pixels(frame.width, frame.height);
+    return picture;
 }
 
-UploadedFrame Renderer::prepare_once(const Frame& frame, Options options, bool keeps_plans) {
+// Each item is drawn as soon as it is prepared, so that a large frame needs no memory for all of them.
+void Renderer::draw_once(const Frame& frame, Options options, std::vector<PlannedDraw>* plans) {
     options.patches = false;
     const DrawableFrame whole = drawable(frame, *this, options);
-    KeptMeshes* kept = options.tier == Tier::kAuto ? &impl_->meshes : nullptr;
-    return UploadedFrame(std::make_unique<UploadedFrame::Impl>(*whole, options, kept, keeps_plans));
+    Drawing drawing(*impl_, options.tier, frame.width, frame.height);
+    Preparation(*whole, options, options.tier == Tier::kAuto ? &impl_->meshes : nullptr, plans,
+                [&](Item&& item) { drawing.draw(item); });
+    drawing.end();
 }
 
 Counters Renderer::counters() const {

@@ -27,7 +27,6 @@ class UploadedFrame {
   private:
     friend class Renderer;
     struct Impl;
-    explicit UploadedFrame(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };
 
@@ -74,8 +73,8 @@ class Renderer {
     // shader.
     void draw(const UploadedFrame& frame);
     // Under Tier::kAuto, vertices that are bit for bit the same as in earlier frames are not analysed or uploaded again
-    // (kept_meshes.h), and neighbours with the same state are drawn as one (joined_draws.h). Then the picture may differ
-    // by 1/255 from that of Tier::kUniform.
+    // (kept_meshes.h), and neighbours with the same state are drawn as one (joined_draws.h), in frames of many Draws also
+    // small ones at different places. Then the picture may differ by 1/255 from that of Tier::kUniform, and at edges.
     void draw(const Frame& frame, const Options& options);
     // The same, and reads the picture back.
     Picture render(const Frame& frame, const Options& options);
@@ -83,9 +82,10 @@ class Renderer {
     Counters counters() const;
 
   private:
-    UploadedFrame prepare_once(const Frame& frame, Options options, bool keeps_plans);
+    void draw_once(const Frame& frame, Options options, std::vector<PlannedDraw>* plans);
 
     struct Impl;
+    class Drawing;
     std::unique_ptr<Impl> impl_;
 };
 

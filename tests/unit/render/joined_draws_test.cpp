@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <memory>
 
@@ -63,10 +64,15 @@ TEST(JoinedDraws, DifferInTheirVerticesOnly) {
     EXPECT_FALSE(have_one_state(lines, points));
 }
 
-TEST(JoinedDraws, AreNotDrawnAsEdges) {
+// GL has no array of edge flags for shaders.
+TEST(JoinedDraws, AsEdgesAreOneUnlessAnEdgeFlagIsOff) {
     Draw draw = square(lit());
     draw.raster.polygon_mode_back = kGL_LINE;
-    EXPECT_FALSE(have_one_state(draw, draw));
+    EXPECT_TRUE(have_one_state(draw, draw));
+    Draw other = draw;
+    other.vertices.edit()[2].edge_flag = false;
+    EXPECT_FALSE(have_one_state(draw, other));
+    EXPECT_FALSE(have_one_state(other, draw));
 }
 
 // 2.14.3: glColor before each object changes the material that the state has, too.
@@ -220,6 +226,89 @@ TEST(JoinedDraws, OfTheBuiltInScenesDifferByOneCodeAtMost) {
                 largest = std::max<double>(largest, std::abs(joined.pixels[i][c] - separate.pixels[i][c]));
         EXPECT_LE(largest, 1.01 / 255) << file.name;
     }
+}
+
+// ---- Placed Draws ----
+
+TEST(PlacedDraws, MayDifferInTheirPlacesAndMaterials) {
+    const Draw draw = square(lit());
+    Draw other = draw;
+    other.eye_from_object[3].x = 1;
+    other.lighting.front.diffuse.r = 1;
+    other.materials.resize(2);
+    EXPECT_TRUE(have_one_state_when_placed(draw, other));
+    other.lighting.lights[3].position_eye.x = 1;
+    EXPECT_FALSE(have_one_state_when_placed(draw, other));
+}
+
+TEST(PlacedDraws, AreSmall) {
+    Draw draw = square(lit());
+    const Draw* const run[] = {&draw, &draw};
+    EXPECT_TRUE(may_be_placed(run));
+    draw.vertices.edit().resize(kMostPlacedVertices / 2 + 1);
+    EXPECT_FALSE(may_be_placed(run));
+}
+
+// By hand: what eye coordinates and the transposed inverse make of a point and a normal.
+TEST(PlacedDraws, AreInEyeCoordinatesWithTheirMaterials) {
+    Draw first = square(lit()), second = square(lit()), third = square(lit());
+    second.eye_from_object = glm::dmat4(2, 0, 0, 0, 0, 4, 0, 0, 0, 0, 1, 0, 10, 20, 30, 1);
+    second.vertices.edit()[0].position_object = {1, 2, 3, 1};
+    second.vertices.edit()[0].normal_object = {1, 1, 1};
+    second.lighting.front.shininess = 7;
+    const Draw* const draws[] = {&first, &second, &third};
+    const JoinedDraws all = placed_together(draws);
+    EXPECT_EQ(all.draw.eye_from_object, glm::dmat4(1));
+    EXPECT_EQ(all.draw.vertices[4].position_object, glm::dvec4(12, 28, 33, 1));
+    EXPECT_EQ(all.draw.vertices[4].normal_object, glm::dvec3(0.5, 0.25, 1));
+    ASSERT_EQ(all.draw.materials.size(), 2u);
+    EXPECT_EQ(all.draw.materials[all.draw.vertices[4].material].front.shininess, 7);
+    EXPECT_EQ(all.draw.vertices[8].material, all.draw.vertices[0].material);
+    EXPECT_EQ(all.parts, (std::vector<ElementsPart>(3, {kGL_QUADS, 4, 0})));
+
+    second.lighting.rescale_normal = true;  // the third row of the inverse is 0, 0, 1: a factor of 1
+    second.eye_from_object[2][2] = 8;       // of 8
+    const Draw* const rescaled = &second;
+    EXPECT_EQ(placed_together({&rescaled, 1}).draw.vertices[0].normal_object, glm::dvec3(4, 2, 1));
+}
+
+// Many squares, each at its own place, turned, scaled and mirrored, with its own material.
+Frame many_places() {
+    Frame frame{.width = kSize, .height = kSize, .items = {}};
+    for (int i = 0; i < 49; ++i) {
+        Draw draw = square(lit());
+        draw.raster.viewport = {0, 0, kSize, kSize};
+        draw.lighting.lights[0].position_eye = {0.3, 0.5, 2, 1};
+        draw.lighting.light_model.two_side = true;
+        draw.lighting.normalize = i / 12 % 2 == 0;
+        draw.lighting.rescale_normal = i >= 36;
+        draw.lighting.front.diffuse = {0.2 * (i % 5), 0.4, 0.1 * (i % 7), 1};
+        draw.lighting.front.specular = {0.3, 0.1 * (i % 3), 0, 1};
+        draw.lighting.front.shininess = i % 4;
+        const double size = 0.1 + 0.001 * i, angle = 0.1 * i, turn = i % 6 == 0 ? -1 : 1;
+        draw.eye_from_object = glm::dmat4(size * std::cos(angle), size * std::sin(angle), 0, 0,
+                                          -turn * size * std::sin(angle), turn * size * std::cos(angle), 0, 0, 0, 0,
+                                          size, 0, -0.9 + 0.3 * (i % 7), -0.9 + 0.3 * (i / 7), 0, 1);
+        frame.items.emplace_back(std::move(draw));
+    }
+    return frame;
+}
+
+TEST(PlacedDraws, GiveThePictureOfTheDrawsOneByOne) {
+    const auto context = make_offscreen_context(kSize, kSize);
+    const Frame frame = many_places();
+    Renderer live, separate;
+    live.draw(frame, kLive);
+    const Image picture = read_pixels(kSize, kSize);
+    const Image apart = separate.render(one_by_one(frame), {}).image;
+    std::size_t covered = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        covered += apart.pixels[i][1] > 0;
+        for (int c = 0; c < 4; ++c) EXPECT_NEAR(picture.pixels[i][c], apart.pixels[i][c], 1.01 / 255) << i;
+    }
+    EXPECT_GT(covered, apart.pixels.size() / 2);
+    EXPECT_EQ(live.counters().made + live.counters().hits, 5u)
+        << "normals that are made unit in another way end a group";
 }
 
 }  // namespace
