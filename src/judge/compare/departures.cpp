@@ -12,7 +12,6 @@ namespace {
 constexpr SeenOn kBoth[] = {
     {"llvmpipe", "Mesa 22.3"}, {"softpipe", "Mesa 22.3"}, {"llvmpipe", "Mesa 25.0"}, {"softpipe", "Mesa 25.0"}};
 constexpr SeenOn kBothUntilMended[] = {{"llvmpipe", "Mesa 22.3"}, {"softpipe", "Mesa 22.3"}};  // by Mesa 25.0
-constexpr SeenOn kBothOf22[] = {{"llvmpipe", "Mesa 22.3"}, {"softpipe", "Mesa 22.3"}};  // 25.0 is not measured yet
 constexpr SeenOn kLlvmpipe[] = {{"llvmpipe", "Mesa 22.3"}, {"llvmpipe", "Mesa 25.0"}};
 constexpr SeenOn kSoftpipe[] = {{"softpipe", "Mesa 22.3"}, {"softpipe", "Mesa 25.0"}};
 
@@ -297,7 +296,7 @@ const std::vector<Departure>& departures() {
          .command_rule = maps_drawn_pixels},
         {.name = "depths in one dimension",
          .section = "3.8.14: depths are compared with r in one dimension, too",
-         .seen_on = kBothOf22,
+         .seen_on = kBoth,
          .draw_rule = compares_depths_in_one_dimension},
     };
     return list;
