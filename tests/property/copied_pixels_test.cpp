@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <vector>
 
 #include "../unit/compare_three_ways.h"
@@ -15,29 +14,7 @@
 namespace twinlight {
 namespace {
 
-class CopiedPixelsTest : public OnePixel {
-  protected:
-    // The codes at a pixel (y up), which all renderers must agree on.
-    std::array<int, 4> codes(const Scene& scene, int x, int y, const std::string& text) {
-        EXPECT_TRUE(scene.frame.unsupported.empty()) << text;
-        const auto at = [&](const Image& image) { return image.at(x, kSide - 1 - y); };
-        const Rgba expected = at(reference::render(scene.frame, {}));
-        expect_color("fixed", at(fixed::render(scene)), expected, text);
-        fixed::Replay(scene.frame, {}).draw();
-        expect_color("replayed", at(read_pixels(kSide, kSide)), expected, text);
-        expect_color("programmable", at(renderer_.render(scene.frame, {}).image), expected, text);
-        renderer_.draw(programmable::UploadedFrame(scene.frame, {}));
-        expect_color("uploaded", at(read_pixels(kSide, kSide)), expected, text);
-        std::array<int, 4> result{};
-        for (std::size_t i = 0; i < 4; ++i) result[i] = channel_code(expected[i]);
-        return result;
-    }
-    std::array<int, 4> codes(const std::string& text, int x = 8, int y = 8) {
-        return codes(scene_of(text), x, y, text);
-    }
-};
-
-using Codes = std::array<int, 4>;
+class CopiedPixelsTest : public OnePixel {};
 
 // The picture: red, green, blue and yellow quarters of 8 x 8 pixels, from the lower left, in rows; then a texture.
 constexpr const char* kQuarters =

@@ -15,24 +15,8 @@
 namespace twinlight {
 namespace {
 
-using Codes = std::array<int, 4>;
-
 class DepthTextures : public OnePixel {
   protected:
-    // The codes at a pixel (y up), which all renderers must agree on.
-    Codes codes(const std::string& text, int x = 8, int y = 8) {
-        const Scene scene = scene_of(text);
-        EXPECT_TRUE(scene.frame.unsupported.empty()) << text;
-        const auto at = [&](const Image& image) { return image.at(x, kSide - 1 - y); };
-        const Rgba expected = at(reference::render(scene.frame, {}));
-        expect_color("fixed", at(fixed::render(scene)), expected, text);
-        fixed::Replay(scene.frame, {}).draw();
-        expect_color("replayed", at(read_pixels(kSide, kSide)), expected, text);
-        expect_color("programmable", at(renderer_.render(scene.frame, {}).image), expected, text);
-        Codes result{};
-        for (std::size_t i = 0; i < 4; ++i) result[i] = channel_code(expected[i]);
-        return result;
-    }
     int red(const std::string& text, int x = 8, int y = 8) { return codes(text, x, y)[0]; }
 };
 
@@ -208,7 +192,7 @@ TEST_F(DepthTextures, AreCombined) {
     EXPECT_EQ(with("GL_INTENSITY", "GL_SRC_COLOR", comparing("GL_GREATER")), (Codes{0, 0, 0, 0}));
 }
 
-// Of a depth buffer with 0.75 at the left and 0.25 at the right.
+// The depth buffer holds 0.75 at the left and 0.25 at the right.
 TEST_F(DepthTextures, CopyTheDepthBuffer) {
     const std::string picture =
         "glEnable(GL_DEPTH_TEST); glColor3f(1, 0, 0);\n"

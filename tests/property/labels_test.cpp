@@ -196,7 +196,6 @@ TEST_F(LabelsTest, PixelsCoverTheCentresInTheirRectangle) {
 }
 
 TEST_F(LabelsTest, PixelsHaveTheirFormat) {
-    using Codes = std::array<int, 4>;
     const auto codes = [&](const std::string& format, const std::string& values,
                            const std::string& type = "GL_UNSIGNED_BYTE, (GLubyte[])") {
         const Rgba found = color(

@@ -1,6 +1,7 @@
 // Tests of what one pixel shows. All renderers must give it the same colour.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "all_renderers.h"
@@ -19,21 +20,45 @@ class OnePixel : public AllRenderers {
             EXPECT_NEAR(255 * found[i], 255 * expected[i], kRounding) << name << " channel " << i << "\n" << text;
     }
 
-    // The colour at a pixel (y up). `shaders`: whether to make a program.
-    Rgba color(const std::string& text, int x = 8, int y = 8, bool shaders = true) {
-        const Scene scene = scene_of(text);
+    // The colour at a pixel (y up), which the reference and the fixed function must agree on.
+    Rgba color_without_shaders(const Scene& scene, int x, int y, const std::string& text) {
         EXPECT_TRUE(scene.frame.unsupported.empty()) << text;
-        const auto at = [&](const Image& image) { return image.at(x, kSide - 1 - y); };
-        const Rgba expected = at(reference::render(scene.frame, {}));
-        expect_color("fixed", at(fixed::render(scene)), expected, text);
-        if (!shaders) return expected;
-        fixed::Replay(scene.frame, {}).draw();
-        expect_color("replayed", at(read_pixels(kSide, kSide)), expected, text);
-        fixed::Replay(scene.frame, {.scrub = fixed::Scrub::kState}).draw();
-        expect_color("replayed, scrubbed", at(read_pixels(kSide, kSide)), expected, text);
-        expect_color("programmable", at(renderer_.render(scene.frame, {}).image), expected, text);
+        const Rgba expected = at(reference::render(scene.frame, {}), x, y);
+        expect_color("fixed", at(fixed::render(scene), x, y), expected, text);
         return expected;
     }
+    // The same for all renderers.
+    Rgba color(const Scene& scene, int x, int y, const std::string& text) {
+        const Rgba expected = color_without_shaders(scene, x, y, text);
+        fixed::Replay(scene.frame, {}).draw();
+        expect_color("replayed", read_at(x, y), expected, text);
+        expect_color("programmable", at(renderer_.render(scene.frame, {}).image, x, y), expected, text);
+        return expected;
+    }
+    // `shaders`: whether to make a program.
+    Rgba color(const std::string& text, int x = 8, int y = 8, bool shaders = true) {
+        const Scene scene = scene_of(text);
+        if (!shaders) return color_without_shaders(scene, x, y, text);
+        const Rgba expected = color(scene, x, y, text);
+        fixed::Replay(scene.frame, {.scrub = fixed::Scrub::kState}).draw();
+        expect_color("replayed, scrubbed", read_at(x, y), expected, text);
+        return expected;
+    }
+    // The same as 8-bit values, and as what is uploaded once.
+    using Codes = std::array<int, 4>;
+    Codes codes(const Scene& scene, int x, int y, const std::string& text) {
+        const Rgba expected = color(scene, x, y, text);
+        renderer_.draw(programmable::UploadedFrame(scene.frame, {}));
+        expect_color("uploaded", read_at(x, y), expected, text);
+        Codes result{};
+        for (std::size_t i = 0; i < 4; ++i) result[i] = channel_code(expected[i]);
+        return result;
+    }
+    Codes codes(const std::string& text, int x = 8, int y = 8) { return codes(scene_of(text), x, y, text); }
+
+  private:
+    static Rgba at(const Image& image, int x, int y) { return image.at(x, kSide - 1 - y); }
+    static Rgba read_at(int x, int y) { return at(read_pixels(kSide, kSide), x, y); }
 };
 
 }  // namespace twinlight

@@ -69,8 +69,7 @@ int nearest_texel(Enum wrap, double coordinate, int size);
 TexelPair linear_texels(Enum wrap, double coordinate, int size);
 
 // The texel at i, j, or the border colour outside (3.8.8), in the image's base internal format (table 3.15). A depth is a colour of
-// the texture's depth_mode. If the texture compares, it has the outcome of its comparison with r, 0 or 1, in place of the depth
-// (3.8.14).
+// the texture's depth_mode. If the texture compares depths with r, 1 stands for each that passes, and 0 for the others (3.8.14).
 // RULING: a linear filter mixes the outcomes; 3.8.14 leaves that open. llvmpipe does this too; softpipe compares the mean of the
 // depths.
 glm::dvec4 texel_at(const Texture& texture, const TextureImage& image, int i, int j, double r = 0);

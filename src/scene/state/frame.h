@@ -356,7 +356,7 @@ struct Texture {                         // 3.8.4, table 3.18
     double lod_bias = 0;                     // a Draw's is in its TextureUnit
     double min_lod = -1000, max_lod = 1000;  // limits of the level of detail
     double max_anisotropy = 1;  // EXT_texture_filter_anisotropic: at most as many samples along the longer axis
-    // Of textures of depths (3.8.14): what a depth, or the outcome of its comparison with r, becomes in the environment.
+    // Of a texture of depths (3.8.14): the environment takes a depth, or 0 or 1 if it is compared with r, as this format.
     Enum depth_mode = kGL_LUMINANCE;  // or GL_INTENSITY, GL_ALPHA
     Enum compare_mode = kGL_NONE;     // or GL_COMPARE_R_TO_TEXTURE
     Enum compare_func = kGL_LEQUAL;

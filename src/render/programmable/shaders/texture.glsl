@@ -24,6 +24,6 @@
     LOOKED_UP = TEXTURE_LOOKUP(u_texture, TEX_COORD)LOOKED_UP_PART;
 #endif
 #if EFFECT_TEXTURE_DEPTHS
-    vec4 texel = DEPTH_TEXEL;  // section 3.8.14: a depth, or the outcome of its comparison with r
+    vec4 texel = DEPTH_TEXEL;  // section 3.8.14: a depth, or 0 or 1 if it is compared with r
 #endif
 #insert texture_environment
