@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "base/image/file.h"
+#include "render/context/context.h"
 #include "render/programmable/shader_program.h"
 #include "scene/command/names.h"
 #include "scene/command/text.h"
@@ -183,6 +184,7 @@ int run_reporting_errors(std::string_view program, const std::function<int()>& r
         return kBadInput;
     };
     report_crashes(program);
+    keep_freed_memory();
     try {
         return run();
     } catch (const SceneError& error) {  // begins with the place, for editors to jump to

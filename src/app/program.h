@@ -73,7 +73,7 @@ void write_output(const std::string& file, std::string_view bytes);
 lesson::Lesson load_lesson(const std::string& name, lesson::Language language);
 
 // Runs a program and returns its exit status. If it throws, prints the error on standard error and returns kBadInput.
-// If it crashes, a line on standard error says so first.
+// If it crashes, a line on standard error says so first. Freed memory is kept (render/context/context.h).
 int run_reporting_errors(std::string_view program, const std::function<int()>& run);
 
 }  // namespace twinlight

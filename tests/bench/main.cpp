@@ -10,12 +10,14 @@
 
 #include "base/image/file.h"
 #include "ratios.h"
+#include "render/context/context.h"
 
 int main(int argc, char** argv) try {
     using namespace twinlight;
     // llvmpipe on this thread alone, and compiling anew what it has compiled in other runs; before any context is made.
     ::setenv("LP_NUM_THREADS", "0", 1);
     ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    keep_freed_memory();  // as the programs do
 
     std::vector<std::string> arguments(argv + 1, argv + argc);
     const bool is_quick = !arguments.empty() && arguments.front() == "--quick";

@@ -257,7 +257,8 @@ Measure least_light(int count, Box box) {
         for (std::size_t light = 0; light < lights; ++light) {
             Frame without = work.frame();
             bool is_on = false;
-            for (Draw* draw : without.draws()) is_on |= std::exchange(draw->lighting.lights[light].enabled, false);
+            for (Draw* draw : without.editable_draws())
+                is_on |= std::exchange(draw->lighting.lights[light].enabled, false);
             if (!is_on) continue;
             reference::Options options;
             options.lecture_variants = false;

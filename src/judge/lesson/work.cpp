@@ -44,7 +44,7 @@ const Image& Work::matte() const {
     if (!matte_) {
         Frame dull = frame_;
         const auto darken = [](Material& material) { material.specular = {0, 0, 0, 1}; };
-        for (Draw* draw : dull.draws()) {
+        for (Draw* draw : dull.editable_draws()) {
             darken(draw->lighting.front);
             darken(draw->lighting.back);
             for (Materials& materials : draw->materials) {

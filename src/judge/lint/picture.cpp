@@ -128,7 +128,7 @@ class NoDepthTest : public Watch {
             return;
         Frame small = smaller(frame);
         const Image without = reference::render(small, {});
-        for (Draw* draw : small.draws()) draw->raster.depth_test = is_solid(*draw);
+        for (Draw* draw : small.editable_draws()) draw->raster.depth_test = is_solid(*draw);
         const Image with = reference::render(small, {});
         std::size_t differing = 0;
         for (std::size_t i = 0; i < with.pixels.size(); ++i) {

@@ -145,7 +145,7 @@ bool matters(const Frame& frame, LightingChange change) {
 
 Frame with_lighting_change(const Frame& frame, LightingChange change) {
     Frame result = frame;
-    for (Draw* draw : result.draws())
+    for (Draw* draw : result.editable_draws())
         if (draw->lighting.enabled) row_of(change).apply(*draw);
     return result;
 }

@@ -58,7 +58,7 @@ Frame enlarged(const Frame& frame, int samples) {
         if (Accumulate* accumulate = std::get_if<Accumulate>(&item)) enlarge(accumulate->scissor.box);
         if (CopyPixels* copy = std::get_if<CopyPixels>(&item)) enlarge(copy->from);
     }
-    for (Draw* draw : result.draws()) {
+    for (Draw* draw : result.editable_draws()) {
         enlarge(draw->raster.viewport);
         enlarge(draw->fragment.scissor.box);
         draw->raster.line_width *= samples;

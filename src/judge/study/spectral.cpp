@@ -68,7 +68,7 @@ bool has_spectrum(const Frame& frame) {
 Frame with_samples(const Frame& frame, int samples) {
     const auto spectrum = samples == 0 ? nullptr : std::make_shared<const SpectralSamples>(samples);
     Frame result = frame;
-    for (Draw* draw : result.draws())
+    for (Draw* draw : result.editable_draws())
         if (draw->lighting.light_model.spectrum || is_lit_by_spectrum(draw->lighting))
             draw->lighting.light_model.spectrum = spectrum;
     return result;

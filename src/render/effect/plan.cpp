@@ -86,6 +86,7 @@ class Planner {
                 .vertices = vertices,
                 .left_out = {},
                 .has_reasons = options.reasons,
+                .for_any_pose = options.for_any_pose,
                 .lights = {},
                 .lighting = draw.lighting.enabled ? draw.lighting : LightingState(),
                 .light_bounds = {}} {

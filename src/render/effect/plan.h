@@ -64,6 +64,7 @@ struct Plan {
     std::vector<LeftOut>
         left_out;  // except whole lights, which are in light_bounds; empty without PlanOptions::reasons
     bool has_reasons = true;
+    bool for_any_pose = false;  // PlanOptions::for_any_pose
 
     std::vector<PlannedLight> lights;  // one for each of effects.lights
     // The ambient light that is the same at every vertex: a_cs, and a_cli of the lights whose ambient term nothing

@@ -71,7 +71,7 @@ ScrubbedState scrubbed_state(const Plan& plan, std::size_t most_lights) {
 
 Frame scrubbed_frame(const Frame& frame, const PlanOptions& options) {
     Frame result = frame;
-    for (Draw* draw : result.draws()) {
+    for (Draw* draw : result.editable_draws()) {
         if (!draw->lighting.enabled) continue;
         const Plan plan = plan_effects(*draw, options);
         const ColorMaterial tracking = draw->lighting.color_material;

@@ -29,7 +29,7 @@ bool ordinary_or_zero(const glm::dvec3& v) {
 
 bool lit_in_object_space(const Draw& draw, const Plan& plan, bool is_surface) {
     const EffectSet& effects = plan.effects;
-    if (!effects.lighting || effects.vertex_w) return false;
+    if (!effects.lighting || effects.vertex_w || plan.for_any_pose) return false;
     // Fragments of a mesh are lit in eye coordinates, where lights keep their place if the object moves. Fragments of
     // an exact surface are computed in its own space, with normals of length 1.
     const bool by_fragment = effects.shading == Shading::kPhong;

@@ -44,6 +44,10 @@ bool have_one_material(const LightingState& a, const LightingState& b) {
 // Points, lines and polygons differ in which effects they need.
 int kind_of(Enum mode) { return draws_polygons(mode) ? 2 : mode == kGL_POINTS ? 0 : 1; }
 
+bool is_known_to_be_one_state(const Draw& a, const Draw& b) {
+    return a.state_number != 0 && a.state_number == b.state_number;
+}
+
 // Whether all values of its vertices are in Draw::vertices.
 bool has_only_vertices(const Draw& draw) {
     return draw.further_units.empty() && draw.secondary_colors.empty() && draw.fog_coords.empty() && !draw.pixels;
@@ -52,15 +56,17 @@ bool has_only_vertices(const Draw& draw) {
 }  // namespace
 
 bool have_one_state(const Draw& a, const Draw& b) {
-    return a.eye_from_object == b.eye_from_object && have_one_state_when_placed(a, b) &&
-           have_one_material(a.lighting, b.lighting) && a.materials == b.materials;
+    return have_one_state_when_placed(a, b) && a.materials == b.materials &&
+           (is_known_to_be_one_state(a, b) ||
+            (a.eye_from_object == b.eye_from_object && have_one_material(a.lighting, b.lighting)));
 }
 
 bool have_one_state_when_placed(const Draw& a, const Draw& b) {
     return kind_of(a.mode) == kind_of(b.mode) && a.indices.empty() == b.indices.empty() && !needs_edge_flags(a) &&
-           !needs_edge_flags(b) && a.raster == b.raster && have_one_lighting(a.lighting, b.lighting) &&
-           a.clip_from_eye == b.clip_from_eye && a.texture == b.texture && has_only_vertices(a) &&
-           has_only_vertices(b) && a.fog == b.fog && a.fragment == b.fragment;
+           !needs_edge_flags(b) && has_only_vertices(a) && has_only_vertices(b) &&
+           (is_known_to_be_one_state(a, b) ||
+            (a.raster == b.raster && have_one_lighting(a.lighting, b.lighting) && a.clip_from_eye == b.clip_from_eye &&
+             a.texture == b.texture && a.fog == b.fog && a.fragment == b.fragment));
 }
 
 namespace {

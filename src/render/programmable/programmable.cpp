@@ -157,7 +157,7 @@ class Preparation {
     // by state only, and those that differ only in where things are get the same program.
     Plan plan_for(DrawRun draws, const Options& options, const VertexFacts& facts) const {
         const Draw& draw = *draws.front();
-        constexpr std::size_t kFewVertices = 256;
+        constexpr std::size_t kFewVertices = 1024;
         const bool may_share =
             shares_programs_ && count_vertices(draws) <= kFewVertices && !(options.shading >= Shading::kPhong);
         if (!may_share || options.for_any_pose) return plan_effects(draw, options, facts);
@@ -313,7 +313,8 @@ class Renderer::Drawing {
         } else {
             accumulation_.apply(std::get<Accumulate>(item));
         }
-        set_.reset();
+        raster_.reset();
+        fragment_.reset();
     }
     void end() {
         renderer_.textures.drop_unused();
@@ -323,9 +324,13 @@ class Renderer::Drawing {
 
   private:
     void draw(const PreparedDraw& prepared) {
-        if (!set_ || set_->first != prepared.raster || set_->second != prepared.fragment) {
-            FixedStages::set(prepared.raster, prepared.fragment);
-            set_.emplace(prepared.raster, prepared.fragment);
+        if (raster_ != prepared.raster) {
+            FixedStages::set(prepared.raster, raster_ ? &*raster_ : nullptr);
+            raster_ = prepared.raster;
+        }
+        if (fragment_ != prepared.fragment) {
+            FixedStages::set(prepared.fragment, fragment_ ? &*fragment_ : nullptr);
+            fragment_ = prepared.fragment;
         }
         const Code& code = prepared.program.code;
         if (code.effects.has_texture()) renderer_.textures.bind(prepared.texture);
@@ -339,7 +344,9 @@ class Renderer::Drawing {
     const Tier tier_;
     const FixedStages stages_;
     AccumulationBuffer accumulation_;
-    std::optional<std::pair<RasterState, FragmentState>> set_;  // in GL; nothing: another state
+    // In GL; nothing: another state.
+    std::optional<RasterState> raster_;
+    std::optional<FragmentState> fragment_;
 };
 
 Renderer::Renderer(const KeptLimits& limits) : impl_(std::make_unique<Impl>(limits)) {}

@@ -301,7 +301,7 @@ class DepthIntervals : public FragmentLoop<OpenDepths> {
 
 // The frame with every Draw moved in the window by this fraction of a pixel.
 Frame moved(Frame frame, const glm::dvec2& pixels) {
-    for (Draw* draw : frame.draws()) {
+    for (Draw* draw : frame.editable_draws()) {
         if (draw->raster.viewport.width <= 0 || draw->raster.viewport.height <= 0) continue;
         const glm::dvec2 ndc = 2.0 * pixels / glm::dvec2(draw->raster.viewport.width, draw->raster.viewport.height);
         draw->clip_from_eye = glm::translate(glm::dmat4(1), glm::dvec3(ndc, 0)) * draw->clip_from_eye;

@@ -39,29 +39,19 @@ void set_points(const RasterState& raster) {
     set_enabled(GL_VERTEX_PROGRAM_POINT_SIZE, points.attenuates());
 }
 
-void set_raster(const RasterState& raster) {
-    const Viewport& v = raster.viewport;
-    glViewport(v.x, v.y, v.width, v.height);
-    glDepthRange(raster.depth_near, raster.depth_far);
+void set_faces(const RasterState& raster) {
     glFrontFace(raster.front_face);
     set_enabled(GL_CULL_FACE, raster.cull_enabled);
     glCullFace(raster.cull_face);
     glPolygonMode(GL_FRONT, raster.polygon_mode_front);
     glPolygonMode(GL_BACK, raster.polygon_mode_back);
-    const PolygonOffset& offset = raster.polygon_offset;
+}
+
+void set_polygon_offset(const PolygonOffset& offset) {
     set_enabled(GL_POLYGON_OFFSET_POINT, offset.point);
     set_enabled(GL_POLYGON_OFFSET_LINE, offset.line);
     set_enabled(GL_POLYGON_OFFSET_FILL, offset.fill);
     glPolygonOffset(static_cast<float>(offset.factor), static_cast<float>(offset.units));
-    glLineWidth(static_cast<float>(raster.line_width));
-    set_points(raster);
-    // The program has one clip distance for each enabled plane, without gaps.
-    const int count = raster.clip_plane_count();
-    for (int i = 0; i < kMaxClipPlanes; ++i) set_enabled(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i), i < count);
-    set_enabled(GL_DEPTH_TEST, raster.depth_test);
-    glDepthFunc(raster.depth_func);
-    glDepthMask(raster.depth_mask);
-    set_stipples_and_smoothing(raster);
 }
 
 void set_logic_op(const std::optional<Enum>& logic_op) {
@@ -87,20 +77,6 @@ void set_stencil(const std::optional<StencilTest>& stencil) {
     }
 }
 
-void set_fragment_operations(const FragmentState& fragment) {
-    set_scissor(fragment.scissor);
-    set_enabled(GL_ALPHA_TEST, fragment.alpha_test);
-    glAlphaFunc(fragment.alpha_func, static_cast<float>(fragment.alpha_ref));
-    set_stencil(fragment.stencil);
-    set_logic_op(fragment.logic_op);
-    set_enabled(GL_BLEND, fragment.blend);
-    glBlendFuncSeparate(fragment.blend_src, fragment.blend_dst, fragment.blend_src_alpha, fragment.blend_dst_alpha);
-    glBlendEquationSeparate(fragment.blend_equation, fragment.blend_equation_alpha);
-    const glm::vec4 color(fragment.blend_color);
-    glBlendColor(color.r, color.g, color.b, color.a);
-    set_color_mask(fragment.color_mask);
-}
-
 }  // namespace
 
 FixedStages::FixedStages() {
@@ -122,9 +98,56 @@ FixedStages::~FixedStages() {
     glPopAttrib();
 }
 
+void FixedStages::set(const RasterState& raster, const RasterState* before) {
+    const auto differ = [&](auto... members) {
+        return before == nullptr || ((raster.*members != before->*members) || ...);
+    };
+    using State = RasterState;
+    const Viewport& v = raster.viewport;
+    if (differ(&State::viewport)) glViewport(v.x, v.y, v.width, v.height);
+    if (differ(&State::depth_near, &State::depth_far)) glDepthRange(raster.depth_near, raster.depth_far);
+    if (differ(&State::front_face, &State::cull_enabled, &State::cull_face, &State::polygon_mode_front,
+               &State::polygon_mode_back))
+        set_faces(raster);
+    if (differ(&State::polygon_offset)) set_polygon_offset(raster.polygon_offset);
+    if (differ(&State::line_width)) glLineWidth(static_cast<float>(raster.line_width));
+    if (differ(&State::point_size, &State::point_parameters, &State::point_sprite)) set_points(raster);
+    // The program has one clip distance for each enabled plane, without gaps.
+    const int count = raster.clip_plane_count();
+    if (before == nullptr || count != before->clip_plane_count())
+        for (int i = 0; i < kMaxClipPlanes; ++i) set_enabled(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i), i < count);
+    if (differ(&State::depth_test)) set_enabled(GL_DEPTH_TEST, raster.depth_test);
+    if (differ(&State::depth_func)) glDepthFunc(raster.depth_func);
+    if (differ(&State::depth_mask)) glDepthMask(raster.depth_mask);
+    if (differ(&State::line_stipple, &State::polygon_stipple, &State::line_smooth, &State::point_smooth))
+        set_stipples_and_smoothing(raster);
+}
+
+void FixedStages::set(const FragmentState& fragment, const FragmentState* before) {
+    const auto differ = [&](auto... members) {
+        return before == nullptr || ((fragment.*members != before->*members) || ...);
+    };
+    using State = FragmentState;
+    if (differ(&State::scissor)) set_scissor(fragment.scissor);
+    if (differ(&State::alpha_test, &State::alpha_func, &State::alpha_ref)) {
+        set_enabled(GL_ALPHA_TEST, fragment.alpha_test);
+        glAlphaFunc(fragment.alpha_func, static_cast<float>(fragment.alpha_ref));
+    }
+    if (differ(&State::stencil)) set_stencil(fragment.stencil);
+    if (differ(&State::logic_op)) set_logic_op(fragment.logic_op);
+    if (differ(&State::blend)) set_enabled(GL_BLEND, fragment.blend);
+    if (differ(&State::blend_src, &State::blend_dst, &State::blend_src_alpha, &State::blend_dst_alpha))
+        glBlendFuncSeparate(fragment.blend_src, fragment.blend_dst, fragment.blend_src_alpha, fragment.blend_dst_alpha);
+    if (differ(&State::blend_equation, &State::blend_equation_alpha))
+        glBlendEquationSeparate(fragment.blend_equation, fragment.blend_equation_alpha);
+    const glm::vec4 color(fragment.blend_color);
+    if (differ(&State::blend_color)) glBlendColor(color.r, color.g, color.b, color.a);
+    if (differ(&State::color_mask)) set_color_mask(fragment.color_mask);
+}
+
 void FixedStages::set(const RasterState& raster, const FragmentState& fragment) {
-    set_raster(raster);
-    set_fragment_operations(fragment);
+    set(raster);
+    set(fragment);
 }
 
 void FixedStages::clear_all() const {

@@ -15,6 +15,9 @@ class FixedStages {
     FixedStages(const FixedStages&) = delete;
     FixedStages& operator=(const FixedStages&) = delete;
 
+    // `before` is the state that was set last: what is equal is not set again. Null sets everything.
+    static void set(const RasterState& raster, const RasterState* before = nullptr);
+    static void set(const FragmentState& fragment, const FragmentState* before = nullptr);
     static void set(const RasterState& raster, const FragmentState& fragment);
     // Except the accumulation buffer (accumulation_buffer.h).
     void clear(const Clear& clear) const;

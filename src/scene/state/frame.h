@@ -589,6 +589,9 @@ struct Draw {
     glm::dmat4 clip_from_eye{1};
     Place place;           // the place of glBegin or of the shape
     bool in_list = false;  // a display list draws it; then a driver may cut quadrilaterals the other way
+    // Draws of a frame with the same number, unless it is 0, have the same state: at most `mode`, `materials` and the values
+    // of vertices differ. Different numbers say nothing.
+    std::uint64_t state_number = 0;
     // Of glBitmap and glDrawPixels (3.6.4, 3.7), otherwise null. The mode is GL_POINTS, the viewport kWindowOfPixels. The
     // vertices have the values of the raster position, which make the colours as for any point.
     std::shared_ptr<const WindowPixels> pixels{};
@@ -736,7 +739,12 @@ struct Frame {
 
     // The items that are Draws, without the others.
     std::vector<const Draw*> draws() const { return draws_of<const Draw>(items); }
-    std::vector<Draw*> draws() { return draws_of<Draw>(items); }
+    // The same to change their state. From now on none is known to have the state of another.
+    std::vector<Draw*> editable_draws() {
+        std::vector<Draw*> all = draws_of<Draw>(items);
+        for (Draw* draw : all) draw->state_number = 0;
+        return all;
+    }
 
   private:
     template <class Type, class Items>

@@ -76,6 +76,7 @@ void State::draw_at_raster_position(const Command& c, WindowPixels pixels, const
     if (pixels.places.empty()) pixels.places.emplace_back(-1, -1);
     if (!has_room(c, bytes_of_draw() + vertex_bytes(kGL_POINTS, pixels.places.size() + pixels.doubtful.size()))) return;
     Draw draw = new_draw(kGL_POINTS, c.place);
+    draw.state_number = 0;  // it has a state of its own
     draw.raster.viewport = kWindowOfPixels;
     draw.raster.depth_near = 0;
     draw.raster.depth_far = 1;

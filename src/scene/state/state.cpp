@@ -29,6 +29,13 @@ constexpr CommandSet kLegalInside =
                     "array_element",   "perspective", "new_quadric", "delete_quadric",
                     "set_quadric"});
 
+// The commands that change no state of a later Draw, only its vertices; glColor does so if no material follows it (2.14.3).
+// What a display list does, its own commands do.
+constexpr CommandSet kKeepsState =
+    CommandSet::of({"vertex", "normal", "tex_coord", "multi_tex_coord", "secondary_color", "fog_coord", "edge_flag",
+                    "begin", "end", "call_list", "call_lists"});
+constexpr CommandSet kSetsColor = CommandSet::of({"color"});
+
 // Adds one to the count of `name`.
 void count(std::vector<Unsupported>& list, std::string_view name, const Place& place, MissingFrom missing_from) {
     const auto find = [&] {
@@ -71,6 +78,9 @@ void State::carry_out(const Command& command) {
         return raise(kGL_INVALID_VALUE, command, "{} needs finite numbers, but a value is NaN or infinite",
                      command.name());
     }
+    const bool keeps_state =
+        kKeepsState.contains(command.id) || (kSetsColor.contains(command.id) && !a_.lighting.color_material.enabled);
+    if (!keeps_state) ++state_number_;
     (this->*kCarriedOutBy[static_cast<std::size_t>(command.id)])(command);
 }
 
@@ -280,6 +290,7 @@ void keep_state_of_points(Draw& draw) {
 Draw State::new_draw(Enum mode, const Place& place) {
     Draw draw;
     draw.mode = mode;
+    draw.state_number = state_number_;
     draw.lighting = a_.lighting;
     draw.raster = a_.raster;
     draw.eye_from_object = modelview();

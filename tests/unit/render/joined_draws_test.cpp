@@ -4,12 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "../hand_built_draws.h"
 #include "base/image/difference.h"
+#include "judge/fuzz/fuzzer.h"
+#include "scene/command/text.h"
 #include "scene/scenes/load.h"
+#include "scene/state/recorded_frame.h"
 #include "scene/state/state.h"
 
 namespace twinlight::programmable {
@@ -62,6 +69,56 @@ TEST(JoinedDraws, DifferInTheirVerticesOnly) {
     lines.mode = kGL_LINES;
     points.mode = kGL_POINTS;
     EXPECT_FALSE(have_one_state(lines, points));
+}
+
+// State numbers only save the comparison.
+void expect_right_state_numbers(const Frame& frame, std::size_t& equal) {
+    const std::vector<const Draw*> draws = frame.draws();
+    for (std::size_t i = 1; i < draws.size(); ++i) {
+        Draw a = *draws[i - 1], b = *draws[i];
+        if (a.state_number == 0 || a.state_number != b.state_number) continue;
+        ++equal;
+        const bool is_one = have_one_state(a, b);
+        a.state_number = b.state_number = 0;
+        EXPECT_EQ(have_one_state(a, b), is_one) << "Draw " << i + 1 << ", " << b.place.str();
+    }
+}
+
+TEST(JoinedDraws, HaveTheStateOfAnotherWithTheSameNumber) {
+    std::size_t equal = 0;
+    for (const EmbeddedFile& file : kSceneFiles)
+        expect_right_state_numbers(
+            make_scene(load_commands(std::string(file.name.substr(0, file.name.rfind('.')))), {}).frame, equal);
+    for (const auto& folder : std::filesystem::directory_iterator("tests/traces"))
+        if (std::filesystem::exists(folder.path() / "dump.txt"))
+            expect_right_state_numbers(make_recorded_frame(load_recording(folder.path() / "dump.txt"), {}).scene.frame,
+                                       equal);
+    for (int state = 0; state < 500; ++state)
+        expect_right_state_numbers(make_frame(fuzz::random_scene({{.seed = 20}}, state), {.width = 64, .height = 64}),
+                                   equal);
+    EXPECT_GT(equal, 1000u);
+}
+
+TEST(JoinedDraws, GetNewStateNumbersFromCommandsThatChangeTheirState) {
+    const auto numbers = [](const std::string& between) {
+        const Frame frame = make_frame(
+            read_scene("glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glBegin(GL_POINTS); glVertex3f(0, 0, 0); glEnd();" +
+                           between + "glBegin(GL_POINTS); glVertex3f(0.5, 0, 0); glEnd();",
+                       "two", "two"),
+            {.width = 8, .height = 8});
+        return std::pair(frame.draws().at(0)->state_number, frame.draws().at(1)->state_number);
+    };
+    for (const char* const keeps : {"", "glColor3f(1, 0, 0);", "glNormal3f(0, 1, 0); glTexCoord2f(1, 0);"}) {
+        const auto [first, second] = numbers(keeps);
+        EXPECT_EQ(first, second) << keeps;
+        EXPECT_NE(first, 0u);
+    }
+    for (const char* const changes :
+         {"glTranslatef(1, 0, 0);", "glMaterialf(GL_FRONT, GL_SHININESS, 3);", "glShadeModel(GL_FLAT);",
+          "glEnable(GL_COLOR_MATERIAL); glColor3f(1, 0, 0);", "glFogf(GL_FOG_DENSITY, 2);"}) {
+        const auto [first, second] = numbers(changes);
+        EXPECT_NE(first, second) << changes;
+    }
 }
 
 // GL has no array of edge flags for shaders.
