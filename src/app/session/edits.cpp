@@ -32,8 +32,9 @@ bool sets_light_model(const Command& command, Enum pname) {
 }
 
 bool starts_drawing(const Command& command) {
-    constexpr CommandSet kDrawing = CommandSet::of({"begin", "rect", "draw_arrays", "call_list", "call_lists", "shape",
-                                                    "quadric_shape", "eval_mesh", "driver_only_drawing"});
+    constexpr CommandSet kDrawing =
+        CommandSet::of({"begin", "rect", "draw_arrays", "call_list", "call_lists", "shape", "quadric_shape",
+                        "eval_mesh", "bitmap", "draw_pixels", "copy_pixels"});
     return kDrawing.contains(command.id);
 }
 

@@ -255,7 +255,7 @@ CommandRule draws_others_beside_sprites() {
         const bool draws = has_mode ? command.enumerant(0) != kGL_POINTS
                                     : command.sig().family == Family::kShape ||
                                           is_one_of(command, {"glRect", "glEvalMesh", "glBitmap", "glDrawPixels",
-                                                              "glCallList", "mesh", "shape"});
+                                                              "glCopyPixels", "glCallList", "mesh", "shape"});
         return found = found || (draws && has_sprites && replaces);
     };
 }
@@ -265,7 +265,9 @@ CommandRule maps_drawn_pixels() {
                     return command.name().starts_with("glPixelTransfer") && command.enumerant(0) == kGL_MAP_COLOR &&
                            command.number(1) != 0;
                 }),
-                any_command([](const Command& command) { return command.id == Id::glDrawPixels; }));
+                any_command([](const Command& command) {
+                    return command.id == Id::glDrawPixels || command.id == Id::glCopyPixels;
+                }));
 }
 
 CommandRule shades_evaluated_meshes_flat() {

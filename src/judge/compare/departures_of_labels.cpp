@@ -1,7 +1,9 @@
 // Departures in bitmaps and pixel rectangles. Mesa lights a raster position by itself, not as it lights vertices.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <vector>
 
 #include "judge/compare/departure_rules.h"
 #include "render/reference/vertex_stage.h"
@@ -11,6 +13,10 @@ namespace twinlight::compare {
 namespace {
 
 bool is_lit_label(const Draw& draw) { return draw.pixels && draw.lighting.enabled; }
+
+bool copies(const Draw& draw, CopiedBuffer buffer) {
+    return draw.pixels && draw.pixels->copied && draw.pixels->copied->source.pixels->buffer == buffer;
+}
 
 bool is_positional(const LightSource& light) { return light.position_eye.w != 0; }
 
@@ -26,6 +32,26 @@ bool has_raster_position_in_eye_coordinates(const Draw& draw) {
 // The driver takes the current values of glBitmap and glDrawPixels, which a Draw does not know.
 bool has_texture_at_raster_position(const Draw& draw) {
     return draw.pixels && (draw.texture.texture || !draw.further_units.empty());
+}
+
+// Every pixel that is drawn lies as far from the pixel that is copied.
+bool copies_pixels_without_zoom(const Draw& draw) {
+    const bool has_mask = draw.fragment.color_mask != std::array{true, true, true, true};
+    if (!copies(draw, CopiedBuffer::kColors) || (!has_mask && !draw.fragment.stencil)) return false;
+    const std::vector<glm::ivec2>&to = draw.pixels->places, &from = draw.pixels->copied->places;
+    for (std::size_t i = 0; i < to.size(); ++i)
+        if (to[i] - from[i] != to[0] - from[0]) return false;
+    return true;
+}
+
+bool draws_colors_of_copied_depths(const Draw& draw) {
+    return copies(draw, CopiedBuffer::kDepths) &&
+           (draw.fragment.alpha_test || draw.fragment.color_mask != std::array{false, false, false, false});
+}
+
+bool transfers_copied_depths(const Draw& draw) {
+    return copies(draw, CopiedBuffer::kDepths) &&
+           (draw.pixels->copied->depth_scale != 1 || draw.pixels->copied->depth_bias != 0);
 }
 
 bool has_secondary_color_at_raster_position(const Draw& draw) {

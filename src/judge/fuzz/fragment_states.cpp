@@ -30,6 +30,7 @@ class Builder {
           points_(seed.structure + 7),
           anisotropy_(seed.structure + 8),
           labels_(~seed.values + 2),
+          pixel_copies_(~seed.values + 3),
           depths_(seed.structure + 9),
           departure_(departure_of(seed, structure_)) {}
 
@@ -87,6 +88,8 @@ class Builder {
             for (int i = 1 + copies_.below(2); i > 0; --i) copied();
         if (is_of_labels(departure_) || (departure_.empty() && labels_.chance(0.1)))
             text_ += label(labels_, departure_);
+        if (is_of_pixel_copies(departure_) || (departure_.empty() && pixel_copies_.chance(0.05)))
+            text_ += pixel_copy(pixel_copies_, departure_);
         if (shows("depths in one dimension") || (departure_.empty() && depths_.chance(0.1))) depths();
         if (has_quadric_) add("gluDeleteQuadric(quadric);");
         return std::move(text_);
@@ -805,7 +808,7 @@ class Builder {
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
     Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_, more_, more_values_, stipples_,
-        copies_, cubes_, points_, anisotropy_, labels_, depths_;
+        copies_, cubes_, points_, anisotropy_, labels_, pixel_copies_, depths_;
     bool secondary_ = false, fog_coords_ = false;  // vertices have secondary colours, fog coordinates
     bool sprites_ = false;                         // everything is points
     std::vector<int> further_units_;               // the numbers of those with a texture

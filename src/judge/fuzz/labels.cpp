@@ -19,7 +19,7 @@ class Label {
         add("glMatrixMode(GL_MODELVIEW);");
         state();
         const bool is_rectangle =
-            shows("glPixelMap in glDrawPixels") || (!is_of_raster_position() && random_.chance(0.4));
+            shows("glPixelMap in pixel rectangles") || (!is_of_raster_position() && random_.chance(0.4));
         if (!is_rectangle) lighting();
         add("glColor4f({0}); glSecondaryColor3f({1:.3f}, {1:.3f}, {2:.3f}); glFogCoordf({3:.3f});", numbers(4, 0, 1),
             random_.uniform(0, 1), random_.uniform(0, 1), random_.uniform(0, 14));
@@ -167,7 +167,7 @@ class Label {
         if (departure_.empty() && random_.chance(0.3))
             add("glPixelTransferf(GL_RED_SCALE, {:.3f}); glPixelTransferf(GL_ALPHA_BIAS, {:.3f});",
                 random_.uniform(0, 2), random_.uniform(-0.5, 0.5));
-        if (shows("glPixelMap in glDrawPixels")) {
+        if (shows("glPixelMap in pixel rectangles")) {
             add("glPixelTransferi(GL_MAP_COLOR, 1);");
             for (const char channel : std::string_view("RGBA"))
                 add("glPixelMapfv(GL_PIXEL_MAP_{0}_TO_{0}, 3, (GLfloat[]){{{1}}});", channel, numbers(3, 0, 1));
@@ -191,7 +191,7 @@ class Label {
 }  // namespace
 
 bool is_of_labels(std::string_view departure) {
-    return departure.find("raster position") != std::string_view::npos || departure == "glPixelMap in glDrawPixels";
+    return departure.find("raster position") != std::string_view::npos || departure == "glPixelMap in pixel rectangles";
 }
 
 std::string label(Random& random, std::string_view departure) { return Label(random, departure).text(); }

@@ -41,6 +41,10 @@ CommandList fragment_state(const Seed& seed);
 std::string label(Random& random, std::string_view departure);
 bool is_of_labels(std::string_view departure);
 
+// The same for glCopyPixels.
+std::string pixel_copy(Random& random, std::string_view departure);
+bool is_of_pixel_copies(std::string_view departure);
+
 // The same scene, rewritten with display lists, vertex arrays, attribute stacks and matrix stacks. The picture must not
 // change.
 CommandList disguised(const CommandList& scene, Random& random);

@@ -56,10 +56,11 @@ Frame enlarged(const Frame& frame, int samples) {
     for (auto& item : result.items) {
         if (Clear* clear = std::get_if<Clear>(&item)) enlarge(clear->scissor.box);
         if (Accumulate* accumulate = std::get_if<Accumulate>(&item)) enlarge(accumulate->scissor.box);
-        if (CopyPixels* copy = std::get_if<CopyPixels>(&item)) enlarge(copy->from);
+        if (TakePixels* copy = std::get_if<TakePixels>(&item)) enlarge(copy->from);
     }
     for (Draw* draw : result.editable_draws()) {
         enlarge(draw->raster.viewport);
+        draw->change_source(enlarge);
         enlarge(draw->fragment.scissor.box);
         draw->raster.line_width *= samples;
         if (draw->raster.line_stipple) draw->raster.line_stipple->factor *= samples;

@@ -141,7 +141,8 @@ void Driver::execute(const Command& command) {
 
 // Mesa (22.3) keeps bitmaps to draw several at once, and crashes if a textured one waits. So none may wait.
 void Driver::end_bitmaps(const Command& command) {
-    const bool is_bitmap = command.id == CommandId::glBitmap || command.id == CommandId::glDrawPixels;
+    const bool is_bitmap = command.id == CommandId::glBitmap || command.id == CommandId::glDrawPixels ||
+                           command.id == CommandId::glCopyPixels;
     draws_bitmaps_ |= is_bitmap;
     const bool may_draw = is_bitmap || command.id == CommandId::glCallList || command.id == CommandId::glCallLists;
     if (draws_bitmaps_ && may_draw && answers()) glFlush();

@@ -28,8 +28,8 @@ void set_clip_planes(const RasterState& raster) {
         if (equation) glClipPlane(plane++, &(*equation)[0]);
 }
 
-// Draws the pixels of these vertices of a Draw, which have one colour, as one bitmap. Its raster position has the values of
-// the first vertex. glDepthRange must give every position the depth of the pixels.
+// Draws the pixels of these vertices of a Draw, which have one colour and one depth, as one bitmap. Its raster position has the
+// values of the first vertex.
 void draw_bitmap(const Draw& draw, std::size_t first, std::size_t end) {
     const auto places = std::span(draw.pixels->places).subspan(first, end - first);
     glm::ivec2 low = places.front(), high = low;
@@ -45,6 +45,7 @@ void draw_bitmap(const Draw& draw, std::size_t first, std::size_t end) {
         bits[whole(place.y - low.y) * row + whole(place.x - low.x) / 8] |=
             static_cast<GLubyte>(0x80 >> (place.x - low.x) % 8);
     send_values(draw, first);
+    glDepthRange(draw.pixels->depth(first), draw.pixels->depth(first));  // of every position
     glRasterPos4dv(&draw.vertices[first].position_object[0]);
     std::array<GLfloat, 4> now{};
     glGetFloatv(GL_CURRENT_RASTER_POSITION, now.data());
@@ -55,11 +56,28 @@ void draw_bitmap(const Draw& draw, std::size_t first, std::size_t end) {
     glFlush();  // see Driver::end_bitmaps()
 }
 
+// Pixels with nothing but a colour are drawn as points, because a rectangle may have many colours.
+void draw_points(const Draw& draw) {
+    load_matrix(GL_PROJECTION, glm::dmat4(1));
+    load_matrix(GL_MODELVIEW, glm::dmat4(1));
+    glBegin(GL_POINTS);
+    for (std::size_t i = 0; i < draw.vertices.size(); ++i) {
+        glColor4dv(&draw.vertices[i].color[0]);
+        const glm::dvec3 place((glm::dvec2(draw.pixels->places[i]) + 0.5) / (kMostWindowPixels / 2.0),
+                               2 * draw.pixels->depth(i));
+        glVertex3dv(&(place - 1.0)[0]);
+    }
+    glEnd();
+}
+
 void draw_pixels(const Draw& draw) {
-    glDepthRange(draw.pixels->depth, draw.pixels->depth);
+    const auto is_like = [&](std::size_t one, std::size_t other) {
+        return draw.vertices[one].color == draw.vertices[other].color &&
+               draw.pixels->depth(one) == draw.pixels->depth(other);
+    };
     for (std::size_t first = 0; first < draw.vertices.size();) {
         std::size_t end = first + 1;
-        while (end < draw.vertices.size() && draw.vertices[end].color == draw.vertices[first].color) ++end;
+        while (end < draw.vertices.size() && is_like(end, first)) ++end;
         draw_bitmap(draw, first, end);
         first = end;
     }
@@ -121,7 +139,10 @@ struct PreparedDraw {
         set_texture(textures);
         load_matrix(GL_PROJECTION, draw->clip_from_eye);
         load_matrix(GL_MODELVIEW, draw->eye_from_object);
-        if (draw->pixels)
+        const bool has_only_colors = !lighting.enabled && !textured && units.empty() && !fogged;
+        if (draw->pixels && has_only_colors && draw->secondary_colors.empty())
+            draw_points(*draw);
+        else if (draw->pixels)
             draw_pixels(*draw);
         else if (by_vertex)
             draw_with_materials(*draw, front, back);

@@ -621,7 +621,7 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, cons
         if (effects.fog_coords) values.push_back(to_float(draw.fog_coords.at(number)));
         if (effects.at_pixels)
             add(glm::dvec3((glm::dvec2(draw.pixels->places.at(number)) + 0.5) / (kMostWindowPixels / 2.0),
-                           2 * draw.pixels->depth) -
+                           2 * draw.pixels->depth(number)) -
                     1.0,
                 3);
         for (const VertexProperty& property : properties) {

@@ -89,8 +89,14 @@ class OpenPixels {
     }
 
     // The depths over the pixel's square. For lines and points the slope widens the interval.
-    static Interval depth(const Fragment& fragment) {
+    Interval depth(const Fragment& fragment) const {
         const Piece& piece = *fragment.piece;
+        if (piece.shape == Shape::kPoint)
+            if (const auto& pixels = stages_.draw_of(piece).pixels; pixels && !pixels->depth_ranges.empty()) {
+                if (piece.is_perhaps_clipped) return {0, 1};  // another one of its pixels
+                const glm::dvec2& range = pixels->depth_ranges[piece.primitive.vertices[0]];
+                return {range.x, range.y};
+            }
         double change = 0;
         if (piece.shape == Shape::kTriangle)
             change = kHalfSquare * (std::abs(piece.planes().depth.x) + std::abs(piece.planes().depth.y));
@@ -267,7 +273,7 @@ class OpenDepths : public OpenPixels {
   public:
     using OpenPixels::OpenPixels;
 
-    static Interval depth(const Fragment& fragment) {
+    Interval depth(const Fragment& fragment) const {
         const Piece& piece = *fragment.piece;
         // Lines and points may have the depth of a place nearby.
         if (piece.shape != Shape::kTriangle) return OpenPixels::depth(fragment);

@@ -105,14 +105,14 @@ class FragmentLoop {
                 const Outcome stencil = kept_.stencil_outcome(face, at);
                 Outcome of_depth = Outcome::kPasses;
                 if (raster.depth_test && stencil != Outcome::kFails) {
-                    depth = Kept::depth(fragment);
+                    depth = kept_.depth(fragment);
                     of_depth = kept_.depth_outcome(raster.depth_func, fragment, depth, at);
                 }
                 kept_.set_stencil(face, outcome, stencil, of_depth, at);
                 outcome = std::min({outcome, stencil, of_depth});
             } else {
                 if (raster.depth_test) {
-                    depth = Kept::depth(fragment);
+                    depth = kept_.depth(fragment);
                     outcome = std::min(outcome, kept_.depth_outcome(raster.depth_func, fragment, depth, at));
                 }
                 if (outcome != Outcome::kFails) alpha_test();

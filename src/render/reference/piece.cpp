@@ -354,8 +354,8 @@ void add_pixels(const Draw& draw, std::uint32_t draw_index, InClipPlane in_clip_
     const auto add = [&](const glm::ivec2& place, std::uint32_t vertex) -> Piece& {
         Piece piece{.primitive = {.shape = Shape::kPoint, .vertices = {vertex}, .provoking = vertex},
                     .draw = draw_index};
-        piece.place = Ends{
-            .from = {.position_window = {glm::dvec2(place) + 0.5, draw.pixels->depth}, .weights_over_w = {1, 0, 0}}};
+        piece.place = Ends{.from = {.position_window = {glm::dvec2(place) + 0.5, draw.pixels->depth(vertex)},
+                                    .weights_over_w = {1, 0, 0}}};
         return pieces.emplace_back(std::move(piece));
     };
     for (std::uint32_t i = 0; const glm::ivec2& place : draw.pixels->places) add(place, i++);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "base/math/srgb.h"
 #include "render/reference/tex_gen.h"
@@ -98,8 +99,10 @@ void Shader::light_vertices() {
 template <class Real>
 Shaded<Real> Shader::shade(const Fragment& fragment) const {
     return with_point(fragment, [&](const Fragment& whole) -> Shaded<Real> {
-        const LitColors colors = lights_pixels(*whole.piece) ? lit(whole) : vertex_colors(whole);
         const Finish<Real> finish = this->finish<Real>(whole);
+        if constexpr (std::is_same_v<Real, Interval>)
+            if (copies_colors()) return {finished(copied_colors(*whole.piece), finish), finish.has_choice};
+        const LitColors colors = lights_pixels(*whole.piece) ? lit(whole) : vertex_colors(whole);
         return {finished(colors, finish), finish.has_choice};
     });
 }
@@ -193,7 +196,17 @@ bool Shader::has_linear_fog_behind_eye(const Piece& piece) const {
 }
 
 bool Shader::has_several_colors(const Piece& piece) const {
-    return !units_.empty() || has_linear_fog_behind_eye(piece);
+    return !units_.empty() || has_linear_fog_behind_eye(piece) || copies_colors();
+}
+
+// Where it is in doubt which pixel is copied, it may have any colour.
+Shader::CopiedColors Shader::copied_colors(const Piece& piece) const {
+    CopiedColors colors;
+    colors.primary.fill({0, 1});
+    if (piece.is_perhaps_clipped) return colors;
+    const auto& [low, high] = draw_.pixels->color_ranges[piece.primitive.vertices[0]];
+    for (int i = 0; i < 4; ++i) colors.primary[static_cast<std::size_t>(i)] = {low[i], high[i]};
+    return colors;
 }
 
 void Shader::add_fog(const Fragment& fragment, Finish<double>& finish) const { finish.fog = fog(fragment); }

@@ -60,8 +60,8 @@ class Shader {
 
     // The points that are lit for the colour; empty without lighting. The sum of the weights is 1.
     std::vector<PointOfFragment> points(const Fragment& fragment) const;
-    // Whether correct implementations may find different colours on this piece: textured, or in linear fog that reaches
-    // behind the eye.
+    // Whether correct implementations may find different colours on this piece: textured, in linear fog that reaches behind
+    // the eye, or copied from their own pictures.
     bool has_several_colors(const Piece& piece) const;
     // How the fragment's colour comes from its lit colours. The last step gives shade()'s colour, before the transfer
     // curve.
@@ -102,6 +102,13 @@ class Shader {
         StageVertex vertex;
         Face face = Face::kFront;
     };
+
+    // The colours that renderers may have copied from their pictures (4.3.3).
+    struct CopiedColors {
+        Channels<Interval> primary{}, secondary{};
+    };
+    bool copies_colors() const { return draw_.pixels && !draw_.pixels->color_ranges.empty(); }
+    CopiedColors copied_colors(const Piece& piece) const;
 
     bool lights_pixels(const Piece& piece) const { return piece.rays || lights_pixels(); }
     bool lights_pixels() const {

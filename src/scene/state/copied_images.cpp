@@ -33,8 +33,12 @@ int copies_in_a_row(const FrameItems& items) {
         for (std::size_t i = 0; i < unit.texture->face_count(); ++i)
             for (const TextureImage& image : unit.texture->face(i)) depth = std::max(depth, copies_in_a_row(image));
     };
-    for (const FrameItem& item : items)
-        if (const Draw* draw = std::get_if<Draw>(&item)) draw->for_each_unit(add);
+    for (const FrameItem& item : items) {
+        const Draw* draw = std::get_if<Draw>(&item);
+        if (!draw) continue;
+        draw->for_each_unit(add);
+        if (draw->pixels && draw->pixels->copied) depth = std::max(depth, draw->pixels->copied->source.pixels->depth);
+    }
     return depth;
 }
 
@@ -56,9 +60,8 @@ void add_part(TextureImage& image, ImagePart part) {
     image.parts.push_back(std::move(part));
 }
 
-std::shared_ptr<const CopiedPixels> State::copied_pixels(const Command& c, CopiedBuffer buffer, const Viewport& from) {
-    const double count = static_cast<double>(from.width) * from.height;
-    if (!a_.pixel_transfer.is_initial()) note_lasting(fmt::format("{} with glPixelTransfer", c.name()), c.place);
+std::shared_ptr<const CopiedPixels> State::copied_pixels(const Command& c, CopiedBuffer buffer, const Viewport& from,
+                                                         double count) {
     if (!has_time(c, count + static_cast<double>(items_.size()))) return nullptr;
     const int depth = 1 + (copies_pixels_ ? copies_in_a_row(items_) : 0);
     if (depth > kMostCopiesInARow) {
@@ -68,9 +71,14 @@ std::shared_ptr<const CopiedPixels> State::copied_pixels(const Command& c, Copie
     }
     if (!has_room(c, sizeof items_[0] + static_cast<std::size_t>(count) * sizeof(glm::vec4))) return nullptr;
     copies_pixels_ = true;
-    auto pixels = std::make_shared<const CopiedPixels>(
+    return std::make_shared<const CopiedPixels>(
         CopiedPixels{.buffer = buffer, .width = from.width, .height = from.height, .depth = depth});
-    items_.emplace_back(CopyPixels{pixels, from});
+}
+
+std::shared_ptr<const CopiedPixels> State::take_pixels(const Command& c, CopiedBuffer buffer, const Viewport& from) {
+    if (!a_.pixel_transfer.is_initial()) note_lasting(fmt::format("{} with glPixelTransfer", c.name()), c.place);
+    auto pixels = copied_pixels(c, buffer, from, static_cast<double>(from.width) * from.height);
+    if (pixels) items_.emplace_back(TakePixels{pixels, from});
     return pixels;
 }
 
@@ -114,7 +122,7 @@ void State::copy_tex_image(const Command& c) {
     TextureImage image{from.width, from.height, format->base_format, c.enumerant(2),
                        std::vector<glm::vec4>(count, stored({0, 0, 0, 1}, *format))};
     if (count > 0)
-        if (auto pixels = copied_pixels(c, buffer_for(format->base_format), from))
+        if (auto pixels = take_pixels(c, buffer_for(format->base_format), from))
             image.parts.push_back({.width = from.width, .height = from.height, .copied = std::move(pixels)});
     Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
@@ -158,7 +166,7 @@ void State::copy_tex_sub_image(const Command& c) {
     if (is_base && bound.generate_mipmap && !has_time(c, static_cast<double>(texels_of(bound)))) return;
     Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
-    auto pixels = copied_pixels(c, buffer_for(texture->face(target->face)[index].base_format), from);
+    auto pixels = take_pixels(c, buffer_for(texture->face(target->face)[index].base_format), from);
     if (!pixels) return;
     textures_.texels -= texels_of(*texture);
     add_part(texture->face(target->face)[index],
@@ -176,14 +184,14 @@ void State::keep_for_copies(std::size_t count) {
     FrameItems dropped(std::make_move_iterator(items_.begin()), std::make_move_iterator(end));
     // The last copy that a texture still has, and what came before it.
     const auto is_kept = [](const FrameItem& item) {
-        const CopyPixels* copy = std::get_if<CopyPixels>(&item);
+        const TakePixels* copy = std::get_if<TakePixels>(&item);
         return copy && copy->pixels.use_count() > 1;
     };
     while (!dropped.empty() && !is_kept(dropped.back())) dropped.pop_back();
     if (!dropped.empty()) {
         kept.bytes = bytes_of(dropped);
         for (const FrameItem& item : dropped)
-            if (const CopyPixels* copy = std::get_if<CopyPixels>(&item)) kept.copies.emplace_back(copy->pixels);
+            if (const TakePixels* copy = std::get_if<TakePixels>(&item)) kept.copies.emplace_back(copy->pixels);
         kept.items = std::make_shared<const FrameItems>(std::move(dropped));
         kept_pictures_.push_back(std::move(kept));
     }

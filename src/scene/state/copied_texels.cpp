@@ -1,10 +1,12 @@
 #include "scene/state/copied_texels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -30,25 +32,76 @@ struct TakenPixels {
     }
 };
 
-// The pixels of an image in a rectangle, y up. A frame that was resized has a rectangle of another size than its copy: then
-// each texel has the pixel at its centre.
-std::vector<Rgba> cut(const Image& image, const CopyPixels& copy, float outside) {
+// A pixel of a copy from an image, y up. A frame that was resized has a rectangle of another size than its copy: then the copy
+// has the pixel at the centre.
+Rgba taken_pixel(const Image& image, const TakePixels& copy, int i, int j, float outside) {
     const CopiedPixels& size = *copy.pixels;
+    const double x = copy.from.x + std::floor((i + 0.5) * copy.from.width / size.width),
+                 y = copy.from.y + std::floor((j + 0.5) * copy.from.height / size.height);
+    const bool is_inside = x >= 0 && x < image.width && y >= 0 && y < image.height;
+    Rgba pixel{outside, outside, outside, outside};
+    if (is_inside) pixel = image.at(static_cast<int>(x), image.height - 1 - static_cast<int>(y));
+    if (size.buffer == CopiedBuffer::kColors)
+        for (float& channel : pixel) channel = static_cast<float>(channel_code(channel)) / 255.0F;
+    return pixel;
+}
+
+// All pixels of a copy.
+std::vector<Rgba> cut(const Image& image, const TakePixels& copy, float outside) {
     std::vector<Rgba> pixels;
-    pixels.reserve(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
-    for (int j = 0; j < size.height; ++j) {
-        const double y = copy.from.y + std::floor((j + 0.5) * copy.from.height / size.height);
-        for (int i = 0; i < size.width; ++i) {
-            const double x = copy.from.x + std::floor((i + 0.5) * copy.from.width / size.width);
-            const bool is_inside = x >= 0 && x < image.width && y >= 0 && y < image.height;
-            Rgba pixel{outside, outside, outside, outside};
-            if (is_inside) pixel = image.at(static_cast<int>(x), image.height - 1 - static_cast<int>(y));
-            if (size.buffer == CopiedBuffer::kColors)
-                for (float& channel : pixel) channel = static_cast<float>(channel_code(channel)) / 255.0F;
-            pixels.push_back(pixel);
+    pixels.reserve(static_cast<std::size_t>(copy.pixels->width) * static_cast<std::size_t>(copy.pixels->height));
+    for (int j = 0; j < copy.pixels->height; ++j)
+        for (int i = 0; i < copy.pixels->width; ++i) pixels.push_back(taken_pixel(image, copy, i, j, outside));
+    return pixels;
+}
+
+// 4.3.3: gives a Draw the colours or the depths that it copies. A place that takes any colour, from an edge of the picture, is in
+// doubt like one at an edge.
+void fill_pixels(Draw& draw, const CopySource& from) {
+    WindowPixels pixels = *draw.pixels;
+    const std::shared_ptr<const CopiedGroups> groups = std::exchange(pixels.copied, nullptr);
+    const std::size_t count = pixels.places.size();
+    const bool has_range = !from.low.pixels.empty();
+    const auto taken = [&](const Image& image, std::size_t vertex, float outside) {
+        const glm::ivec2& place = groups->places[vertex];
+        return taken_pixel(image, groups->source, place.x, place.y, outside);
+    };
+    if (groups->source.pixels->buffer == CopiedBuffer::kColors) {
+        std::vector<Vertex>& vertices = draw.vertices.edit();
+        if (has_range) pixels.color_ranges.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Rgba picture = taken(from.picture, i, 0);
+            Rgba low = picture, high = picture;
+            if (has_range) {
+                low = taken(from.low, i, 0);
+                high = taken(from.high, i, 1);
+            }
+            if (low == Rgba{0, 0, 0, 0} && high == Rgba{1, 1, 1, 1}) pixels.doubtful.push_back(pixels.places[i]);
+            for (int c = 0; c < 4; ++c) {
+                const auto channel = static_cast<std::size_t>(c);
+                const std::array<double, 256>& result = groups->colors[channel];
+                vertices[i].color[c] = result[static_cast<std::size_t>(channel_code(picture[channel]))];
+                if (!has_range) continue;
+                const auto [least, most] = std::minmax_element(result.begin() + channel_code(low[channel]),
+                                                               result.begin() + channel_code(high[channel]) + 1);
+                pixels.color_ranges[i][0][c] = *least;
+                pixels.color_ranges[i][1][c] = *most;
+            }
+        }
+    } else {
+        const auto transferred = [&](const Rgba& depth) {
+            return std::clamp(groups->depth_scale * static_cast<double>(depth[0]) + groups->depth_bias, 0.0, 1.0);
+        };
+        pixels.depths.clear();
+        for (std::size_t i = 0; i < count; ++i) {
+            pixels.depths.push_back(transferred(taken(from.picture, i, 0)));
+            if (!has_range) continue;
+            const auto [least, most] =
+                std::minmax({transferred(taken(from.low, i, 0)), transferred(taken(from.high, i, 1))});
+            pixels.depth_ranges.emplace_back(least, most);
         }
     }
-    return pixels;
+    draw.pixels = std::make_shared<const WindowPixels>(std::move(pixels));
 }
 
 class Copier {
@@ -85,7 +138,7 @@ class Copier {
                 });
     }
     bool is_used(const FrameItem& item) const {
-        const CopyPixels* copy = std::get_if<CopyPixels>(&item);
+        const TakePixels* copy = std::get_if<TakePixels>(&item);
         return copy && used_.contains(copy->pixels.get());
     }
 
@@ -102,13 +155,18 @@ class Copier {
         shown_.clear();
         sources_.clear();
         for (const FrameItem& item : items) {
-            if (std::holds_alternative<CopyPixels>(item)) {
-                if (is_used(item)) take(std::get<CopyPixels>(item));
+            if (std::holds_alternative<TakePixels>(item)) {
+                if (is_used(item)) take(std::get<TakePixels>(item));
                 continue;
             }
+            const Draw* given = std::get_if<Draw>(&item);
+            std::optional<CopySource> copied;
+            if (given && given->pixels && given->pixels->copied)
+                copied = source(given->pixels->copied->source.pixels->buffer);
             sources_.clear();
             shown_.push_back(item);
             if (Draw* draw = std::get_if<Draw>(&shown_.back())) {
+                if (copied) fill_pixels(*draw, *copied);
                 fill(draw->texture);
                 for (FurtherUnit& further : draw->further_units) fill(further.unit);
             }
@@ -118,8 +176,8 @@ class Copier {
         }
     }
 
-    void take(const CopyPixels& copy) {
-        const CopiedBuffer buffer = copy.pixels->buffer;
+    // A picture of what is shown now.
+    const CopySource& source(CopiedBuffer buffer) {
         auto source = sources_.find(buffer);
         if (source == sources_.end()) {
             Frame picture = frame_without_items();
@@ -127,7 +185,11 @@ class Copier {
             source = sources_.emplace(buffer, draw_(picture, buffer)).first;
             shown_ = std::move(picture.items);
         }
-        const auto& [picture, low, high] = source->second;
+        return source->second;
+    }
+
+    void take(const TakePixels& copy) {
+        const auto& [picture, low, high] = source(copy.pixels->buffer);
         TakenPixels& taken = taken_[copy.pixels.get()];
         taken.width = copy.pixels->width;
         taken.picture = cut(picture, copy, 0);

@@ -1,5 +1,5 @@
-// Textures with pixels that were copied from the picture (3.8.2). Each renderer copies from its own pictures, so what it
-// draws wrong shows in its copies too.
+// Textures and pixel rectangles that were copied from the picture (3.8.2, 4.3.3). Each renderer copies from its own pictures, so
+// what it draws wrong shows in its copies too.
 #pragma once
 
 #include <functional>
@@ -17,11 +17,12 @@ struct CopySource {
     Image low{}, high{};
 };
 
-// Draws a Frame that shows no copies, and returns its colours or its depths.
+// Draws a Frame in which all copies are filled in, and returns its colours or its depths.
 using DrawSource = std::function<CopySource(const Frame&, CopiedBuffer)>;
 
-// The frame with all copied texels in its textures, and without the commands that copied them. The Draws are the same, in
-// the same order. RULING: pixels outside the window, which 3.8.2 leaves undefined, are black.
+// The frame with all copied texels in its textures and all copied pixels in its Draws, and without the commands that copied
+// texels. The Draws are the same, in the same order. RULING: pixels outside the window, which 3.8.2 and 4.3.2 leave undefined,
+// are black, with a depth of 0.
 //
 // `draw` is called once for the colours and once for the depths of each picture that they are copied from: the commands since
 // the last Clear that hides all before it.

@@ -22,11 +22,6 @@ bool draws(std::string_view name) {
                                      "glCopyPixels", "glEvalMesh", "glEvalPoint"});
 }
 
-// These draw pixels, or vertices that evaluators make.
-bool draws_without_vertices(std::string_view name) {
-    return starts_with_one_of(name, {"glCopyPixels", "glEvalMesh", "glEvalPoint"});
-}
-
 bool is_of_shaders(std::string_view name) {
     return starts_with_one_of(name, {"glUseProgram", "glVertexAttrib", "glBindProgram", "glEnableVertexAttrib",
                                      "glDisableVertexAttrib", "glBindAttrib"});
@@ -80,14 +75,11 @@ void DrawsNothing::take(const Step& step) {
 
 std::string DrawsNothing::why(int frames, std::size_t errors) const {
     std::vector<std::string> causes;
-    const auto pixels = part_of(drawing_, draws_without_vertices);
-    const auto vertices = part_of(drawing_, [](std::string_view name) { return !draws_without_vertices(name); });
     const auto shaders = part_of(outside_, is_of_shaders);
     const auto others = part_of(outside_, [](std::string_view name) { return !is_of_shaders(name); });
     if (!shaders.empty()) causes.push_back("it draws with shaders: " + list_of(shaders));
-    if (!pixels.empty()) causes.push_back(list_of(pixels) + ": not every renderer draws this");
     if (!others.empty()) causes.push_back("it calls functions that Twinlight lacks: " + list_of(others));
-    if (!vertices.empty() && shaders.empty()) causes.push_back(list_of(vertices) + ": no vertex that shows");
+    if (!drawing_.empty() && shaders.empty()) causes.push_back(list_of(drawing_) + ": no vertex that shows");
     if (drawing_in_lists_ > 0 && drawing_.empty())
         causes.push_back(fmt::format("it draws only inside display lists that it never calls ({} in lists)",
                                      times(drawing_in_lists_)));

@@ -1,6 +1,4 @@
-// Commands that only the driver supports. State notes them as unsupported if they can change the picture.
-#include <string>
-
+// Commands that only the driver supports.
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -12,9 +10,6 @@ void State::driver_only_attribute(const Command&) {}
 
 // A scene cannot use the results of queries, and only the driver knows all their names.
 void State::driver_only_query(const Command&) {}
-
-// These change the picture.
-void State::driver_only_drawing(const Command& c) { note_unsupported(std::string(c.name()), c.place); }
 
 // 4.2.1. There is one colour buffer, so all names but GL_NONE mean the same.
 void State::draw_buffer(const Command& c) {

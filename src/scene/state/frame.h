@@ -18,6 +18,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -298,13 +299,19 @@ struct RasterState {
 // What of a picture is copied.
 enum class CopiedBuffer : std::uint8_t { kColors, kDepths };
 
-// The pixels that a glCopyTexImage or glCopyTexSubImage takes from the picture (3.8.2). Each renderer takes them from its own
-// picture: with_copied_texels(). Two are the same if they are the same object.
+// The pixels that glCopyTexImage, glCopyTexSubImage (3.8.2) or glCopyPixels (4.3.3) takes from the picture. Each renderer takes
+// them from its own picture: with_copied_texels(). Two are the same if they are the same object.
 struct CopiedPixels {
     CopiedBuffer buffer = CopiedBuffer::kColors;
     int width = 0, height = 1;
-    // How many copies follow each other: 1 if the picture shows no copied texels, 2 if it shows those of such a picture.
+    // How many copies follow each other: 1 if the picture shows no copied pixels, 2 if it shows those of such a picture.
     int depth = 1;
+};
+
+// Takes pixels from a rectangle of the picture as it is now: an item of the frame for a texture, or what a Draw begins with.
+struct TakePixels {
+    std::shared_ptr<const CopiedPixels> pixels;
+    Viewport from;  // of the same size, unless the frame was resized
 };
 
 // Texels of an image over those that it had before.
@@ -552,14 +559,30 @@ struct FurtherUnit {
     std::vector<glm::dvec4> tex_coords{};  // one for each of Draw::vertices
 };
 
+// Where glCopyPixels has the colours or the depths of a Draw's pixels from.
+struct CopiedGroups {
+    TakePixels source;               // just before the Draw
+    std::vector<glm::ivec2> places;  // in the source, of each of the Draw's vertices
+    // Pixel transfer (3.6.5): what becomes of each 8-bit value of red, green, blue and alpha, in [0,1]; and of a depth.
+    std::array<std::array<double, 256>, 4> colors{};
+    double depth_scale = 1, depth_bias = 0;
+};
+
 // The pixels of a bitmap or of a pixel rectangle, with (0, 0) in the lower left corner of the window. They are drawn at their
 // places whatever the Draw's matrices and viewport are.
 struct WindowPixels {
     std::vector<glm::ivec2> places;  // of each of the Draw's vertices
-    double depth = 0;                // of all of them, in [0,1]
+    std::vector<double> depths{0};   // of each of them, or one of all, in [0,1]
     // Where correct renderers may draw the Draw or not: rounding decides where the raster position is.
     std::vector<glm::ivec2> doubtful;
+    // What only pictures decide. A renderer draws with pixels that have none: with_copied_texels().
+    std::shared_ptr<const CopiedGroups> copied{};
+    // Only while the allowed difference is found, of each vertex: the least and the largest values that other renderers may have
+    // copied from their pictures.
+    std::vector<std::array<glm::dvec4, 2>> color_ranges{};
+    std::vector<glm::dvec2> depth_ranges{};
 
+    double depth(std::size_t vertex) const { return depths.size() == 1 ? depths.front() : depths[vertex]; }
     friend bool operator==(const WindowPixels&, const WindowPixels&) = default;
 };
 // Pixels beyond are not kept. A viewport of this size, a power of two, puts their centres exactly there with floats.
@@ -592,7 +615,7 @@ struct Draw {
     // Draws of a frame with the same number, unless it is 0, have the same state: at most `mode`, `materials` and the values
     // of vertices differ. Different numbers say nothing.
     std::uint64_t state_number = 0;
-    // Of glBitmap and glDrawPixels (3.6.4, 3.7), otherwise null. The mode is GL_POINTS, the viewport kWindowOfPixels. The
+    // Of glBitmap, glDrawPixels and glCopyPixels (3.6.4, 3.7, 4.3.3), otherwise null. The mode is GL_POINTS, the viewport kWindowOfPixels. The
     // vertices have the values of the raster position, which make the colours as for any point.
     std::shared_ptr<const WindowPixels> pixels{};
     // The curved surfaces that the mesh approximates; null if the mesh is exact. Draws that share them are the parts of
@@ -626,9 +649,19 @@ struct Draw {
         for (const FurtherUnit& further : further_units) visit(further.number, further.unit);
     }
     bool shows_copies() const {
-        bool shows = false;
+        bool shows = pixels && pixels->copied;
         for_each_unit([&](std::size_t, const TextureUnit& unit) { shows = shows || unit.texture->has_copies(); });
         return shows;
+    }
+    // Calls change(Viewport&) for the rectangle that the Draw's pixels are copied from, if they are.
+    template <class Change>
+    void change_source(const Change& change) {
+        if (!pixels || !pixels->copied) return;
+        CopiedGroups groups = *pixels->copied;
+        change(groups.source.from);
+        WindowPixels changed = *pixels;
+        changed.copied = std::make_shared<const CopiedGroups>(std::move(groups));
+        pixels = std::make_shared<const WindowPixels>(std::move(changed));
     }
     // A texture coordinate of a vertex, of a unit that has a texture.
     const glm::dvec4& tex_coord(std::size_t unit, std::size_t vertex) const {
@@ -694,13 +727,7 @@ struct Accumulate {
     std::array<bool, 4> color_mask{true, true, true, true};
 };
 
-// Takes pixels of the picture for a texture (3.8.2).
-struct CopyPixels {
-    std::shared_ptr<const CopiedPixels> pixels;
-    Viewport from;
-};
-
-using FrameItem = std::variant<Clear, Draw, Accumulate, CopyPixels>;
+using FrameItem = std::variant<Clear, Draw, Accumulate, TakePixels>;
 using FrameItems = std::vector<FrameItem>;
 
 // How many of the first items no later item can show, because a Clear or a glAccum at the end hides them.
@@ -734,7 +761,7 @@ struct Frame {
     std::vector<TypedLight> typed_lights{};
     // Whether Draws show copied pixels. Then a renderer draws with_copied_texels() of this.
     bool copies_pixels = false;
-    // Earlier pictures that textures have copies of, oldest first, each up to the last CopyPixels that counts.
+    // Earlier pictures that textures have copies of, oldest first, each up to the last TakePixels that counts.
     std::vector<std::shared_ptr<const FrameItems>> earlier{};
 
     // The items that are Draws, without the others.

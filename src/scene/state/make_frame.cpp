@@ -80,18 +80,9 @@ Frame make_frame(const CommandList& commands, const StateOptions& options) {
     if (unfinished && !errors.is_full() && !state.exhausted()) errors.add_unfinished(*unfinished);
     if (!errors.texts().empty()) throw SceneError(std::move(errors.texts()), commands.text);
     Frame frame = state.take_frame();
-    if (frame.draws().empty()) {
-        // Commands are noted by their names, states with their values: glEnable(...).
-        for (const Unsupported& command : frame.unsupported)
-            if (command.name.find('(') == std::string::npos)
-                throw SceneError({TextError{command.first, fmt::format("this scene draws only with {}, which Twinlight "
-                                                                       "leaves to drivers; add a shape, such as "
-                                                                       "glutSolidSphere(1, 64, 32);",
-                                                                       command.name)}},
-                                 commands.text);
+    if (frame.draws().empty())
         throw SceneError(fmt::format("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);",
                                      commands.name));
-    }
     return frame;
 }
 

@@ -1,5 +1,5 @@
-// What is drawn at the current raster position: glBitmap (3.7) and glDrawPixels of colours (3.6). With glPixelZoom,
-// glPixelTransfer and glPixelMap (3.6.3 to 3.6.5).
+// What is drawn at the current raster position: glBitmap (3.7), glDrawPixels of colours (3.6), glCopyPixels of colours and
+// depths (4.3.3). With glPixelZoom, glPixelTransfer and glPixelMap (3.6.3 to 3.6.5).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ struct Covered {
 std::vector<Covered> covered(const RasterPosition& position, double start, double zoom, int groups) {
     const double end = start + zoom * groups;
     std::vector<Covered> result;
-    if (zoom == 0 || !(std::abs(start) + std::abs(end) < 1e9)) return result;
+    if (zoom == 0 || !(std::abs(start) + std::abs(end) < 1e12)) return result;
     const int first = std::max(0, static_cast<int>(std::clamp(std::min(start, end), 0.0, 1e5)) - 1);
     const int last = static_cast<int>(std::clamp(std::max(start, end) + 1, 0.0, 1.0 * kMostWindowPixels - 1));
     for (int pixel = first; pixel <= last; ++pixel) {
@@ -56,6 +56,28 @@ std::vector<Covered> covered(const RasterPosition& position, double start, doubl
             result.push_back({pixel, static_cast<int>(std::clamp(group, 0.0, groups - 1.0)), near_border, is_inside});
     }
     return result;
+}
+
+// Nobody needs more than a window of 1920 x 1080; a call without sense may cover any number.
+constexpr int kMostCopiedPixels = 1 << 21;
+
+// Adds the pixels that groups cover. Calls take(group) for each of `places`; its x and y count columns and rows.
+template <class Take>
+void place_groups(const std::vector<Covered>& columns, const std::vector<Covered>& rows, WindowPixels& pixels,
+                  const Take& take) {
+    for (const Covered& y : rows)
+        for (const Covered& x : columns) {
+            if (x.is_doubtful || y.is_doubtful) pixels.doubtful.emplace_back(x.pixel, y.pixel);
+            if (!x.is_inside || !y.is_inside) continue;
+            pixels.places.emplace_back(x.pixel, y.pixel);
+            take(glm::ivec2(x.group, y.group));
+        }
+}
+
+// NaN becomes 0.
+glm::dvec4 inside(glm::dvec4 color) {
+    for (int i = 0; i < 4; ++i) color[i] = color[i] > 0 ? std::min(color[i], 1.0) : 0;
+    return color;
 }
 
 bool is_in_window(int x, int y) { return x >= 0 && y >= 0 && x < kMostWindowPixels && y < kMostWindowPixels; }
@@ -114,7 +136,7 @@ void State::draw_at_raster_position(const Command& c, WindowPixels pixels, const
         note_unsupported("glDisable(GL_LIGHTING) between glRasterPos and glBitmap, with separate specular colours",
                          c.place);
     }
-    pixels.depth = std::clamp(position.position_window.z, 0.0, 1.0);
+    pixels.depths = {std::clamp(position.position_window.z, 0.0, 1.0)};
     draw.pixels = std::make_shared<const WindowPixels>(std::move(pixels));
     show(std::move(draw));
 }
@@ -175,17 +197,48 @@ void State::draw_pixels(const Command& c) {
     WindowPixels drawn;
     std::vector<glm::dvec4> colors, row;
     int unpacked = -1;
-    for (const Covered& y : rows) {
-        if (y.group != std::exchange(unpacked, y.group)) image->unpack(y.group, row);
-        for (const Covered& x : columns) {
-            if (x.is_doubtful || y.is_doubtful) drawn.doubtful.emplace_back(x.pixel, y.pixel);
-            if (!x.is_inside || !y.is_inside) continue;
-            drawn.places.emplace_back(x.pixel, y.pixel);
-            glm::dvec4& color = colors.emplace_back(row[static_cast<std::size_t>(x.group)]);
-            for (int i = 0; i < 4; ++i) color[i] = color[i] > 0 ? std::min(color[i], 1.0) : 0;
-        }
-    }
+    place_groups(columns, rows, drawn, [&](const glm::ivec2& group) {
+        if (group.y != std::exchange(unpacked, group.y)) image->unpack(group.y, row);
+        colors.push_back(inside(row[static_cast<std::size_t>(group.x)]));
+    });
     if (colors.empty()) colors.emplace_back(0);
+    draw_at_raster_position(c, std::move(drawn), colors);
+}
+
+// 4.3.3: the same for pixels of the picture. They replace the colours of the Draw's vertices, or the depths.
+void State::copy_pixels(const Command& c) {
+    const Viewport from{static_cast<int>(c.number(0)), static_cast<int>(c.number(1)), static_cast<int>(c.number(2)),
+                        static_cast<int>(c.number(3))};
+    const Enum type = c.enumerant(4);
+    if (from.width < 0 || from.height < 0)
+        return raise(kGL_INVALID_VALUE, c, "glCopyPixels is given the size {} x {}; it cannot be negative", from.width,
+                     from.height);
+    if (!known(c, type, {kGL_COLOR, kGL_DEPTH, kGL_STENCIL})) return;
+    const RasterPosition& position = a_.raster_position;
+    if ((!position.is_valid && !position.is_doubtful) || from.width == 0 || from.height == 0) return;
+    if (type == kGL_STENCIL) return note_unsupported("glCopyPixels(GL_STENCIL)", c.place);
+    const std::vector<Covered> columns = covered(position, position.position_window.x, a_.pixel_zoom.x, from.width);
+    const std::vector<Covered> rows = covered(position, position.position_window.y, a_.pixel_zoom.y, from.height);
+    const double count = static_cast<double>(columns.size()) * static_cast<double>(rows.size());
+    if (count > kMostCopiedPixels)
+        return note_unsupported(fmt::format("glCopyPixels of more than {} pixels", kMostCopiedPixels), c.place);
+    const CopiedBuffer buffer = type == kGL_COLOR ? CopiedBuffer::kColors : CopiedBuffer::kDepths;
+    CopiedGroups groups{.source = {.pixels = copied_pixels(c, buffer, from, count), .from = from},
+                        .places = {},
+                        .depth_scale = a_.pixel_transfer.depth_scale,
+                        .depth_bias = a_.pixel_transfer.depth_bias};
+    if (!groups.source.pixels) return;
+    WindowPixels drawn;
+    place_groups(columns, rows, drawn, [&](const glm::ivec2& group) { groups.places.push_back(group); });
+    if (groups.places.empty()) groups.places.emplace_back(0);
+    for (int code = 0; code < 256; ++code) {
+        const glm::dvec4 color = inside(transferred(glm::dvec4(code / 255.0), a_.pixel_transfer, &pixel_maps_));
+        for (int i = 0; i < 4; ++i)
+            groups.colors[static_cast<std::size_t>(i)][static_cast<std::size_t>(code)] = color[i];
+    }
+    std::vector<glm::dvec4> colors;
+    if (type == kGL_COLOR) colors.assign(groups.places.size(), glm::dvec4(0));
+    drawn.copied = std::make_shared<const CopiedGroups>(std::move(groups));
     draw_at_raster_position(c, std::move(drawn), colors);
 }
 

@@ -114,18 +114,6 @@ glm::dvec4 rgba(Enum format, const double* v) {
     }
 }
 
-// 3.6.5, "Arithmetic on components" and "RGBA to RGBA lookup". NaN becomes 0.
-glm::dvec4 transferred(glm::dvec4 color, const PixelTransfer& transfer, const PixelMaps* maps) {
-    if (transfer.is_initial()) return color;
-    color = color * transfer.scale + transfer.bias;
-    for (int i = 0; transfer.map_color && i < 4; ++i) {
-        const std::vector<double>& map = maps->at(static_cast<std::size_t>(i));
-        const double inside = color[i] > 0 ? std::min(color[i], 1.0) : 0;
-        color[i] = map[static_cast<std::size_t>(std::floor(inside * static_cast<double>(map.size() - 1) + 0.5))];
-    }
-    return color;
-}
-
 std::size_t row_pixels(const PixelSource& source, const PixelStore& store) {
     return static_cast<std::size_t>(store.unpack_row_length > 0 ? store.unpack_row_length : source.width);
 }
@@ -138,6 +126,17 @@ std::size_t row_bytes(const PixelSource& source, const PixelStore& store) {
 }
 
 }  // namespace
+
+glm::dvec4 transferred(glm::dvec4 color, const PixelTransfer& transfer, const PixelMaps* maps) {
+    if (transfer.is_initial()) return color;
+    color = color * transfer.scale + transfer.bias;
+    for (int i = 0; transfer.map_color && i < 4; ++i) {
+        const std::vector<double>& map = maps->at(static_cast<std::size_t>(i));
+        const double inside = color[i] > 0 ? std::min(color[i], 1.0) : 0;
+        color[i] = map[static_cast<std::size_t>(std::floor(inside * static_cast<double>(map.size() - 1) + 0.5))];
+    }
+    return color;
+}
 
 std::optional<InternalFormat> internal_format(double name) {
     if (!(name >= 1 && name <= 0xFFFF) || name != std::trunc(name)) return std::nullopt;

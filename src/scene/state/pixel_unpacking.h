@@ -63,6 +63,9 @@ struct PixelRows {
     void unpack(int y, std::vector<glm::dvec4>& row) const;  // writes source.width pixels to `row`
 };
 
+// 3.6.5, "Arithmetic on components" and "RGBA to RGBA lookup". NaN becomes 0.
+glm::dvec4 transferred(glm::dvec4 color, const PixelTransfer& transfer, const PixelMaps* maps);
+
 // The components that the internal format stores, rounded to its bits.
 glm::vec4 stored(const glm::dvec4& rgba, const InternalFormat& format);
 

@@ -187,7 +187,7 @@ void Player::command(const Command& command) {
     const bool drops_frame = choice_.number && frame_ < *choice_.number && frame_end_ == FrameEnd::kSwap && !keeps_;
     for (auto item = state_.items().begin() + static_cast<std::ptrdiff_t>(before); item != state_.items().end();
          ++item) {
-        if (const CopyPixels* copy = std::get_if<CopyPixels>(&*item)) {
+        if (const TakePixels* copy = std::get_if<TakePixels>(&*item)) {
             if (drops_frame) lost_.emplace_back(copy->pixels);
             continue;
         }

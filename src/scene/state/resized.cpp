@@ -19,13 +19,14 @@ Frame resized(Frame frame, int width, int height) {
     const auto scale_item = [&](FrameItem& item) {
         if (Draw* draw = std::get_if<Draw>(&item)) {
             if (!draw->pixels) scale_box(draw->raster.viewport);
+            draw->change_source(scale_box);
             scale_box(draw->fragment.scissor.box);
         } else if (Clear* clear = std::get_if<Clear>(&item)) {
             scale_box(clear->scissor.box);
         } else if (Accumulate* accumulate = std::get_if<Accumulate>(&item)) {
             scale_box(accumulate->scissor.box);
         } else {
-            scale_box(std::get<CopyPixels>(item).from);
+            scale_box(std::get<TakePixels>(item).from);
         }
     };
     for (FrameItem& item : frame.items) scale_item(item);

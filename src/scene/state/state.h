@@ -138,8 +138,8 @@ class State {
     Effect push_attrib, pop_attrib;
     Effect enable, disable;
     Effect client_arrays, array_element, draw_arrays;
-    Effect draw_buffer, driver_only_state, driver_only_drawing, driver_only_attribute, driver_only_query;
-    Effect raster_pos, window_pos, bitmap, draw_pixels, pixel_zoom, pixel_transfer, pixel_map;
+    Effect draw_buffer, driver_only_state, driver_only_attribute, driver_only_query;
+    Effect raster_pos, window_pos, bitmap, draw_pixels, copy_pixels, pixel_zoom, pixel_transfer, pixel_map;
     Effect stencil_func, stencil_op, stencil_mask, clear_stencil;
     Effect accumulate, clear_accumulation;
     Effect line_stipple, polygon_stipple, logic_op;
@@ -236,9 +236,11 @@ class State {
     // What a command with images in one or two dimensions names. Raises GL_INVALID_ENUM and returns nullopt for a wrong
     // target; for one of a proxy only if not `allows_proxy`.
     std::optional<ImageTarget> image_target(const Command& command, bool two, bool allows_proxy = false);
-    // Adds a CopyPixels to the picture. Raises the error and returns null if there is no room.
-    std::shared_ptr<const CopiedPixels> copied_pixels(const Command& command, CopiedBuffer buffer,
-                                                      const Viewport& from);
+    // Pixels of the picture so far. Raises the error and returns null if there is no room for `count` values.
+    std::shared_ptr<const CopiedPixels> copied_pixels(const Command& command, CopiedBuffer buffer, const Viewport& from,
+                                                      double count);
+    // The same for all pixels of the rectangle, for a texture.
+    std::shared_ptr<const CopiedPixels> take_pixels(const Command& command, CopiedBuffer buffer, const Viewport& from);
     // Before the first items are deleted: keeps those that textures have copies of.
     void keep_for_copies(std::size_t count);
     std::size_t bytes_of(const FrameItems& items) const;

@@ -38,9 +38,9 @@ TEST(UntrustedNames, DoNotReachTheTerminalRaw) {
         "c";
     const std::string scene = folder / (odd + ".gl"), report = folder / (odd + "-report");
     // glCopyPixels: a note names the place; GL_LIGHT1: a warning of the linter does.
-    write_file_atomically(
-        scene, "glEnable(GL_LIGHTING); glEnable(GL_LIGHT1);\n" + kSphere +
-                   "glCopyPixels(0, 0, 1, 1, GL_COLOR);\nGLint v[4]; glGetIntegerv(GL_VIEWPORT, v);\n");
+    write_file_atomically(scene,
+                          "glEnable(GL_LIGHTING); glEnable(GL_LIGHT1);\n" + kSphere +
+                              "glCopyPixels(0, 0, 1, 1, GL_STENCIL);\nGLint v[4]; glGetIntegerv(GL_VIEWPORT, v);\n");
     const std::vector<std::vector<std::string>> commands = {
         {"compare", scene, "--size", "16x16", "-o", report},
         {"render", scene, "--with", "reference", "--size", "16x16", "-o", folder / (odd + ".png")},

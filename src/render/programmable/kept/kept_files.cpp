@@ -491,7 +491,7 @@ class Writer {
 
 std::string why_not_kept(const Frame& frame) {
     if (accumulates(frame)) return "it uses the accumulation buffer (glAccum), which core GL lacks";
-    if (frame.copies_pixels) return "it copies pixels of its picture to textures (glCopyTexImage)";
+    if (frame.copies_pixels) return "it copies pixels of its picture (glCopyTexImage, glCopyPixels)";
     for (const Draw* draw : frame.draws()) {
         if (!draw->further_units.empty()) return "it uses more than one texture unit (glActiveTexture)";
         if (draw->texture.texture && draw->texture.texture->is_cube()) return "it uses a cube map";

@@ -1,0 +1,126 @@
+// Random rectangles of the picture that glCopyPixels draws again, with the state that they depend on (4.3.3).
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "judge/fuzz/random_states.h"
+
+namespace twinlight::fuzz {
+
+namespace {
+
+constexpr std::string_view kWithoutZoom = "glCopyPixels without zoom", kDepthColors = "the colour of copied depths",
+                           kDepthTransfer = "glPixelTransfer of copied depths";
+
+class PixelCopy {
+  public:
+    PixelCopy(Random& random, std::string_view departure) : random_(random), departure_(departure) {}
+
+    std::string text() {
+        state();
+        const bool of_depths = departure_.empty() ? random_.chance(0.35) : !shows(kWithoutZoom);
+        const int copies = departure_.empty() ? 1 + random_.below(2) : 1;
+        for (int i = 0; i < copies; ++i) of_depths ? depths() : colors();
+        add("glPixelZoom(1, 1);");
+        for (const char* channel : {"RED", "GREEN", "BLUE", "ALPHA", "DEPTH"})
+            add("glPixelTransferf(GL_{0}_SCALE, 1); glPixelTransferf(GL_{0}_BIAS, 0);", channel);
+        return std::move(text_);
+    }
+
+  private:
+    bool shows(std::string_view departure) const { return departure_ == departure; }
+    template <class... Arguments>
+    void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+        text_ += fmt::format(format, std::forward<Arguments>(arguments)...) + '\n';
+    }
+    std::string color() {
+        return fmt::format("glColor4f({:.4f}, {:.4f}, {:.4f}, {:.4f});", random_.uniform(0, 1), random_.uniform(0, 1),
+                           random_.uniform(0, 1), random_.uniform(0, 1));
+    }
+
+    // Without textures and mostly without fog, which would show known bugs; and without what would hide them.
+    void state() {
+        for (int unit = 7; unit >= 0; --unit)
+            add("glActiveTexture(GL_TEXTURE{}); glDisable(GL_TEXTURE_1D); glDisable(GL_TEXTURE_2D); "
+                "glDisable(GL_TEXTURE_CUBE_MAP);",
+                unit);
+        add("glPixelTransferi(GL_MAP_COLOR, 0); glPixelTransferf(GL_RED_SCALE, 1); glPixelTransferf(GL_ALPHA_BIAS, "
+            "0);");
+        if (!departure_.empty() || random_.chance(0.9)) add("glDisable(GL_FOG);");
+        if (departure_.empty()) return;
+        add("glDisable(GL_DEPTH_TEST); glDisable(GL_ALPHA_TEST); glDisable(GL_STENCIL_TEST); glDisable(GL_BLEND); "
+            "glDisable(GL_SCISSOR_TEST); glDisable(GL_LIGHTING); glDisable(GL_COLOR_LOGIC_OP); glColorMask(1, 1, 1, "
+            "1);");
+    }
+
+    // Whole numbers: drivers round the raster position.
+    void position() {
+        const auto zoom = [&] {
+            const int size = 1 + random_.below(4);
+            return random_.chance(0.2) ? -size : size;
+        };
+        const int across = zoom(), up = zoom();
+        if (shows(kWithoutZoom))
+            add("glPixelZoom(1, 1);");
+        else
+            add("glPixelZoom({}, {});", across, up);
+        add("glWindowPos3f({}, {}, {:.4f});", random_.below(60) - 4, random_.below(60) - 4, random_.uniform(0, 1));
+    }
+    void copy(const char* type) {
+        // In the window: pixels outside are undefined.
+        const int width = 1 + random_.below(20), height = 1 + random_.below(20);
+        add("glCopyPixels({}, {}, {}, {}, {});", random_.below(64 - width), random_.below(64 - height), width, height,
+            type);
+    }
+
+    void colors() {
+        if (random_.chance(0.3))
+            for (const char* channel : {"RED", "GREEN", "BLUE", "ALPHA"})
+                add("glPixelTransferf(GL_{0}_SCALE, {1:.3f}); glPixelTransferf(GL_{0}_BIAS, {2:.3f});", channel,
+                    random_.uniform(-1, 2), random_.uniform(-0.5, 0.5));
+        if (shows(kWithoutZoom)) {
+            add("glPixelTransferf(GL_RED_SCALE, 1); glPixelTransferf(GL_RED_BIAS, 0); glPixelTransferf(GL_GREEN_SCALE, "
+                "1); glPixelTransferf(GL_GREEN_BIAS, 0); glPixelTransferf(GL_BLUE_SCALE, 1); "
+                "glPixelTransferf(GL_BLUE_BIAS, 0); glPixelTransferf(GL_ALPHA_SCALE, 1); "
+                "glPixelTransferf(GL_ALPHA_BIAS, 0); glColorMask(1, 0, 0, 1);");
+        }
+        position();
+        copy("GL_COLOR");
+    }
+
+    // A triangle shows the depths afterwards.
+    void depths() {
+        add("glEnable(GL_DEPTH_TEST); glDepthMask(1); glDepthFunc({}); glDisable(GL_ALPHA_TEST);",
+            !departure_.empty() || random_.chance(0.6) ? "GL_ALWAYS" : "GL_LESS");
+        if (!shows(kDepthColors)) add("glColorMask(0, 0, 0, 0);");
+        if (shows(kDepthTransfer))
+            add("glPixelTransferf(GL_DEPTH_SCALE, {:.3f}); glPixelTransferf(GL_DEPTH_BIAS, {:.3f});",
+                random_.uniform(0.1, 0.5), random_.uniform(0, 0.2));
+        add("{}", color());
+        position();
+        if (shows(kDepthColors)) add("{}", color());
+        copy("GL_DEPTH");
+        if (shows(kDepthColors)) return;
+        const double near = random_.uniform(1.2, 4), far = random_.uniform(4, 9.8);
+        add("glColorMask(1, 1, 1, 1); glDepthFunc(GL_LESS); glDisable(GL_LIGHTING); glDisable(GL_CULL_FACE);");
+        add("glMatrixMode(GL_MODELVIEW); glPushMatrix(); glLoadIdentity(); glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);");
+        add("{} glBegin(GL_TRIANGLES); glVertex3f({:.3f}, {:.3f}, {:.3f}); glVertex3f({:.3f}, {:.3f}, {:.3f}); "
+            "glVertex3f({:.3f}, {:.3f}, {:.3f}); glEnd(); glPopMatrix();",
+            color(), -1.5 * near, -near, -near, 1.5 * near, -near, -near, random_.uniform(-1, 1) * far, far, -far);
+    }
+
+    Random& random_;
+    std::string_view departure_;
+    std::string text_;
+};
+
+}  // namespace
+
+bool is_of_pixel_copies(std::string_view departure) {
+    return departure == kWithoutZoom || departure == kDepthColors || departure == kDepthTransfer;
+}
+
+std::string pixel_copy(Random& random, std::string_view departure) { return PixelCopy(random, departure).text(); }
+
+}  // namespace twinlight::fuzz

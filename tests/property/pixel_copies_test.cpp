@@ -1,0 +1,196 @@
+// glCopyPixels (4.3.3): the driver, the shaders and the reference copy the same pixels, each from its own picture.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "../unit/compare_three_ways.h"
+#include "../unit/one_pixel.h"
+#include "scene/state/resized.h"
+
+namespace twinlight {
+namespace {
+
+class PixelCopiesTest : public OnePixel {
+  protected:
+    // What the pixel shows in the reference alone, for what a known bug hides in the driver.
+    Codes reference_codes(const std::string& text, int x, int y) {
+        const Rgba color = reference::render(scene_of(text).frame, {}).at(x, kSide - 1 - y);
+        Codes result{};
+        for (std::size_t i = 0; i < 4; ++i) result[i] = channel_code(color[i]);
+        return result;
+    }
+};
+
+// Red, green, blue and yellow squares of 4 x 4 pixels, from the lower left, in rows.
+const std::string kSquares =
+    "glEnable(GL_SCISSOR_TEST);\n"
+    "glScissor(0, 0, 4, 4); glClearColor(1, 0, 0, 0.2); glClear(GL_COLOR_BUFFER_BIT);\n"
+    "glScissor(4, 0, 4, 4); glClearColor(0, 1, 0, 0.4); glClear(GL_COLOR_BUFFER_BIT);\n"
+    "glScissor(0, 4, 4, 4); glClearColor(0, 0, 1, 0.6); glClear(GL_COLOR_BUFFER_BIT);\n"
+    "glScissor(4, 4, 4, 4); glClearColor(1, 1, 0, 0.8); glClear(GL_COLOR_BUFFER_BIT);\n"
+    "glDisable(GL_SCISSOR_TEST);\n";
+
+TEST_F(PixelCopiesTest, AreDrawnAtTheRasterPosition) {
+    const std::string text = kSquares + "glWindowPos2i(8, 8); glCopyPixels(2, 2, 4, 4, GL_COLOR);\n";
+    EXPECT_EQ(codes(text, 8, 8), (Codes{255, 0, 0, 51}));
+    EXPECT_EQ(codes(text, 11, 8), (Codes{0, 255, 0, 102}));
+    EXPECT_EQ(codes(text, 8, 11), (Codes{0, 0, 255, 153}));
+    EXPECT_EQ(codes(text, 11, 11), (Codes{255, 255, 0, 204}));
+    EXPECT_EQ(codes(text, 12, 11), (Codes{0, 0, 0, 0}));
+}
+
+TEST_F(PixelCopiesTest, AreZoomedAndMirrored) {
+    const std::string text =
+        kSquares + "glPixelZoom(-2, 3); glWindowPos2i(16, 4); glCopyPixels(2, 2, 4, 4, GL_COLOR);\n";
+    EXPECT_EQ(codes(text, 15, 4), (Codes{255, 0, 0, 51}));
+    EXPECT_EQ(codes(text, 11, 9), (Codes{0, 255, 0, 102}));
+    EXPECT_EQ(codes(text, 12, 10), (Codes{0, 0, 255, 153}));
+    EXPECT_EQ(codes(text, 8, 15), (Codes{255, 255, 0, 204}));
+    EXPECT_EQ(codes(text, 7, 7), (Codes{255, 255, 0, 204}));
+}
+
+// A rectangle may lie over its own copy.
+TEST_F(PixelCopiesTest, ComeFromThePictureBeforeThem) {
+    const std::string text = kSquares + "glWindowPos2i(2, 2); glCopyPixels(0, 0, 8, 8, GL_COLOR);\n";
+    EXPECT_EQ(codes(text, 5, 5), (Codes{255, 0, 0, 51}));
+    EXPECT_EQ(codes(text, 9, 9), (Codes{255, 255, 0, 204}));
+    const std::string copy = "glWindowPos2i(8, 0); glCopyPixels(0, 0, 8, 8, GL_COLOR);\n";
+    // Later drawing changes no copy; a copy may be copied.
+    EXPECT_EQ(codes(kSquares + copy +
+                        "glClearColor(1, 1, 1, 1); glScissor(0, 0, 8, 8); glEnable(GL_SCISSOR_TEST); "
+                        "glClear(GL_COLOR_BUFFER_BIT);\n",
+                    9, 1),
+              (Codes{255, 0, 0, 51}));
+    EXPECT_EQ(codes(kSquares + copy + "glWindowPos2i(0, 8); glCopyPixels(8, 0, 8, 8, GL_COLOR);\n", 1, 13),
+              (Codes{0, 0, 255, 153}));
+    EXPECT_EQ(codes(kSquares + "glNewList(1, GL_COMPILE);\n" + copy +
+                        "glEndList(); glClearColor(1, 1, 1, 1); glClear(GL_COLOR_BUFFER_BIT); glCallList(1);\n",
+                    9, 1),
+              (Codes{255, 255, 255, 255}));
+}
+
+TEST_F(PixelCopiesTest, AreTransferred) {
+    const std::string text = kSquares +
+                             "glPixelTransferf(GL_RED_SCALE, 0.5); glPixelTransferf(GL_BLUE_BIAS, 0.25);\n"
+                             "glPixelTransferf(GL_ALPHA_SCALE, 2); glPixelTransferf(GL_GREEN_SCALE, -1); "
+                             "glPixelTransferf(GL_GREEN_BIAS, 1);\n"
+                             "glWindowPos2i(8, 8); glCopyPixels(0, 0, 8, 8, GL_COLOR);\n";
+    EXPECT_EQ(codes(text, 8, 8), (Codes{128, 255, 64, 102}));
+    EXPECT_EQ(codes(text, 15, 15), (Codes{128, 0, 64, 255}));
+    EXPECT_EQ(reference_codes("glPixelTransferi(GL_MAP_COLOR, 1); glPixelMapfv(GL_PIXEL_MAP_B_TO_B, 2, "
+                              "(GLfloat[]){0.6, 0.2});\n" +
+                                  kSquares + "glWindowPos2i(8, 8); glCopyPixels(0, 0, 8, 8, GL_COLOR);\n",
+                              8, 8)[2],
+              153);
+}
+
+TEST_F(PixelCopiesTest, PassTheFragmentOperations) {
+    const auto with = [&](const std::string& state) {
+        return kSquares + state + "glPixelZoom(2, 1); glWindowPos2i(0, 8); glCopyPixels(0, 0, 8, 8, GL_COLOR);\n";
+    };
+    EXPECT_EQ(codes(with("glEnable(GL_BLEND); glBlendFunc(GL_SRC_ALPHA, GL_ONE);\n"), 1, 9), (Codes{51, 0, 0, 10}));
+    EXPECT_EQ(codes(with("glEnable(GL_ALPHA_TEST); glAlphaFunc(GL_GREATER, 0.3);\n"), 1, 9), (Codes{0, 0, 0, 0}));
+    EXPECT_EQ(codes(with("glEnable(GL_ALPHA_TEST); glAlphaFunc(GL_GREATER, 0.3);\n"), 9, 9), (Codes{0, 255, 0, 102}));
+    EXPECT_EQ(codes(with("glEnable(GL_COLOR_LOGIC_OP); glLogicOp(GL_COPY_INVERTED);\n"), 1, 9),
+              (Codes{0, 255, 255, 204}));
+    EXPECT_EQ(codes(with("glColorMask(0, 1, 1, 1);\n"), 1, 9), (Codes{0, 0, 0, 51}));
+    EXPECT_EQ(codes(with("glEnable(GL_DEPTH_TEST); glDepthFunc(GL_NEVER);\n"), 1, 9), (Codes{0, 0, 0, 0}));
+    EXPECT_EQ(codes(with("glEnable(GL_STENCIL_TEST); glStencilFunc(GL_EQUAL, 1, 255);\n"), 1, 9), (Codes{0, 0, 0, 0}));
+    // A known bug of the driver: without zoom the mask and the stencil do not count.
+    const std::string copy = "glWindowPos2i(8, 8); glCopyPixels(0, 0, 8, 8, GL_COLOR);\n";
+    EXPECT_EQ(reference_codes(kSquares + "glColorMask(0, 1, 1, 1);\n" + copy, 9, 9), (Codes{0, 0, 0, 51}));
+}
+
+// The left half is near, the right half far; a white rectangle between them shows what the depths are.
+const std::string kDepths =
+    "glEnable(GL_DEPTH_TEST); glDepthFunc(GL_ALWAYS); glClear(GL_DEPTH_BUFFER_BIT); glColorMask(0, 0, 0, 0);\n"
+    "glBegin(GL_QUADS); glVertex3f(-1, -1, -0.5); glVertex3f(0, -1, -0.5); glVertex3f(0, 1, -0.5); "
+    "glVertex3f(-1, 1, -0.5); glEnd();\n";
+const std::string kBetween =
+    "glColorMask(1, 1, 1, 1); glDepthFunc(GL_LESS); glColor3f(1, 1, 1); glRectf(-1, -1, 1, 1);\n";
+
+TEST_F(PixelCopiesTest, MayBeDepths) {
+    const std::string text = kDepths + "glPixelZoom(1, 2); glWindowPos2i(10, 4); glCopyPixels(6, 0, 4, 4, GL_DEPTH);\n";
+    EXPECT_EQ(codes(text + kBetween, 10, 4), (Codes{0, 0, 0, 0}));
+    EXPECT_EQ(codes(text + kBetween, 11, 11), (Codes{0, 0, 0, 0}));
+    EXPECT_EQ(codes(text + kBetween, 12, 4), (Codes{255, 255, 255, 255}));
+    EXPECT_EQ(codes(text + kBetween, 11, 12), (Codes{255, 255, 255, 255}));
+    // 4.1.6: the depth test of the copied depths.
+    EXPECT_EQ(
+        codes(kDepths + "glDepthFunc(GL_LESS); glWindowPos2i(0, 0); glCopyPixels(8, 0, 4, 4, GL_DEPTH);\n" + kBetween,
+              1, 1),
+        (Codes{0, 0, 0, 0}));
+    // The fragments have the raster position's colour.
+    EXPECT_EQ(codes(kDepths + "glColorMask(1, 1, 1, 1); glColor4f(0.2, 0.4, 0.6, 0.8); glWindowPos2i(8, 0); "
+                              "glCopyPixels(0, 0, 4, 4, GL_DEPTH);\n",
+                    9, 1),
+              (Codes{51, 102, 153, 204}));
+    // Known bugs of the driver: the colour of the raster position, and pixel transfer.
+    EXPECT_EQ(reference_codes(kDepths + "glColorMask(1, 1, 1, 1); glColor4f(0.2, 0.4, 0.6, 0.8); glWindowPos2i(8, 0); "
+                                        "glColor3f(1, 0, 0); glCopyPixels(0, 0, 4, 4, GL_DEPTH);\n",
+                              9, 1),
+              (Codes{51, 102, 153, 204}));
+    EXPECT_EQ(reference_codes(kDepths +
+                                  "glPixelTransferf(GL_DEPTH_BIAS, 0.5); glWindowPos2i(0, 0); "
+                                  "glCopyPixels(0, 0, 4, 4, GL_DEPTH);\n" +
+                                  kBetween,
+                              1, 1),
+              (Codes{255, 255, 255, 255}));
+}
+
+// 4.3.2 leaves pixels outside the window undefined; the judge allows any colour there.
+TEST_F(PixelCopiesTest, FromOutsideTheWindowAreEdgePixels) {
+    const Scene scene =
+        scene_of(kSquares + "glPixelZoom(2, 2); glWindowPos2i(4, 4); glCopyPixels(-2, 0, 4, 2, GL_COLOR);\n");
+    const AllowedDifference allowed = reference::allowed_difference(scene.frame, {});
+    const auto is_edge = [&](int x, int y) {
+        return allowed.edge[static_cast<std::size_t>((kSide - 1 - y) * kSide + x)];
+    };
+    EXPECT_TRUE(is_edge(7, 4));
+    EXPECT_FALSE(is_edge(8, 4));
+    EXPECT_EQ(codes(scene, 8, 4, ""), (Codes{255, 0, 0, 51}));
+}
+
+TEST_F(PixelCopiesTest, OfTooManyInARowAreRefusedByName) {
+    std::string text = kSquares;
+    for (int i = 0; i < 51; ++i) text += "glCopyPixels(0, 0, 1, 1, GL_COLOR);\n";
+    const Frame frame = scene_of("glWindowPos2i(8, 8);\n" + text).frame;
+    ASSERT_EQ(frame.unsupported.size(), 1u);
+    EXPECT_EQ(frame.unsupported[0].name, "glCopyPixels of a picture that shows 50 copies in a row");
+    EXPECT_EQ(frame.draws().size(), 50u);
+}
+
+TEST_F(PixelCopiesTest, OfStencilValuesAreRefusedByName) {
+    const Frame frame = scene_of(kSquares + "glRectf(0, 0, 1, 1); glCopyPixels(0, 0, 1, 1, GL_STENCIL);\n").frame;
+    ASSERT_EQ(frame.unsupported.size(), 1u);
+    EXPECT_EQ(frame.unsupported[0].name, "glCopyPixels(GL_STENCIL)");
+}
+
+// Only the rectangle grows with the picture; labels and pixel rectangles keep their size.
+TEST_F(PixelCopiesTest, StayTheSameInALargerPicture) {
+    const Frame frame =
+        scene_of(
+            "glBegin(GL_QUADS); glColor3f(1, 0, 0); glVertex2f(-1, -1); glVertex2f(0, -1); glVertex2f(0, 1); "
+            "glVertex2f(-1, 1); glEnd();\nglWindowPos2i(8, 0); glCopyPixels(6, 0, 4, 4, GL_COLOR);\n")
+            .frame;
+    const Image large = reference::render(resized(frame, 2 * kSide, 2 * kSide), {});
+    EXPECT_EQ(large.at(9, 2 * kSide - 1)[0], 1);
+    EXPECT_EQ(large.at(10, 2 * kSide - 1)[0], 0);
+}
+
+// What lies between edges is judged; edges of the copied picture give edges.
+TEST_F(PixelCopiesTest, AllowWhatTheCopiedPictureAllows) {
+    const std::string scene =
+        "glClearColor(0.2, 0.3, 0.4, 1); glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n"
+        "glEnable(GL_DEPTH_TEST); glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glScalef(0.9, 0.9, 0.9);\n"
+        "glRotatef(30, 1, 1, 0); glutSolidCube(0.8); glDisable(GL_LIGHTING); glDisable(GL_DEPTH_TEST);\n"
+        "glPixelTransferf(GL_GREEN_SCALE, 3); glPixelZoom(2, 2); glWindowPos2i(64, 0);\n"
+        "glCopyPixels(32, 48, 32, 32, GL_COLOR);\n";
+    const Scene made = make_scene(list_of(scene), {.width = 128, .height = 128});
+    const compare::Comparison comparison = compare_three_ways(made);
+    EXPECT_EQ(comparison.verdict(), compare::Verdict::kWithin);
+    EXPECT_LT(comparison.pairs[0].difference.edge.pixels, 128 * 128 / 8);
+    EXPECT_GT(comparison.pairs[0].difference.edge.pixels, 128 * 128 / 100);
+}
+
+}  // namespace
+}  // namespace twinlight
