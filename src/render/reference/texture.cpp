@@ -82,7 +82,7 @@ glm::dvec4 texel_at(const Texture& texture, const TextureImage& image, const Tex
     return texel;
 }
 
-// Equations 3.22 to 3.25.
+// 3.8.8: the nearest texel, or the mean of two, four or eight.
 glm::dvec4 sample_image(const Texture& texture, const TextureImage& image, Enum filter, const glm::dvec3& str) {
     const bool has_t = !texture.is_flat(), has_r = texture.is_volume();
     if (filter == kGL_NEAREST) {

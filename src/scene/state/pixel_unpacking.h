@@ -14,7 +14,7 @@ namespace twinlight {
 // The largest side of a texture; more is GL_INVALID_VALUE. Mesa's llvmpipe has the same limit.
 inline constexpr int kMaxTextureSize = 16384;
 inline constexpr int kMaxTextureLevels = 15;
-// The same for textures of three dimensions: llvmpipe's limit; GL requires at least 16 (table 6.28).
+// The same for textures of three dimensions: llvmpipe's limit; GL requires at least 16 (table 6.29).
 inline constexpr int kMax3dTextureSize = 2048;
 inline constexpr int kMax3dTextureLevels = 12;
 // The limit on the texels of all images of a scene together; more is GL_OUT_OF_MEMORY.
