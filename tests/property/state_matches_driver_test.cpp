@@ -47,14 +47,9 @@ Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter)
         const auto& names = gl_names();
         const Enum any = names[static_cast<std::size_t>(random.below(static_cast<int>(names.size())))].value;
         // Of GL 3.0 to 3.3 (GL_SRC1_ALPHA is a factor of blending there), and textures of other kinds.
-        const std::set<Enum> not_followed = {kGL_TEXTURE_3D,
-                                             kGL_TEXTURE_CUBE_MAP,
-                                             kGL_TEXTURE_RECTANGLE,
-                                             kGL_FRAMEBUFFER_SRGB,
-                                             kGL_TEXTURE_CUBE_MAP_SEAMLESS,
-                                             kGL_PRIMITIVE_RESTART,
-                                             kGL_RASTERIZER_DISCARD,
-                                             kGL_SRC1_ALPHA};
+        const std::set<Enum> not_followed = {
+            kGL_TEXTURE_CUBE_MAP,  kGL_TEXTURE_RECTANGLE,  kGL_FRAMEBUFFER_SRGB, kGL_TEXTURE_CUBE_MAP_SEAMLESS,
+            kGL_PRIMITIVE_RESTART, kGL_RASTERIZER_DISCARD, kGL_SRC1_ALPHA};
         return not_followed.contains(any) ? kGL_NONE : any;
     }
     const std::vector<Enum> faces = {kGL_FRONT, kGL_BACK, kGL_FRONT_AND_BACK};
@@ -87,6 +82,7 @@ Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter)
                                kGL_BLEND,
                                kGL_TEXTURE_1D,
                                kGL_TEXTURE_2D,
+                               kGL_TEXTURE_3D,
                                kGL_CLIP_PLANE0,
                                kGL_CLIP_PLANE5,
                                kGL_POLYGON_OFFSET_FILL,
@@ -109,7 +105,8 @@ Enum random_enum(fuzz::Random& random, CommandId id, std::string_view parameter)
             return random.chance(0.8)   ? kGL_TEXTURE_ENV
                    : random.chance(0.5) ? kGL_TEXTURE_FILTER_CONTROL
                                         : kGL_POINT_SPRITE;
-        return random.chance(0.5) ? kGL_TEXTURE_1D : kGL_TEXTURE_2D;
+        if (name.ends_with("3D")) return kGL_TEXTURE_3D;
+        return one_of(random, {kGL_TEXTURE_1D, kGL_TEXTURE_1D, kGL_TEXTURE_2D, kGL_TEXTURE_2D, kGL_TEXTURE_3D});
     }
     if (parameter == "texture" && id == CommandId::glActiveTexture) {
         return kGL_TEXTURE0 + static_cast<Enum>(random.below(kMaxTextureUnits));
@@ -462,8 +459,8 @@ void expect_same_state(const State& state, const fixed::Driver& driver) {
             expect_near({values.begin(), values.begin() + info.count}, tex_env_answer(state, target, info.pname),
                         enum_name(info.pname));
         }
-        if (info.owner != Owner::kTexture || info.pname == kGL_TEXTURE_WRAP_R) continue;
-        for (Enum target : {kGL_TEXTURE_1D, kGL_TEXTURE_2D}) {
+        if (info.owner != Owner::kTexture) continue;
+        for (Enum target : kTextureTargets) {
             glGetTexParameterfv(target, info.pname, values.data());
             expect_near({values.begin(), values.begin() + info.count}, tex_parameter_answer(state, target, info.pname),
                         enum_name(target) + " " + enum_name(info.pname));

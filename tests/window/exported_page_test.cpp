@@ -165,6 +165,28 @@ TEST_F(ExportedPage, DrawsWhatTheReferenceDrawsAndAnswersKeysAndTheMouse) {
     EXPECT_NE(page_.find("this scene does not use: GL_TEXTURE_LOD_BIAS, a depth range"), std::string::npos);
 }
 
+TEST_F(ExportedPage, DrawsTexturesOfThreeDimensions) {
+    const std::string scene = folder_ / "scene.gl";
+    write_file_atomically(scene, R"(
+glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+GLubyte texels[] = {250, 30, 50, 70, 90, 210, 130, 150, 10, 60, 100, 200};
+glTexImage3D(GL_TEXTURE_3D, 0, GL_LUMINANCE, 2, 2, 3, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, texels);
+glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, GL_MIRRORED_REPEAT);
+glTexGeni(GL_R, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
+glTexGenfv(GL_R, GL_OBJECT_PLANE, (GLfloat[]){1, 2, 0, 0.3});
+glEnable(GL_TEXTURE_GEN_R);
+glEnable(GL_TEXTURE_3D);
+glBegin(GL_QUADS);
+glTexCoord2f(0, 0); glVertex2f(-0.9, -0.8);
+glTexCoord2f(2, 0); glVertex2f(0.8, -0.9);
+glTexCoord2f(2, 3); glVertex2f(0.9, 0.8);
+glTexCoord2f(0, 3); glVertex2f(-0.8, 0.9);
+glEnd();
+)");
+    expect_close(scene, picture_of(used(scene)), {});
+}
+
 TEST_F(ExportedPage, DrawsBuiltInScenes) {
     expect_close("report", picture_of(used("report", {"--shading", "phong"})), Shading::kPhong);
     expect_close("lab", picture_of(used("lab")), {});

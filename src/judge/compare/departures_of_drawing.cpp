@@ -266,7 +266,8 @@ bool wraps_cube_maps(const Draw& draw) {
 bool clamps_between_nearest_and_linear(const Draw& draw) {
     return any_unit(draw, [](const TextureUnit& unit) {
         const Texture& texture = *unit.texture;
-        if (texture.wrap_s != kGL_CLAMP && texture.wrap_t != kGL_CLAMP) return false;
+        const bool clamps_r = texture.is_volume() && texture.wrap_r == kGL_CLAMP;
+        if (texture.wrap_s != kGL_CLAMP && texture.wrap_t != kGL_CLAMP && !clamps_r) return false;
         const bool min_nearest = texture.min_filter == kGL_NEAREST ||
                                  texture.min_filter == kGL_NEAREST_MIPMAP_NEAREST ||
                                  texture.min_filter == kGL_NEAREST_MIPMAP_LINEAR;

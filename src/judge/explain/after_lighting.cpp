@@ -59,13 +59,18 @@ Lines coordinates_lines(const TextureSteps& steps, const TextureUnit& unit, bool
     if (unit.texture->is_cube()) {
         const char* const faces[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
         return lines + line("face", faces[steps.face], "the largest of |s|, |t| and |r|, with its sign (3.8.7)") +
-               line("s, t", fmt::format("({:.5g}, {:.5g})", steps.st.x, steps.st.y), "the place on that face");
+               line("s, t", fmt::format("({:.5g}, {:.5g})", steps.str.x, steps.str.y), "the place on that face");
     }
     constexpr double kRounding = 1e-9;  // of the interpolation
     if (std::abs(steps.coordinates.w - 1) > kRounding)
-        lines += line("s/q, t/q", fmt::format("({:.5g}, {:.5g})", steps.st.x, steps.st.y), "the place in the texture");
+        lines +=
+            unit.texture->is_volume()
+                ? line("s/q, t/q, r/q", fmt::format("({:.5g}, {:.5g}, {:.5g})", steps.str.x, steps.str.y, steps.str.z),
+                       "the place in the texture")
+                : line("s/q, t/q", fmt::format("({:.5g}, {:.5g})", steps.str.x, steps.str.y),
+                       "the place in the texture");
     if (unit.texture->compares())
-        lines += line("r/q", fmt::format("{:.7g}", steps.r),
+        lines += line("r/q", fmt::format("{:.7g}", steps.str.z),
                       fmt::format("compared with depths (3.8.14): 1 where {} passes, 0 where not",
                                   enum_name(unit.texture->compare_func)));
     return lines;
@@ -92,11 +97,13 @@ Lines texels_lines(const TextureSteps& steps, const Texture& texture) {
     for (const TextureSteps::Image& image : steps.images) {
         const TextureImage& level = texture.levels[static_cast<std::size_t>(image.level)];
         lines += line(fmt::format("level {}", image.level), fmt::format("weight {:.5f}", image.weight),
-                      fmt::format("{} x {} texels", level.width, level.height));
+                      texture.is_volume() ? fmt::format("{} x {} x {} texels", level.width, level.height, level.depth)
+                                          : fmt::format("{} x {} texels", level.width, level.height));
         for (const TextureSteps::Texel& texel : image.texels)
             lines += color_line(
                 "",
-                fmt::format("texel {}, {}{}{}, weight {:.5f}", texel.i, texel.j,
+                fmt::format("texel {}, {}{}{}{}, weight {:.5f}", texel.place.i, texel.place.j,
+                            texture.is_volume() ? fmt::format(", {}", texel.place.k) : "",
                             texel.is_border ? " (the border colour)" : "",
                             texture.has_depths() ? fmt::format(", depth {:.7f}", texel.depth) : "", texel.weight),
                 rgb_of(texel.color));
@@ -236,7 +243,7 @@ Json texture_json(const TextureSteps& steps, const Draw& draw) {
     const TextureUnit& unit = unit_of(steps, draw);
     Json json = {{"target", enum_name(unit.texture->target)},
                  {"coordinates", rgba_json(steps.coordinates)},
-                 {"st", {steps.st.x, steps.st.y}},
+                 {"st", {steps.str.x, steps.str.y}},
                  {"rho", steps.rho},
                  {"lod_bias", unit.lod_bias},
                  {"lambda", steps.lambda},
@@ -247,11 +254,12 @@ Json texture_json(const TextureSteps& steps, const Draw& draw) {
         const TextureImage& level = unit.texture->levels[static_cast<std::size_t>(image.level)];
         Json texels = Json::array();
         for (const TextureSteps::Texel& texel : image.texels) {
-            texels.push_back({{"i", texel.i},
-                              {"j", texel.j},
+            texels.push_back({{"i", texel.place.i},
+                              {"j", texel.place.j},
                               {"border", texel.is_border},
                               {"weight", texel.weight},
                               {"color", rgba_json(texel.color)}});
+            if (unit.texture->is_volume()) texels.back()["k"] = texel.place.k;
             if (unit.texture->has_depths()) texels.back()["depth"] = texel.depth;
         }
         json["levels"].push_back({{"level", image.level},
@@ -259,13 +267,14 @@ Json texture_json(const TextureSteps& steps, const Draw& draw) {
                                   {"height", level.height},
                                   {"weight", image.weight},
                                   {"texels", texels}});
+        if (unit.texture->is_volume()) json["levels"].back()["depth"] = level.depth;
     }
     if (unit.texture->is_cube()) json["face"] = steps.face;
+    if (unit.texture->is_volume() || unit.texture->compares()) json["r"] = steps.str.z;
     json["texel"] = rgba_json(steps.texel);
     json["format"] = enum_name(unit.texture->levels[0].base_format);
     if (unit.texture->has_depths()) json["depth_mode"] = enum_name(unit.texture->depth_mode);
     if (unit.texture->compares()) {
-        json["r"] = steps.r;
         json["compare_func"] = enum_name(unit.texture->compare_func);
     }
     json["environment"] = enum_name(unit.env_mode);

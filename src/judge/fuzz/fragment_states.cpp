@@ -32,6 +32,7 @@ class Builder {
           labels_(~seed.values + 2),
           pixel_copies_(~seed.values + 3),
           depths_(seed.structure + 9),
+          volumes_(seed.structure + 10),
           departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
@@ -52,6 +53,7 @@ class Builder {
                                  shows("texture coordinates of other primitives beside point sprites");
         if (of_textures || (structure_.chance(0.7) && !shows("the colour sum in fog"))) texture();
         if (shows("wrap modes of cube maps") || (departure_.empty() && cubes_.chance(0.1))) cube_map();
+        if (departure_.empty() && volumes_.chance(0.1)) volume();
         if (departure_.empty() && units_.chance(0.25)) further_units();
         secondary_ = departure_.empty() && more_.chance(0.12);
         if (secondary_) add("glEnable(GL_COLOR_SUM);");
@@ -232,6 +234,53 @@ class Builder {
         add("glEnable(GL_TEXTURE_CUBE_MAP);");
     }
 
+    // A texture of three dimensions in place of the texture of unit 0, with numbers of its own.
+    void volume() {
+        const char* const formats[] = {"GL_RGB", "GL_RGBA", "GL_LUMINANCE", "GL_ALPHA", "GL_INTENSITY"};
+        const char* const wraps[] = {"GL_REPEAT", "GL_CLAMP", "GL_CLAMP_TO_EDGE", "GL_CLAMP_TO_BORDER",
+                                     "GL_MIRRORED_REPEAT"};
+        const char* const filters[] = {"GL_NEAREST",
+                                       "GL_LINEAR",
+                                       "GL_NEAREST_MIPMAP_NEAREST",
+                                       "GL_LINEAR_MIPMAP_NEAREST",
+                                       "GL_NEAREST_MIPMAP_LINEAR",
+                                       "GL_LINEAR_MIPMAP_LINEAR"};
+        const int filter = volumes_.below(6);
+        const char* const format = formats[volumes_.below(5)];
+        const char* const target = "GL_TEXTURE_3D";
+        add("glBindTexture({}, 50);", target);
+        int width = 1 << volumes_.below(4), height = 1 << volumes_.below(4), depth = 1 << volumes_.below(4);
+        for (int level = 0;; ++level) {
+            std::string texels;
+            for (int i = 0; i < width * height * depth * 4; ++i)
+                texels += fmt::format("{}{}", i ? "," : "", volumes_.below(256));
+            add("glTexImage3D({}, {}, {}, {}, {}, {}, 0, GL_RGBA, GL_UNSIGNED_BYTE, (GLubyte[]){{{}}});", target, level,
+                format, width, height, depth, texels);
+            if (filter < 2 || (width == 1 && height == 1 && depth == 1)) break;
+            width = std::max(1, width / 2);
+            height = std::max(1, height / 2);
+            depth = std::max(1, depth / 2);
+        }
+        add("glTexParameteri({0}, GL_TEXTURE_MIN_FILTER, {1}); glTexParameteri({0}, GL_TEXTURE_MAG_FILTER, {2});",
+            target, filters[filter], filters[volumes_.chance(0.8) ? filter % 2 : 1 - filter % 2]);
+        for (const char* axis : {"S", "T", "R"})
+            add("glTexParameteri({}, GL_TEXTURE_WRAP_{}, {});", target, axis, wraps[volumes_.below(5)]);
+        add("glTexParameterfv({}, GL_TEXTURE_BORDER_COLOR, (GLfloat[]){{{:.4f}, {:.4f}, {:.4f}, {:.4f}}});", target,
+            volumes_.uniform(0, 1), volumes_.uniform(0, 1), volumes_.uniform(0, 1), volumes_.uniform(0, 1));
+        if (volumes_.chance(0.1))
+            add("glTexParameterf({}, GL_TEXTURE_LOD_BIAS, {:.3f});", target, volumes_.uniform(-2, 2));
+        for (const char coordinate : std::string_view("STR")) {
+            if (volumes_.chance(0.3)) continue;
+            add("glTexGenfv(GL_{}, GL_OBJECT_PLANE, (GLfloat[]){{{:.4f}, {:.4f}, {:.4f}, {:.4f}}});", coordinate,
+                volumes_.uniform(-2, 2), volumes_.uniform(-2, 2), volumes_.uniform(-2, 2), volumes_.uniform(-1, 1));
+            add("glTexGeni(GL_{0}, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR); glEnable(GL_TEXTURE_GEN_{0});", coordinate);
+        }
+        if (volumes_.chance(0.3))
+            add("glMatrixMode(GL_TEXTURE); glRotatef({:.1f}, 1, 2, {:.3f}); glScalef(1, 1, {:.3f});",
+                volumes_.uniform(0, 360), volumes_.uniform(-1, 1), volumes_.uniform(-3, 3));
+        add("glEnable({});", target);
+    }
+
     // One to three texture units above unit 0, which may have no texture.
     void further_units() {
         const int count = 1 + units_.below(3);
@@ -281,7 +330,8 @@ class Builder {
         const char* const filters[] = {"GL_NEAREST", "GL_LINEAR", "GL_LINEAR_MIPMAP_LINEAR"};
         const int filter = copies_.below(3), width = 4 + copies_.below(40), height = 4 + copies_.below(40);
         const int x = copies_.below(64 - width), y = copies_.below(64 - height);
-        add("glDisable(GL_TEXTURE_1D); glEnable(GL_TEXTURE_2D); glBindTexture(GL_TEXTURE_2D, 20);");
+        add("glDisable(GL_TEXTURE_1D); glDisable(GL_TEXTURE_3D); glEnable(GL_TEXTURE_2D); glBindTexture(GL_TEXTURE_2D, "
+            "20);");
         add("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, {}); "
             "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, {});",
             filters[filter], filters[std::min(filter, 1)]);
@@ -310,8 +360,9 @@ class Builder {
         const bool flat = shows("depths in one dimension");
         const char* const target = flat ? "GL_TEXTURE_1D" : "GL_TEXTURE_2D";
         const int filter = depths_.below(4), width = 1 + depths_.below(8), height = 1 + depths_.below(8);
-        add("glDisable(GL_TEXTURE_1D); glDisable(GL_TEXTURE_2D); glDisable(GL_TEXTURE_CUBE_MAP); glEnable({0}); "
-            "glBindTexture({0}, 40);",
+        add("glDisable(GL_TEXTURE_1D); glDisable(GL_TEXTURE_2D); glDisable(GL_TEXTURE_3D); "
+            "glDisable(GL_TEXTURE_CUBE_MAP); "
+            "glEnable({0}); glBindTexture({0}, 40);",
             target);
         add("glTexParameteri({0}, GL_TEXTURE_MIN_FILTER, {1}); glTexParameteri({0}, GL_TEXTURE_MAG_FILTER, {2});",
             target, filters[filter], filters[filter % 3 == 0 ? 0 : 1]);
@@ -808,7 +859,7 @@ class Builder {
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
     Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_, more_, more_values_, stipples_,
-        copies_, cubes_, points_, anisotropy_, labels_, pixel_copies_, depths_;
+        copies_, cubes_, points_, anisotropy_, labels_, pixel_copies_, depths_, volumes_;
     bool secondary_ = false, fog_coords_ = false;  // vertices have secondary colours, fog coordinates
     bool sprites_ = false;                         // everything is points
     std::vector<int> further_units_;               // the numbers of those with a texture

@@ -297,14 +297,19 @@ class TextureReplacesLight : public Watch {
 class TextureIncomplete : public Watch {
   public:
     void after(const Command& command, const State& state) override {
-        if (is_effect(command, "tex_image") && command.enumerant(0) == kGL_TEXTURE_2D && command.number(1) == 0)
-            images_[state.attributes().units[0].bound_2d] = command.place;
+        if (!is_effect(command, "tex_image") || command.number(1) != 0) return;
+        const Enum target = command.enumerant(0);
+        if (target == kGL_TEXTURE_1D || target == kGL_TEXTURE_2D || target == kGL_TEXTURE_3D)
+            images_[{target, state.attributes().units[0].bound(target)}] = command.place;
     }
     void drawn(const Draw& draw, const State& state) override {
         const TextureBindings& unit = state.attributes().units[0];
-        const auto image = images_.find(unit.bound_2d);
-        if (!unit.enabled_2d || draw.texture.texture || image == images_.end()) return;
-        const std::string call = "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);";
+        if (!unit.is_enabled() || draw.texture.texture) return;
+        const Enum target = unit.target();
+        const auto image = images_.find({target, unit.bound(target)});
+        if (image == images_.end()) return;
+        const std::string call =
+            fmt::format("glTexParameteri({}, GL_TEXTURE_MIN_FILTER, GL_LINEAR);", enum_name(target));
         warn({.place = image->second,
               .message = "this texture has no effect: its GL_TEXTURE_MIN_FILTER needs mipmaps, and not all levels are "
                          "there",
@@ -313,7 +318,7 @@ class TextureIncomplete : public Watch {
     }
 
   private:
-    std::map<std::uint32_t, Place> images_;  // of level 0, by the texture's name
+    std::map<std::pair<Enum, std::uint32_t>, Place> images_;  // of level 0, by the texture's target and name
 };
 
 // A highlight that a texture darkens, where a secondary colour would keep it.

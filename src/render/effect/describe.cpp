@@ -85,9 +85,10 @@ const char* name_of(Generated generated) {
 
 std::string describe(const TextureEffects& texture) {
     std::string text = fmt::format("{} texture with {}, {}",
-                                   texture.one_dimensional ? "1D"
-                                   : texture.cube          ? "cube map"
-                                                           : "2D",
+                                   texture.one_dimensional     ? "1D"
+                                   : texture.three_dimensional ? "3D"
+                                   : texture.cube              ? "cube map"
+                                                               : "2D",
                                    name_of(texture.texels), name_of(texture.environment));
     const auto add = [&](bool fact, const char* name) {
         if (fact) text += fmt::format(", {}", name);
@@ -97,6 +98,7 @@ std::string describe(const TextureEffects& texture) {
     add(texture.q, "division by q");
     add(texture.clamp_s, "GL_CLAMP of s");
     add(texture.clamp_t, "GL_CLAMP of t");
+    add(texture.clamp_r, "GL_CLAMP of r");
     add(texture.gradients, "explicit gradients");
     for (std::size_t i = 0; i < texture.generated.size(); ++i)
         add(texture.generated[i] != Generated::kNot,

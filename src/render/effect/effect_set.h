@@ -25,13 +25,14 @@
 //   texture.*                                texture.environment
 //   texture.texels kIntensity                the environment is kBlend or kAdd; otherwise kColorAndAlpha is used
 //   texture.texels kAlpha                    the environment is kModulate or kReplace; kBlend and kAdd become kModulate
-//   texture.one_dimensional, .cube           at most one of them
+//   texture.one_dimensional, .three_dimensional, .cube   at most one of them
 //   texture.q, .clamp_s, .clamp_t            no cube
 //   texture.compares                         texture.depth_mode
 //   texture.q, .matrix, .generated           no sprite
-//   texture.clamp_t                          the texture has two dimensions
-//   texture.clamp_s, .clamp_t                a filter is linear; otherwise GL_CLAMP equals GL_CLAMP_TO_EDGE
-//   texture.gradients                        texture.clamp_s or .clamp_t, and the filters differ or are anisotropic
+//   texture.clamp_t                          the texture has two dimensions or three
+//   texture.clamp_r                          the texture has three dimensions
+//   texture.clamp_s, .clamp_t, .clamp_r      a filter is linear; otherwise GL_CLAMP equals GL_CLAMP_TO_EDGE
+//   texture.gradients                        a texture.clamp_*, and the filters differ or are anisotropic
 //   texture.generated[i]                     the coordinate is used: texture.uses(i)
 //   texture.generated_normal                 a coordinate is generated from the normal
 //   texture.generated_w                      a coordinate is generated from the direction to the vertex
@@ -126,6 +127,7 @@ struct TextureEffects {
     TextureEnvironment environment = TextureEnvironment::kNone;
     Texels texels = Texels::kColor;
     bool one_dimensional = false;
+    bool three_dimensional = false;
     bool cube = false;    // a cube map, whose coordinates s, t and r are a direction
     bool sprite = false;  // the coordinates are those of point sprites
     // The texture has depths, which become texels of this base internal format (3.8.14); 0: it has colours.
@@ -135,6 +137,7 @@ struct TextureEffects {
     bool q = false;         // a texture coordinate's q may be other than 1
     bool clamp_s = false;   // GL_CLAMP, that core GL and some drivers lack: the shader does it
     bool clamp_t = false;
+    bool clamp_r = false;
     bool gradients = false;                // the filter and level come from the coordinates before clamping
     std::array<Generated, 4> generated{};  // s, t, r, q
     GeneratedNormal generated_normal = GeneratedNormal::kUnused;
@@ -143,8 +146,11 @@ struct TextureEffects {
     // Whether coordinate i (0 to 3: s, t, r, q) can change a pixel.
     bool uses(std::size_t i) const {
         if (sprite) return false;
-        return matrix || i == 0 || (i == 1 && !one_dimensional) || (i == 2 && (cube || compares)) || (i == 3 && q);
+        return matrix || i == 0 || (i == 1 && !one_dimensional) || (i == 2 && needs_r()) || (i == 3 && q);
     }
+    // Whether the lookup takes s, t and r.
+    bool needs_r() const { return three_dimensional || cube || compares; }
+    bool clamps() const { return clamp_s || clamp_t || clamp_r; }
     bool generates() const { return generated != std::array<Generated, 4>{}; }
     bool generates_all() const {
         for (std::size_t i = 0; i < 4; ++i)

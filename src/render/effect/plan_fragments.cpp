@@ -80,7 +80,8 @@ void plan_lookup(const Draw& draw, std::size_t number, const TextureUnit& unit, 
                        is_off);
     };
     const Texture& texture = *unit.texture;
-    facts.one_dimensional = texture.target == kGL_TEXTURE_1D;
+    facts.one_dimensional = texture.is_flat();
+    facts.three_dimensional = texture.is_volume();
     facts.cube = texture.is_cube();
     if (texture.has_depths()) facts.depth_mode = texture.depth_mode;
     facts.compares = texture.compares();
@@ -96,11 +97,13 @@ void plan_lookup(const Draw& draw, std::size_t number, const TextureUnit& unit, 
 
     if (facts.cube) return;
     const bool clamp_t = !facts.one_dimensional && texture.wrap_t == kGL_CLAMP;
-    const bool clamps = clamp_t || texture.wrap_s == kGL_CLAMP;
+    const bool clamp_r = facts.three_dimensional && texture.wrap_r == kGL_CLAMP;
+    const bool clamps = clamp_t || clamp_r || texture.wrap_s == kGL_CLAMP;
     if (clamps && !texture.filters_linearly())
         return leave_out("GL_CLAMP", "without a linear filter it equals GL_CLAMP_TO_EDGE");
     facts.clamp_s = texture.wrap_s == kGL_CLAMP;
     facts.clamp_t = clamp_t;
+    facts.clamp_r = clamp_r;
     facts.gradients = clamps && (texture.min_filter != texture.mag_filter || texture.max_anisotropy > 1);
 }
 

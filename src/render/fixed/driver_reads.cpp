@@ -158,6 +158,8 @@ PixelStore unpacking() {
     store.unpack_row_length = integer(GL_UNPACK_ROW_LENGTH, 0);
     store.unpack_skip_rows = integer(GL_UNPACK_SKIP_ROWS, 0);
     store.unpack_skip_pixels = integer(GL_UNPACK_SKIP_PIXELS, 0);
+    store.unpack_image_height = integer(GL_UNPACK_IMAGE_HEIGHT, 0);
+    store.unpack_skip_images = integer(GL_UNPACK_SKIP_IMAGES, 0);
     store.unpack_alignment = std::max(1, integer(GL_UNPACK_ALIGNMENT, 4));
     return store;
 }
@@ -170,6 +172,10 @@ PixelSource pixels_of(const Command& c) {
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         if (parameters[i].name == "width") source.width = static_cast<int>(c.number(i));
         if (parameters[i].name == "height") source.height = static_cast<int>(c.number(i));
+        if (parameters[i].name == "depth") {
+            source.depth = static_cast<int>(c.number(i));
+            source.is_volume = true;
+        }
         if (parameters[i].name == "format") source.format = c.enumerant(i);
         if (parameters[i].name == "type") source.type = c.enumerant(i);
         has_format |= parameters[i].name == "format";
@@ -184,7 +190,11 @@ PixelSource pixels_of(const Command& c) {
 }
 
 // llvmpipe (22.3) runs past the end of an array of levels if an image is larger than the limit.
-bool is_too_large(const PixelSource& source) { return std::max(source.width, source.height) > kMaxTextureSize + 2; }
+bool is_too_large(const PixelSource& source) {
+    const int largest =
+        source.is_volume ? std::min(kMax3dTextureSize, integer(GL_MAX_3D_TEXTURE_SIZE, 0)) : kMaxTextureSize;
+    return std::max({source.width, source.height, source.depth}) > largest + 2;
+}
 
 // The most bytes that a driver can read; exact for the formats of GL 2.1.
 std::size_t most_bytes_read(PixelSource source, const PixelStore& store) {
@@ -219,7 +229,7 @@ bool Driver::may_send_pixels(const Command& c) {
     const bool is_drawn = c.id == CommandId::glDrawPixels || c.id == CommandId::glBitmap;
     if (!is_drawn && is_too_large(source)) return false;
     if (buffer > 0) return !c.memory && !is_glu;  // GL checks the buffer's size itself; GLU has no buffers
-    const bool is_empty = source.width <= 0 || source.height <= 0;
+    const bool is_empty = source.width <= 0 || source.height <= 0 || source.depth <= 0;
     if (!c.memory) return offset == 0 && (is_empty || (!is_glu && !is_drawn));
     const auto size = static_cast<double>(c.memory->bytes.size());
     return offset >= 0 && offset + static_cast<double>(most_bytes_read(source, unpacking())) <= size;

@@ -96,7 +96,7 @@ void reset_texture(GLenum target) {
     set(GL_TEXTURE_MAG_FILTER, start.mag_filter);
     set(GL_TEXTURE_WRAP_S, start.wrap_s);
     set(GL_TEXTURE_WRAP_T, start.wrap_t);
-    set(GL_TEXTURE_WRAP_R, GL_REPEAT);
+    set(GL_TEXTURE_WRAP_R, start.wrap_r);
     glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, &glm::vec4(start.border_color)[0]);
     glTexParameterf(target, GL_TEXTURE_PRIORITY, static_cast<float>(start.priority));
     set(GL_GENERATE_MIPMAP, start.generate_mipmap);
@@ -110,7 +110,9 @@ void reset_texture(GLenum target) {
     glTexParameteri(target, GL_TEXTURE_BASE_LEVEL, start.base_level);
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, start.max_level);
     const bool is_cube = target == GL_TEXTURE_CUBE_MAP;
-    const GLint largest = integer(is_cube ? GL_MAX_CUBE_MAP_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE);
+    const GLint largest = integer(is_cube                   ? GL_MAX_CUBE_MAP_TEXTURE_SIZE
+                                  : target == GL_TEXTURE_3D ? GL_MAX_3D_TEXTURE_SIZE
+                                                            : GL_MAX_TEXTURE_SIZE);
     const auto empty_images = [&](GLenum image) {
         for (GLint level = 0; largest >> level > 0; ++level) {
             GLint width = 0;
@@ -118,6 +120,8 @@ void reset_texture(GLenum target) {
             if (width == 0) continue;
             if (image == GL_TEXTURE_1D) {
                 glTexImage1D(image, level, GL_RGBA, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+            } else if (image == GL_TEXTURE_3D) {
+                glTexImage3D(image, level, GL_RGBA, 0, 0, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
             } else {
                 glTexImage2D(image, level, GL_RGBA, 0, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
             }
@@ -136,11 +140,13 @@ void reset_texture_units(const Vertex& current) {
         glActiveTexture(unit);
         set_enabled(GL_TEXTURE_1D, start.enabled_1d);
         set_enabled(GL_TEXTURE_2D, start.enabled_2d);
+        set_enabled(GL_TEXTURE_3D, start.enabled_3d);
         set_enabled(GL_TEXTURE_CUBE_MAP, start.enabled_cube);
         for (const DriverOnlyCapability& row : driver_only_capabilities())
             if (row.is_per_unit()) glDisable(row.cap);
         reset_texture(GL_TEXTURE_1D);
         reset_texture(GL_TEXTURE_2D);
+        reset_texture(GL_TEXTURE_3D);
         reset_texture(GL_TEXTURE_CUBE_MAP);
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, static_cast<GLint>(start.env_mode));
         glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, &glm::vec4(start.env_color)[0]);

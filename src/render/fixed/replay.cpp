@@ -154,6 +154,7 @@ struct PreparedDraw {
     void set_texture(Textures& textures) const {
         glDisable(GL_TEXTURE_1D);
         glDisable(GL_TEXTURE_2D);
+        glDisable(GL_TEXTURE_3D);
         glDisable(GL_TEXTURE_CUBE_MAP);
         if (textured) {
             textures.bind(draw->texture);

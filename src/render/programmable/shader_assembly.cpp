@@ -52,10 +52,11 @@ class Assembler {
             uniforms += fmt::format(
                 "uniform vec4 u_clip_plane{}_object;  // glClipPlane (section 2.12), in object coordinates\n", i);
         if (!uniforms.empty()) uniforms += "\n";
-        return fmt::format("#version {}\n{}\n{}{}{}{}{}",
-                           form_.kept ? kept_version(form_.kept->version) : lighting_.version, purpose(stage),
-                           is_vertex ? attributes_text(body) : inputs_text(), uniforms, is_vertex ? outputs_text() : "",
-                           functions, body);
+        return fmt::format(
+            "#version {}\n{}\n{}{}{}{}{}",
+            form_.kept ? kept_version(form_.kept->version, sampler_of(effects_.texture)) : lighting_.version,
+            purpose(stage), is_vertex ? attributes_text(body) : inputs_text(), uniforms,
+            is_vertex ? outputs_text() : "", functions, body);
     }
 
   private:
@@ -279,10 +280,7 @@ class Assembler {
 
     // `suffix`: "" for the only texture; for a Draw that combines textures, the unit's number.
     static std::string tex_coord_type(const TextureEffects& texture) {
-        const int parts = (texture.cube || texture.compares ? 3
-                           : texture.one_dimensional        ? 1
-                                                            : 2) +
-                          (texture.q ? 1 : 0);
+        const int parts = (texture.needs_r() ? 3 : texture.one_dimensional ? 1 : 2) + (texture.q ? 1 : 0);
         return parts == 1 ? "float" : fmt::format("vec{}", parts);
     }
     static Varying tex_coord_varying(const TextureEffects& texture, const std::string& suffix) {
@@ -290,9 +288,9 @@ class Assembler {
         return {tex_coord_type(texture), "v_tex_coord" + suffix,
                 fmt::format("{}.{}",
                             texture.matrix ? fmt::format("(u_texture_matrix{} * {})", suffix, tex_coord) : tex_coord,
-                            std::string(texture.cube || texture.compares ? "stp"
-                                        : texture.one_dimensional        ? "s"
-                                                                         : "st") +
+                            std::string(texture.needs_r()         ? "stp"
+                                        : texture.one_dimensional ? "s"
+                                                                  : "st") +
                                 (texture.q ? "q" : ""))};
     }
 
@@ -524,35 +522,37 @@ class Assembler {
     // ---- The files' switches and words ----
 
     static std::map<std::string, bool, std::less<>> texture_switches(const TextureEffects& texture) {
-        return {{"EFFECT_TEXTURE_MATRIX", texture.matrix},
-                {"EFFECT_TEXTURE_Q", texture.q},
-                {"EFFECT_TEXTURE_CLAMP_S", texture.clamp_s},
-                {"EFFECT_TEXTURE_CLAMP_T", texture.clamp_t},
-                {"EFFECT_TEXTURE_CLAMP", texture.clamp_s || texture.clamp_t},
-                {"EFFECT_TEXTURE_GRADIENTS", texture.gradients},
-                {"EFFECT_TEXTURE_DEPTHS", texture.depth_mode != 0}};
+        return {{"EFFECT_TEXTURE_MATRIX", texture.matrix},       {"EFFECT_TEXTURE_Q", texture.q},
+                {"EFFECT_TEXTURE_CLAMP_S", texture.clamp_s},     {"EFFECT_TEXTURE_CLAMP_T", texture.clamp_t},
+                {"EFFECT_TEXTURE_CLAMP_R", texture.clamp_r},     {"EFFECT_TEXTURE_CLAMP", texture.clamps()},
+                {"EFFECT_TEXTURE_GRADIENTS", texture.gradients}, {"EFFECT_TEXTURE_DEPTHS", texture.depth_mode != 0}};
+    }
+    static std::string sampler_of(const TextureEffects& texture) {
+        if (texture.cube) return "samplerCube";
+        return texture.one_dimensional ? "sampler1D" : texture.three_dimensional ? "sampler3D" : "sampler2D";
     }
     // of_ray: the coordinates are those of an exact surface's point.
     static Words texture_words(const TextureEffects& texture, bool of_ray) {
         // Samplers of shadows take s, t and r in one dimension too.
         const bool one = texture.one_dimensional, q = texture.q, compares = texture.compares;
-        const std::string sprite = texture.cube || compares ? "vec3(gl_PointCoord, 0.0)"
-                                   : one                    ? "gl_PointCoord.s"
-                                                            : "gl_PointCoord";  // section 3.3.1
-        const std::string sampler = one ? "sampler1D" : texture.cube ? "samplerCube" : "sampler2D";
-        const bool one_number = one && !compares;
+        const bool three = texture.three_dimensional, has_r = texture.needs_r(), one_number = one && !has_r;
+        const std::string sprite = has_r ? "vec3(gl_PointCoord, 0.0)"
+                                   : one ? "gl_PointCoord.s"
+                                         : "gl_PointCoord";  // section 3.3.1
         return {{"TEX_COORD", texture.sprite ? sprite : "v_tex_coord"},
-                {"SAMPLER", sampler + (compares ? "Shadow" : "")},
+                {"SAMPLER", sampler_of(texture) + (compares ? "Shadow" : "")},
                 {"DIVIDED_TYPE", one_number ? "float"
-                                 : compares ? "vec3"
+                                 : has_r    ? "vec3"
                                             : "vec2"},
                 {"DIVIDED_PARTS", one ? "s" : "st"},
                 {"DIVIDED_TEX_COORD", texture.sprite ? sprite
                                       : of_ray       ? (one ? "tex_place.s" : "tex_place.st")
-                                      : compares     ? (q ? "v_tex_coord.stp / v_tex_coord.q" : "v_tex_coord")
+                                      : has_r        ? (q ? "v_tex_coord.stp / v_tex_coord.q" : "v_tex_coord")
                                       : one          ? (q ? "v_tex_coord.s / v_tex_coord.t" : "v_tex_coord")
                                                      : (q ? "v_tex_coord.st / v_tex_coord.p" : "v_tex_coord")},
-                {"GRADIENT_TYPE", one ? "float" : "vec2"},
+                {"GRADIENT_TYPE", one     ? "float"
+                                  : three ? "vec3"
+                                          : "vec2"},
                 {"TEX_COORD_PLACE", !compares ? "tex_coord"
                                     : one     ? "tex_coord.s"
                                               : "tex_coord.st"},

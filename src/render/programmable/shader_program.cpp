@@ -112,8 +112,8 @@ void ShaderProgram::link() {
         GLenum type = 0;
         glGetActiveUniform(program_, static_cast<GLuint>(i), name.size(), nullptr, &size, &type, name.data());
         std::string text = name.data();
-        if (type == GL_SAMPLER_1D || type == GL_SAMPLER_2D || type == GL_SAMPLER_CUBE || type == GL_SAMPLER_1D_SHADOW ||
-            type == GL_SAMPLER_2D_SHADOW) {
+        if (type == GL_SAMPLER_1D || type == GL_SAMPLER_2D || type == GL_SAMPLER_3D || type == GL_SAMPLER_CUBE ||
+            type == GL_SAMPLER_1D_SHADOW || type == GL_SAMPLER_2D_SHADOW) {
             // "u_texture3" reads texture unit 3; u_texture keeps its initial value, unit 0.
             const char number = text.back();
             if (number < '1' || number > '9') continue;

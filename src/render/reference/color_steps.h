@@ -11,7 +11,7 @@ namespace twinlight::reference {
 // A texture unit's part of a fragment's colour.
 struct TextureSteps {
     struct Texel {
-        int i = 0, j = 0;
+        TexelPlace place{};
         bool is_border = false;  // outside the image: the border colour
         double weight = 1;
         glm::dvec4 color{0};
@@ -25,9 +25,8 @@ struct TextureSteps {
 
     std::size_t unit = 0;
     glm::dvec4 coordinates{0, 0, 0, 1};  // s, t, r, q after the texture matrix; interpolated
-    glm::dvec2 st{0};                    // s/q and t/q; on the face of a cube map
+    glm::dvec3 str{0};                   // s/q, t/q and r/q; on the face of a cube map: s and t
     std::size_t face = 0;                // of a cube map
-    double r = 0;                        // r/q, if the texture compares depths with it
     bool of_point = false;               // rho is 1 by definition (3.8.8)
     double rho = 1, lambda = 0;
     bool is_magnified = false;

@@ -235,7 +235,7 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<dou
     const Texture& texture = *unit.state->texture;
     const TexturePlace place = texture_place_of(fragment, unit);
     const double lambda = level_of_detail(scale_factor(texture, place), *unit.state);
-    texel = channels<double>(sample(texture, place.st, lambda, place.face, place.r));
+    texel = channels<double>(sample(texture, place.str, lambda, place.face));
 }
 
 // `has_choice` stays true if it is.
@@ -249,7 +249,7 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<Int
         for (const TexturePlaceBounds& place : cube_place_bounds(
                  unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, error)) {
             const TexelBounds one =
-                sample_bounds(*unit.state, place.st, place.st_error, place.rho, place.face, place.change);
+                sample_bounds(*unit.state, place.str, place.str_error, place.rho, place.face, place.change);
             all = all ? choice(*all, one) : one;
         }
         texel = all->texel;
@@ -258,8 +258,7 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<Int
     }
     const TexturePlaceBounds place =
         texture_place_bounds(unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, error);
-    const TexelBounds bounds =
-        sample_bounds(*unit.state, place.st, place.st_error, place.rho, 0, place.change, place.r);
+    const TexelBounds bounds = sample_bounds(*unit.state, place.str, place.str_error, place.rho, 0, place.change);
     texel = bounds.texel;
     has_choice |= bounds.has_choice;
 }
@@ -280,7 +279,7 @@ Channels<Marked> Shader::marked_color(const Fragment& fragment, const MarkedColo
             lighting::RulingSet rulings =
                 fragment.point || unit.state->texture->is_cube()
                     ? lighting::RulingSet{}
-                    : texture_rulings(unit.tex_coords, *fragment.piece, fragment.position_window);
+                    : texture_rulings(unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture);
             const auto is_mixed = [](double channel) { return channel > 0 && channel < 1; };
             if (unit.state->texture->compares() && std::ranges::any_of(texel, is_mixed))
                 rulings |= {lighting::Ruling::kMixedOutcomes};
@@ -343,7 +342,7 @@ ColorSteps Shader::steps(const Fragment& fragment) const {
         ColorSteps steps{.primary = colors.primary, .secondary = colors.secondary};
         for (const Unit& unit : units_) {
             const TexturePlace place = texture_place_of(whole, unit);
-            glm::dvec4 coordinates(place.st, 0, 1);  // of a surface or a sprite
+            glm::dvec4 coordinates(place.str, 1);  // of a surface or a sprite
             if (!whole.point && !unit.tex_coords.are_replaced(*whole.piece)) {
                 coordinates = glm::dvec4(0);
                 const glm::dvec3 weights = weights_at(*whole.piece, whole.position_window);

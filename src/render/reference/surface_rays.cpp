@@ -194,15 +194,15 @@ TexturePlace SurfaceRays::texture_place(const glm::dvec3& position_object, const
     constexpr double kPart = 1.0 / 1024;
     const glm::dvec4 fixed = draw_.vertices.front().tex_coord;
     const glm::dvec2 here = surface_.textured ? tex_coord(position_object) : glm::dvec2(fixed);
-    const auto transformed = [&](const glm::dvec2& st) {
+    const auto transformed = [&](const glm::dvec2& st) -> glm::dvec3 {
         const glm::dvec4 t = draw_.texture.texture_matrix * (surface_.textured ? glm::dvec4(st, 0, 1) : fixed);
-        return glm::dvec2(quotient(t.x, t.w), quotient(t.y, t.w));
+        return {quotient(t.x, t.w), quotient(t.y, t.w), 0};  // no exact surface has a texture that needs r
     };
-    TexturePlace place{.st = transformed(here)};
+    TexturePlace place{.str = transformed(here)};
     const auto change = [&](const glm::dvec2& window_step) {
         glm::dvec2 there = tex_coord(position_object + tangents.object_step(kPart * window_step));
         there -= glm::round(there - here);
-        return (transformed(there) - place.st) / kPart;
+        return (transformed(there) - place.str) / kPart;
     };
     if (surface_.textured) {
         place.per_x = change({1, 0});

@@ -94,7 +94,7 @@ double generated_error(const Draw& draw, const TextureUnit& unit, const Vertex& 
         if (!one.needs_normal()) error *= kRoundings;
     }
     const glm::dvec4 after = magnitudes(unit.texture_matrix, errors);
-    const bool has_r = unit.texture->is_cube() || unit.texture->compares(), has_q = !unit.texture->is_cube();
+    const bool has_r = unit.texture->needs_r(), has_q = !unit.texture->is_cube();
     return std::max({after.x, after.y, has_r ? after.z : 0, has_q ? after.w : 0});
 }
 

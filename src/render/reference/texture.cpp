@@ -58,9 +58,8 @@ TexelPair linear_texels(Enum wrap, double coordinate, int size) {
     return pair;
 }
 
-double texel_depth(const Texture& texture, const TextureImage& image, int i, int j) {
-    const bool is_border = i < 0 || i >= image.width || j < 0 || j >= image.height;
-    return is_border ? texture.border_texel().r : static_cast<double>(image.texel(i, j).r);
+double texel_depth(const Texture& texture, const TextureImage& image, const TexelPlace& place) {
+    return place.is_inside(image) ? static_cast<double>(image.texel(place.i, place.j).r) : texture.border_texel().r;
 }
 
 glm::dvec4 depth_texel(Enum depth_mode, double value) {
@@ -71,38 +70,48 @@ glm::dvec4 depth_texel(Enum depth_mode, double value) {
     }
 }
 
-glm::dvec4 texel_at(const Texture& texture, const TextureImage& image, int i, int j, double r) {
+glm::dvec4 texel_at(const Texture& texture, const TextureImage& image, const TexelPlace& place, double r) {
     if (texture.has_depths()) {
-        const double depth = texel_depth(texture, image, i, j);
+        const double depth = texel_depth(texture, image, place);
         if (!texture.compares()) return depth_texel(texture.depth_mode, depth);
         return depth_texel(texture.depth_mode, compares(texture.compare_func, std::clamp(r, 0.0, 1.0), depth) ? 1 : 0);
     }
-    if (i < 0 || i >= image.width || j < 0 || j >= image.height) return texture.border_texel();
-    glm::dvec4 texel(image.texel(i, j));
+    if (!place.is_inside(image)) return texture.border_texel();
+    glm::dvec4 texel(image.texel(place.i, place.j, place.k));
     if (image.base_format == kGL_INTENSITY) texel.a = texel.r;  // table 3.21: A_s is I_t
     return texel;
 }
 
-glm::dvec4 sample_image(const Texture& texture, const TextureImage& image, Enum filter, const glm::dvec2& st,
-                        double r) {
-    const bool flat = texture.target == kGL_TEXTURE_1D;
+// 3.8.8: the nearest texel, or the mean of two, four or eight.
+glm::dvec4 sample_image(const Texture& texture, const TextureImage& image, Enum filter, const glm::dvec3& str) {
+    const bool has_t = !texture.is_flat(), has_r = texture.is_volume();
     if (filter == kGL_NEAREST) {
-        const int i = nearest_texel(texture.wrap_s, st.x, image.width);
-        return texel_at(texture, image, i, flat ? 0 : nearest_texel(texture.wrap_t, st.y, image.height), r);
+        TexelPlace place{.i = nearest_texel(texture.wrap_s, str.x, image.width)};
+        if (has_t) place.j = nearest_texel(texture.wrap_t, str.y, image.height);
+        if (has_r) place.k = nearest_texel(texture.wrap_r, str.z, image.depth);
+        return texel_at(texture, image, place, str.z);
     }
-    const TexelPair i = linear_texels(texture.wrap_s, st.x, image.width);
-    const auto row = [&](int j) {
-        return glm::mix(texel_at(texture, image, i.first, j, r), texel_at(texture, image, i.second, j, r), i.weight);
+    const TexelPair i = linear_texels(texture.wrap_s, str.x, image.width);
+    const auto row = [&](int j, int k) {
+        return glm::mix(texel_at(texture, image, {i.first, j, k}, str.z),
+                        texel_at(texture, image, {i.second, j, k}, str.z), i.weight);
     };
-    if (flat) return row(0);
-    const TexelPair j = linear_texels(texture.wrap_t, st.y, image.height);
-    return glm::mix(row(j.first), row(j.second), j.weight);
+    if (!has_t) return row(0, 0);
+    const TexelPair j = linear_texels(texture.wrap_t, str.y, image.height);
+    const auto layer = [&](int k) { return glm::mix(row(j.first, k), row(j.second, k), j.weight); };
+    if (!has_r) return layer(0);
+    const TexelPair k = linear_texels(texture.wrap_r, str.z, image.depth);
+    return glm::mix(layer(k.first), layer(k.second), k.weight);
+}
+
+glm::dvec3 size_in_texels(const Texture& texture) {
+    const TextureImage& base = image_of(texture, 0);
+    return {base.width, texture.is_flat() ? 0 : base.height, texture.is_volume() ? base.depth : 0};
 }
 
 double scale_factor(const Texture& texture, const TexturePlace& place) {
     if (place.of_point) return 1;
-    const TextureImage& base = image_of(texture, 0);
-    const glm::dvec2 size(base.width, texture.target == kGL_TEXTURE_1D ? 0 : base.height);
+    const glm::dvec3 size = size_in_texels(texture);
     return std::max(glm::length(size * place.per_x), glm::length(size * place.per_y));
 }
 
@@ -120,7 +129,8 @@ double magnification_limit(const Texture& texture) {
 
 int last_level(const Texture& texture) {
     const TextureImage& base = image_of(texture, 0);
-    const int halvings = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(base.width, base.height)))) - 1;
+    const auto longest = static_cast<unsigned>(std::max({base.width, base.height, base.depth}));
+    const int halvings = static_cast<int>(std::bit_width(longest)) - 1;
     return std::min(halvings, static_cast<int>(texture.levels.size()) - 1);
 }
 
@@ -187,11 +197,11 @@ CubePlace cube_place(const glm::dvec3& direction) {
     return place_on_face(direction, static_cast<std::size_t>(2 * axis + (direction[axis] < 0 ? 1 : 0)));
 }
 
-glm::dvec4 sample(const Texture& texture, const glm::dvec2& st, double lambda, std::size_t face, double r) {
+glm::dvec4 sample(const Texture& texture, const glm::dvec3& str, double lambda, std::size_t face) {
     assert(!texture.levels.empty() && !image_of(texture, 0).texels.empty());
     const FilteredImages images = filtered_images(texture, lambda);
     const auto level = [&](int number) {
-        return sample_image(texture, texture.face(face)[static_cast<std::size_t>(number)], images.filter, st, r);
+        return sample_image(texture, texture.face(face)[static_cast<std::size_t>(number)], images.filter, str);
     };
     if (images.first == images.second) return level(images.first);
     return glm::mix(level(images.first), level(images.second), images.weight);

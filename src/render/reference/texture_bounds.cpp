@@ -79,29 +79,31 @@ std::vector<int> texels_around(Enum wrap, double coordinate, double reach, int s
 
 class Sampler {
   public:
-    Sampler(const Texture& texture, std::size_t face, const glm::dvec2& st, const glm::dvec2& st_error)
-        : texture_(texture), face_(texture.face(face)), st_(st), st_error_(st_error) {}
+    Sampler(const Texture& texture, std::size_t face, const glm::dvec3& str, const glm::dvec3& error)
+        : texture_(texture), face_(texture.face(face)), str_(str), error_(error) {}
 
     TexelBounds level(int number, Enum filter) const {
         const TextureImage& image = face_[static_cast<std::size_t>(number)];
-        const bool flat = texture_.target == kGL_TEXTURE_1D;
-        const glm::dvec2 size(image.width, image.height);
-        const glm::dvec2 error = filter == kGL_NEAREST ? st_error_ : st_error_ + kWeightStep / size;
-        const Looks along_s = looks(filter, st_.x, error.x, image.width);
-        const Looks along_t = flat ? Looks{{0}, 1} : looks(filter, st_.y, error.y, image.height);
-        if (filter == kGL_LINEAR && !flat) return linear_level(image, along_s, along_t);
+        const bool has_t = !texture_.is_flat(), has_r = texture_.is_volume();
+        const glm::dvec3 size(image.width, image.height, image.depth);
+        const glm::dvec3 error = filter == kGL_NEAREST ? error_ : error_ + kWeightStep / size;
+        const Looks along_s = looks(filter, str_.x, error.x, image.width);
+        const Looks along_t = has_t ? looks(filter, str_.y, error.y, image.height) : Looks{{0}, 1};
+        const Looks along_r = has_r ? looks(filter, str_.z, error.z, image.depth) : Looks{{0}, 1};
+        if (filter == kGL_LINEAR && has_t && !has_r) return linear_level(image, along_s, along_t);
         std::optional<TexelBounds> all;
         for (double s : along_s)
-            for (double t : along_t) {
-                const TexelBounds one = exactly(sample_image(texture_, image, filter, {s, t}));
-                if (!all)
-                    all = one;
-                else if (filter == kGL_NEAREST)
-                    all = choice(*all, one);
-                else
-                    join(*all, one);
-            }
-        if (filter == kGL_LINEAR) round_means(*all, 1);
+            for (double t : along_t)
+                for (double r : along_r) {
+                    const TexelBounds one = exactly(sample_image(texture_, image, filter, {s, t, r}));
+                    if (!all)
+                        all = one;
+                    else if (filter == kGL_NEAREST)
+                        all = choice(*all, one);
+                    else
+                        join(*all, one);
+                }
+        if (filter == kGL_LINEAR) round_means(*all, has_r ? 3 : 1);
         return *all;
     }
 
@@ -130,35 +132,46 @@ class Sampler {
     }
 
     // Any mean of the texels within `reach` of the place.
-    TexelBounds around(int number, const glm::dvec2& reach) const {
+    TexelBounds around(int number, const glm::dvec3& reach) const {
         const TextureImage& image = face_[static_cast<std::size_t>(number)];
-        const bool flat = texture_.target == kGL_TEXTURE_1D;
-        const std::vector<int> columns = texels_around(texture_.wrap_s, st_.x, reach.x, image.width);
-        const std::vector<int> rows =
-            flat ? std::vector{0} : texels_around(texture_.wrap_t, st_.y, reach.y, image.height);
-        TexelBounds all = exactly(texel_at(texture_, image, columns.front(), rows.front()));
-        for (const int j : rows)
-            for (const int i : columns) join(all, exactly(texel_at(texture_, image, i, j)));
-        round_means(all, 2);
-        return all;
+        std::optional<TexelBounds> all;
+        for_each_texel_around(image, reach, [&](const TexelPlace& place) {
+            const TexelBounds one = exactly(texel_at(texture_, image, place));
+            if (all)
+                join(*all, one);
+            else
+                all = one;
+        });
+        round_means(*all, texture_.is_volume() ? 3 : 2);
+        return *all;
     }
 
     // The depths within `reach` texels of the place.
-    Interval depths(int number, const glm::dvec2& st_error, double reach) const {
+    Interval depths(int number, double reach) const {
         const TextureImage& image = face_[static_cast<std::size_t>(number)];
-        const bool flat = texture_.target == kGL_TEXTURE_1D;
-        const std::vector<int> columns =
-            texels_around(texture_.wrap_s, st_.x, st_error.x + reach / image.width, image.width);
-        const std::vector<int> rows =
-            flat ? std::vector{0}
-                 : texels_around(texture_.wrap_t, st_.y, st_error.y + reach / image.height, image.height);
-        Interval all(texel_depth(texture_, image, columns.front(), rows.front()));
-        for (const int j : rows)
-            for (const int i : columns) all = hull(all, texel_depth(texture_, image, i, j));
-        return all;
+        std::optional<Interval> all;
+        for_each_texel_around(image, error_ + reach / glm::dvec3(image.width, image.height, 1),
+                              [&](const TexelPlace& place) {
+                                  const Interval one(texel_depth(texture_, image, place));
+                                  all = all ? hull(*all, one) : one;
+                              });
+        return *all;
     }
 
   private:
+    template <class Visit>
+    void for_each_texel_around(const TextureImage& image, const glm::dvec3& reach, const Visit& visit) const {
+        const std::vector<int> only{0};
+        const std::vector<int> columns = texels_around(texture_.wrap_s, str_.x, reach.x, image.width);
+        const std::vector<int> rows =
+            texture_.is_flat() ? only : texels_around(texture_.wrap_t, str_.y, reach.y, image.height);
+        const std::vector<int> layers =
+            texture_.is_volume() ? texels_around(texture_.wrap_r, str_.z, reach.z, image.depth) : only;
+        for (const int k : layers)
+            for (const int j : rows)
+                for (const int i : columns) visit(TexelPlace{i, j, k});
+    }
+
     // The same with sample_image(); here each row of texels is mixed once for all looks between the same two rows.
     TexelBounds linear_level(const TextureImage& image, const Looks& along_s, const Looks& along_t) const {
         std::array<TexelPair, std::tuple_size_v<decltype(Looks::at)>> rows{};
@@ -168,7 +181,7 @@ class Sampler {
         for (double s : along_s) {
             const TexelPair i = linear_texels(texture_.wrap_s, s, image.width);
             const auto row = [&](int j) {
-                return glm::mix(texel_at(texture_, image, i.first, j), texel_at(texture_, image, i.second, j),
+                return glm::mix(texel_at(texture_, image, {i.first, j}), texel_at(texture_, image, {i.second, j}),
                                 i.weight);
             };
             glm::dvec4 first(0), second(0);
@@ -196,7 +209,7 @@ class Sampler {
 
     const Texture& texture_;
     const std::vector<TextureImage>& face_;
-    const glm::dvec2 st_, st_error_;
+    const glm::dvec3 str_, error_;
 };
 
 // GL_TEXTURE_MAX_ANISOTROPY_EXT above 1: EXT_texture_filter_anisotropic leaves to the driver how it filters, and for which
@@ -204,7 +217,7 @@ class Sampler {
 // that of rho / GL_TEXTURE_MAX_ANISOTROPY_EXT. llvmpipe's weights fall off in an ellipse whose radii are the changes per pixel
 // and one texel; softpipe filters so only between two levels.
 TexelBounds anisotropic_bounds(const Texture& texture, const TextureUnit& unit, const Sampler& sampler,
-                               const Interval& rho, const glm::dvec2& change) {
+                               const Interval& rho, const glm::dvec3& change) {
     int first = 0, last = 0;
     if (level_choice(texture.min_filter) != LevelChoice::kBase) {
         const auto level = [&](double scale) {
@@ -217,7 +230,8 @@ TexelBounds anisotropic_bounds(const Texture& texture, const TextureUnit& unit, 
     for (int i = first; i <= last; ++i) {
         const TextureImage& image = texture.levels[static_cast<std::size_t>(i)];
         constexpr double kTexels = 1.5;  // the ellipse's own texel, and half of a texel of GL_LINEAR
-        const TexelBounds one = sampler.around(i, change + kTexels / glm::dvec2(image.width, image.height));
+        const TexelBounds one =
+            sampler.around(i, change + kTexels / glm::dvec3(image.width, image.height, image.depth));
         if (all)
             join(*all, one);
         else
@@ -227,8 +241,7 @@ TexelBounds anisotropic_bounds(const Texture& texture, const TextureUnit& unit, 
 }
 
 // The depths that the comparison of 3.8.14 may see, at the levels and with the filters that correct implementations may use.
-Interval depths_around(const Texture& texture, const TextureUnit& unit, const Sampler& sampler, const Interval& rho,
-                       const glm::dvec2& st_error) {
+Interval depths_around(const Texture& texture, const TextureUnit& unit, const Sampler& sampler, const Interval& rho) {
     const Interval lambda(level_of_detail(rho.low, unit) - kLogTooSmall,
                           level_of_detail(rho.high, unit) + kSwitchError);
     const bool may_be_magnified = lambda.low <= magnification_limit(texture), may_be_minified = lambda.high > 0;
@@ -244,22 +257,20 @@ Interval depths_around(const Texture& texture, const TextureUnit& unit, const Sa
     }
     std::optional<Interval> all;
     for (int i = first; i <= last; ++i) {
-        const Interval one = sampler.depths(i, st_error, is_linear ? 0.5 + kWeightStep : 0);
+        const Interval one = sampler.depths(i, is_linear ? 0.5 + kWeightStep : 0);
         all = all ? hull(*all, one) : one;
     }
     return *all;
 }
 
 // A texture that compares (3.8.14).
-TexelBounds compared_bounds(const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
-                            const Interval& rho, const Interval& r) {
+TexelBounds compared_bounds(const TextureUnit& unit, const glm::dvec3& str, const glm::dvec3& error,
+                            const Interval& rho) {
     const Texture& texture = *unit.texture;
-    const auto around = [&](const Texture& one) {
-        return depths_around(one, unit, Sampler(one, 0, st, st_error), rho, st_error);
-    };
+    const auto around = [&](const Texture& one) { return depths_around(one, unit, Sampler(one, 0, str, error), rho); };
     Interval depths = texture.range ? hull(around(texture.range->low), around(texture.range->high)) : around(texture);
     // All renderers store 0 and 1 exactly, and clamp r to them.
-    const Interval clamped_r = clamp01(r);
+    const Interval clamped_r = clamp01(Interval(str.z - error.z, str.z + error.z));
     if (depths == clamped_r && (depths == Interval(0) || depths == Interval(1)))
         return exactly(depth_texel(texture.depth_mode, compares(texture.compare_func, 0, 0) ? 1 : 0));
     // Drivers round depths to the bits of the format in ways of their own.
@@ -278,10 +289,10 @@ TexelBounds compared_bounds(const TextureUnit& unit, const glm::dvec2& st, const
 }
 
 // With the images of `texture` in place of the unit's.
-TexelBounds bounds_of(const Texture& texture, const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
-                      const Interval& rho, std::size_t face, const glm::dvec2& change) {
-    const Sampler sampler(texture, face, st, st_error);
-    if (texture.max_anisotropy > 1) return anisotropic_bounds(texture, unit, sampler, rho, change + st_error);
+TexelBounds bounds_of(const Texture& texture, const TextureUnit& unit, const glm::dvec3& str, const glm::dvec3& error,
+                      const Interval& rho, std::size_t face, const glm::dvec3& change) {
+    const Sampler sampler(texture, face, str, error);
+    if (texture.max_anisotropy > 1) return anisotropic_bounds(texture, unit, sampler, rho, change + error);
     const LevelChoice levels = level_choice(texture.min_filter);
     const Enum filter = image_filter(texture.min_filter);
     if (levels == LevelChoice::kBase && filter == texture.mag_filter) return sampler.level(0, filter);
@@ -316,12 +327,12 @@ TexelBounds bounds_of(const Texture& texture, const TextureUnit& unit, const glm
 }  // namespace
 
 // Weights are not negative, so the smallest texels give the smallest mean.
-TexelBounds sample_bounds(const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
-                          const Interval& rho, std::size_t face, const glm::dvec2& change, const Interval& r) {
-    if (unit.texture->compares()) return compared_bounds(unit, st, st_error, rho, r);
-    if (!unit.texture->range) return bounds_of(*unit.texture, unit, st, st_error, rho, face, change);
-    TexelBounds bounds = bounds_of(unit.texture->range->low, unit, st, st_error, rho, face, change);
-    join(bounds, bounds_of(unit.texture->range->high, unit, st, st_error, rho, face, change));
+TexelBounds sample_bounds(const TextureUnit& unit, const glm::dvec3& str, const glm::dvec3& error, const Interval& rho,
+                          std::size_t face, const glm::dvec3& change) {
+    if (unit.texture->compares()) return compared_bounds(unit, str, error, rho);
+    if (!unit.texture->range) return bounds_of(*unit.texture, unit, str, error, rho, face, change);
+    TexelBounds bounds = bounds_of(unit.texture->range->low, unit, str, error, rho, face, change);
+    join(bounds, bounds_of(unit.texture->range->high, unit, str, error, rho, face, change));
     return bounds;
 }
 

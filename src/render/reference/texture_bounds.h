@@ -28,11 +28,10 @@ struct TexelBounds {
 // A comparison of depths with r (3.8.14) is a choice if it may fail at one of the depths near the place and pass at another: which
 // depths a linear filter compares, or whether it compares their mean, is open.
 //
-// `st_error`: the largest error of s and t. `rho`: the scale factors that correct implementations may find. `change`: how much s and
-// t change within a pixel, for anisotropic filters. `r`: for comparisons.
-TexelBounds sample_bounds(const TextureUnit& unit, const glm::dvec2& st, const glm::dvec2& st_error,
-                          const Interval& rho, std::size_t face = 0, const glm::dvec2& change = glm::dvec2(0),
-                          const Interval& r = Interval());
+// `error`: the largest error of s, t and r. `rho`: the scale factors that correct implementations may find. `change`: how much s, t
+// and r change within a pixel, for anisotropic filters.
+TexelBounds sample_bounds(const TextureUnit& unit, const glm::dvec3& str, const glm::dvec3& error, const Interval& rho,
+                          std::size_t face = 0, const glm::dvec3& change = glm::dvec3(0));
 // Either of two.
 TexelBounds choice(const TexelBounds& a, const TexelBounds& b);
 

@@ -9,20 +9,22 @@ namespace twinlight::reference {
 
 namespace {
 
-// s, t and q divided by w; they are linear in the window. `third`: 2 for r in place of q.
-Linear3 stq_over_w(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window, int third = 3) {
-    if (tex_coords.are_replaced(piece)) {  // r is 0, and q is 1
+// s, t, r and q divided by w; they are linear in the window.
+struct Coordinates {
+    glm::dvec4 value{0}, per_x{0}, per_y{0};
+};
+Coordinates coordinates_over_w(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window) {
+    if (tex_coords.are_replaced(piece)) {
         const TexCoords::OfSprite at = tex_coords.of_sprite(piece, position_window);
-        return {{at.st, third == 3 ? 1 : 0}, {at.per_x, 0}, {at.per_y, 0}};
+        return {{at.st, 0, 1}, {at.per_x, 0, 0}, {at.per_y, 0, 0}};
     }
     const Linear3 weights = weights_over_w_at(piece, position_window);
-    Linear3 result;
+    Coordinates result;
     for (int i = 0; i < 3; ++i) {
         const glm::dvec4& t = tex_coords[piece.primitive.vertices[i]];
-        const glm::dvec3 stq(t.x, t.y, t[third]);
-        result.value += weights.value[i] * stq;
-        result.per_x += weights.per_x[i] * stq;
-        result.per_y += weights.per_y[i] * stq;
+        result.value += weights.value[i] * t;
+        result.per_x += weights.per_x[i] * t;
+        result.per_y += weights.per_y[i] * t;
     }
     return result;
 }
@@ -31,33 +33,33 @@ bool has_no_change(const TexCoords& tex_coords, const Piece& piece) {
     return piece.shape == Shape::kPoint && !tex_coords.are_replaced(piece);
 }
 
-glm::dvec2 divided(const glm::dvec3& stq) { return {quotient(stq.x, stq.z), quotient(stq.y, stq.z)}; }
+glm::dvec3 divided(const glm::dvec4& c) { return {quotient(c.x, c.w), quotient(c.y, c.w), quotient(c.z, c.w)}; }
 
 // The range of rho from differences over any 2 x 2 pixels that include this one, and from the derivatives themselves:
 // implementations use differences (3.8.8 allows approximations) and choose the 2 x 2 pixels.
-Interval rho_of_differences(const Texture& texture, const Linear3& stq, const TexturePlace& place, double st_error) {
+Interval rho_of_differences(const Texture& texture, const Coordinates& over_w, const TexturePlace& place,
+                            double error) {
     const auto at = [&](int x, int y) {
-        return divided(stq.value + static_cast<double>(x) * stq.per_x + static_cast<double>(y) * stq.per_y);
+        return divided(over_w.value + static_cast<double>(x) * over_w.per_x + static_cast<double>(y) * over_w.per_y);
     };
-    const glm::dvec2 size(texture.levels[0].width, texture.target == kGL_TEXTURE_1D ? 0 : texture.levels[0].height);
+    const glm::dvec3 size = size_in_texels(texture);
     Interval along_x(glm::length(size * place.per_x)), along_y(glm::length(size * place.per_y));
     for (int across = -1; across <= 1; ++across)
         for (int step = -1; step <= 0; ++step) {
             along_x = hull(along_x, glm::length(size * (at(step + 1, across) - at(step, across))));
             along_y = hull(along_y, glm::length(size * (at(across, step + 1) - at(across, step))));
         }
-    const double error = 2 * st_error * std::max(size.x, size.y);
-    return {std::max(0.0, std::max(along_x.low, along_y.low) - error), std::max(along_x.high, along_y.high) + error};
+    const double in_texels = 2 * error * std::max({size.x, size.y, size.z});
+    return {std::max(0.0, std::max(along_x.low, along_y.low) - in_texels),
+            std::max(along_x.high, along_y.high) + in_texels};
 }
 
-constexpr int kR = 2;
-
-// `str`: the direction, times a factor.
-TexturePlace place_of(const Linear3& str, const CubePlace& on_face) {
-    TexturePlace place{.st = on_face.st, .face = on_face.face};
-    const auto change = [&](const glm::dvec3& d) {  // the quotient rule
+// `over_w`: the direction, times a factor.
+TexturePlace place_of(const Coordinates& over_w, const CubePlace& on_face) {
+    TexturePlace place{.str = {on_face.st, 0}, .face = on_face.face};
+    const auto change = [&](const glm::dvec4& d) {  // the quotient rule
         const double of_major = on_face.signs[2] * d[on_face.axes[2]];
-        glm::dvec2 result;
+        glm::dvec3 result(0);
         for (int i = 0; i < 2; ++i) {
             const auto n = static_cast<std::size_t>(i);
             const double of_part = on_face.signs[n] * d[on_face.axes[n]];
@@ -65,9 +67,16 @@ TexturePlace place_of(const Linear3& str, const CubePlace& on_face) {
         }
         return result;
     };
-    place.per_x = change(str.per_x);
-    place.per_y = change(str.per_y);
+    place.per_x = change(over_w.per_x);
+    place.per_y = change(over_w.per_y);
     return place;
+}
+
+// What a float loses of each coordinate: the plane (a constant plus slope times pixel number) and the texture matrix are added up
+// from these magnitudes.
+glm::dvec4 added_up(const Coordinates& over_w, const glm::dvec2& position_window) {
+    return glm::abs(over_w.value) + glm::abs(over_w.per_x) * std::abs(position_window.x) +
+           glm::abs(over_w.per_y) * std::abs(position_window.y);
 }
 
 }  // namespace
@@ -82,24 +91,24 @@ std::vector<TexturePlaceBounds> cube_place_bounds(const TexCoords& tex_coords, c
                                                   const glm::dvec2& position_window, const Texture& texture,
                                                   double vertex_error) {
     constexpr double kRoundings = 8 * 0x1p-24;
-    const Linear3 str = stq_over_w(tex_coords, piece, position_window, kR);
+    const Coordinates over_w = coordinates_over_w(tex_coords, piece, position_window);
+    const glm::dvec3 str(over_w.value);
     const glm::dvec3 weights = glm::abs(weights_over_w_at(piece, position_window).value);
-    const glm::dvec3 error = kRoundings * (glm::abs(str.value) + glm::abs(str.per_x) * std::abs(position_window.x) +
-                                           glm::abs(str.per_y) * std::abs(position_window.y)) +
-                             kSnap * (glm::abs(str.per_x) + glm::abs(str.per_y)) +
+    const glm::dvec3 error = kRoundings * glm::dvec3(added_up(over_w, position_window)) +
+                             kSnap * glm::dvec3(glm::abs(over_w.per_x) + glm::abs(over_w.per_y)) +
                              vertex_error * (weights.x + weights.y + weights.z);
-    const glm::dvec3 least = glm::abs(str.value) - error;
+    const glm::dvec3 least = glm::abs(str) - error;
     const double major = std::max({least.x, least.y, least.z});
     std::vector<TexturePlaceBounds> bounds;
     for (std::size_t face = 0; face < texture.face_count(); ++face) {
-        const CubePlace on_face = place_on_face(str.value, face);
+        const CubePlace on_face = place_on_face(str, face);
         const double of_major = error[on_face.axes[2]];
         if (on_face.major <= 0 || on_face.major + of_major < major) continue;
-        TexturePlace place = place_of(str, on_face);
+        TexturePlace place = place_of(over_w, on_face);
         place.of_point = has_no_change(tex_coords, piece);
-        TexturePlaceBounds one{.st = glm::clamp(on_face.st, 0.0, 1.0), .face = face};
+        TexturePlaceBounds one{.str = {glm::clamp(on_face.st, 0.0, 1.0), 0}, .face = face};
         for (int i = 0; i < 2; ++i)
-            one.st_error[i] = quotient(
+            one.str_error[i] = quotient(
                 (error[on_face.axes[static_cast<std::size_t>(i)]] + std::abs(2 * on_face.st[i] - 1) * of_major) / 2,
                 on_face.major);
         one.change = glm::abs(place.per_x) + glm::abs(place.per_y);
@@ -109,36 +118,38 @@ std::vector<TexturePlaceBounds> cube_place_bounds(const TexCoords& tex_coords, c
     }
     if (bounds.empty()) {  // the direction is 0
         const TexturePlace place = texture_place(tex_coords, piece, position_window, texture);
-        bounds.push_back({.st = place.st, .rho = Interval(scale_factor(texture, place)), .face = place.face});
+        bounds.push_back({.str = place.str, .rho = Interval(scale_factor(texture, place)), .face = place.face});
     }
     return bounds;
 }
 
 TexturePlace texture_place(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window,
                            const Texture& texture) {
+    const Coordinates over_w = coordinates_over_w(tex_coords, piece, position_window);
     if (texture.is_cube()) {
-        const Linear3 str = stq_over_w(tex_coords, piece, position_window, kR);
-        TexturePlace place = place_of(str, cube_place(str.value));
+        TexturePlace place = place_of(over_w, cube_place(glm::dvec3(over_w.value)));
         place.of_point = has_no_change(tex_coords, piece);
         return place;
     }
-    const Linear3 stq = stq_over_w(tex_coords, piece, position_window);
-    TexturePlace place{.st = divided(stq.value), .of_point = has_no_change(tex_coords, piece)};
-    const auto change = [&](const glm::dvec3& d) {  // the quotient rule
-        return glm::dvec2(quotient(d.x - place.st.x * d.z, stq.value.z), quotient(d.y - place.st.y * d.z, stq.value.z));
+    TexturePlace place{.str = divided(over_w.value), .of_point = has_no_change(tex_coords, piece)};
+    const auto change = [&](const glm::dvec4& d) {  // the quotient rule
+        const glm::dvec3 of_str = glm::dvec3(d) - place.str * d.w;
+        return divided({of_str, over_w.value.w});
     };
-    place.per_x = change(stq.per_x);
-    place.per_y = change(stq.per_y);
-    if (texture.compares()) place.r = quotient(stq_over_w(tex_coords, piece, position_window, kR).value.z, stq.value.z);
+    place.per_x = change(over_w.per_x);
+    place.per_y = change(over_w.per_y);
     return place;
 }
 
-lighting::RulingSet texture_rulings(const TexCoords& tex_coords, const Piece& piece,
-                                    const glm::dvec2& position_window) {
+lighting::RulingSet texture_rulings(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window,
+                                    const Texture& texture) {
     using lighting::Marked;
-    const glm::dvec3 stq = stq_over_w(tex_coords, piece, position_window).value;
-    const Marked s = quotient(Marked(stq.x), Marked(stq.z)), t = quotient(Marked(stq.y), Marked(stq.z));
-    return countable(s).rulings | countable(t).rulings;
+    const glm::dvec4 over_w = coordinates_over_w(tex_coords, piece, position_window).value;
+    const auto rulings_of = [&](double coordinate) {
+        return countable(quotient(Marked(coordinate), Marked(over_w.w))).rulings;
+    };
+    const lighting::RulingSet of_st = rulings_of(over_w.x) | rulings_of(over_w.y);
+    return texture.is_volume() ? of_st | rulings_of(over_w.z) : of_st;
 }
 
 TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece& piece,
@@ -148,49 +159,34 @@ TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece
     // of the division, each at most half a unit in the last place of the magnitudes added.
     constexpr double kRoundings = 8 * 0x1p-24;
     const TexturePlace place = texture_place(tex_coords, piece, position_window, texture);
-    Linear3 stq = stq_over_w(tex_coords, piece, position_window);
-    const glm::dvec3 added_up = glm::abs(stq.value) + glm::abs(stq.per_x) * std::abs(position_window.x) +
-                                glm::abs(stq.per_y) * std::abs(position_window.y);
-    const double q = std::abs(stq.value.z);
-    glm::dvec2 arithmetic = kRoundings * glm::dvec2(quotient(added_up.x + std::abs(place.st.x) * added_up.z, q),
-                                                    quotient(added_up.y + std::abs(place.st.y) * added_up.z, q));
-    double of_vertices = 0;
+    Coordinates over_w = coordinates_over_w(tex_coords, piece, position_window);
+    const glm::dvec4 magnitudes = added_up(over_w, position_window);
+    const double q = std::abs(over_w.value.w);
+    const glm::dvec3 sizes = glm::abs(place.str);
+    glm::dvec3 arithmetic = kRoundings * divided({glm::dvec3(magnitudes) + sizes * magnitudes.w, q});
     if (vertex_error > 0) {
         const glm::dvec3 weights = glm::abs(weights_over_w_at(piece, position_window).value);
-        of_vertices = quotient(vertex_error * (weights.x + weights.y + weights.z), q);
-        for (int i = 0; i < 2; ++i) arithmetic[i] += of_vertices * (1 + std::abs(place.st[i]));
+        arithmetic += quotient(vertex_error * (weights.x + weights.y + weights.z), q) * (1.0 + sizes);
     }
 
-    TexturePlaceBounds bounds{.st = place.st,
-                              .st_error = arithmetic + kSnap * (glm::abs(place.per_x) + glm::abs(place.per_y)),
+    const glm::dvec3 change = glm::abs(place.per_x) + glm::abs(place.per_y);
+    TexturePlaceBounds bounds{.str = place.str,
+                              .str_error = arithmetic + kSnap * change,
                               .rho = Interval(scale_factor(texture, place)),
-                              .change = glm::abs(place.per_x) + glm::abs(place.per_y)};
-    if (texture.compares()) {  // as s and t
-        const Linear3 str = stq_over_w(tex_coords, piece, position_window, kR);
-        const auto magnitude = [&](const Linear3& one) {
-            return std::abs(one.value.z) + std::abs(one.per_x.z * position_window.x) +
-                   std::abs(one.per_y.z * position_window.y);
-        };
-        const auto change = [&](const glm::dvec3& of_r, const glm::dvec3& of_q) {
-            return std::abs(quotient(of_r.z - place.r * of_q.z, q));
-        };
-        const double error = kRoundings * quotient(magnitude(str) + std::abs(place.r) * magnitude(stq), q) +
-                             of_vertices * (1 + std::abs(place.r)) +
-                             kSnap * (change(str.per_x, stq.per_x) + change(str.per_y, stq.per_y));
-        bounds.r = {place.r - error, place.r + error};
-    }
+                              .change = change};
     const bool has_one_image = level_choice(texture.min_filter) == LevelChoice::kBase &&
                                image_filter(texture.min_filter) == texture.mag_filter;
     if (place.of_point || (has_one_image && texture.max_anisotropy <= 1)) return bounds;  // then rho decides nothing
-    const double st_error = std::max(arithmetic.x, arithmetic.y);
-    bounds.rho = rho_of_differences(texture, stq, place, st_error);
+    double error = std::max(arithmetic.x, arithmetic.y);
+    if (texture.is_volume()) error = std::max(error, arithmetic.z);
+    bounds.rho = rho_of_differences(texture, over_w, place, error);
     if (piece.shape == Shape::kLine) {
         // 3.8.8 uses the change along the line; drivers use the change along its longer axis, x or y.
         const glm::dvec2 way =
             glm::abs(glm::dvec2(piece.ends().to.position_window - piece.ends().from.position_window));
         const double longer = quotient(glm::length(way), std::max(way.x, way.y));
-        stq.per_x *= longer;
-        bounds.rho = hull(bounds.rho, rho_of_differences(texture, stq, place, st_error));
+        over_w.per_x *= longer;
+        bounds.rho = hull(bounds.rho, rho_of_differences(texture, over_w, place, error));
     }
     return bounds;
 }

@@ -1,6 +1,6 @@
 // A fragment's place in its texture (3.4.1, 3.5.1, 3.8.8), and the largest error of correct implementations.
 //
-// In: a piece and its stage vertices. Out: (s, t) divided by q and its derivatives over the window.
+// In: a piece and its stage vertices. Out: (s, t, r) divided by q and its derivatives over the window.
 #pragma once
 
 #include <optional>
@@ -48,11 +48,10 @@ TexturePlace texture_place(const TexCoords& tex_coords, const Piece& piece, cons
 
 // The input of texture_bounds.h.
 struct TexturePlaceBounds {
-    glm::dvec2 st{0}, st_error{0};
+    glm::dvec3 str{0}, str_error{0};
     Interval rho{};
     std::size_t face = 0;
-    glm::dvec2 change{0};  // of s and t within a pixel
-    Interval r{};          // if the texture compares depths with it
+    glm::dvec3 change{0};  // of s, t and r within a pixel
 };
 // `vertex_error`: the largest error of a vertex's s, t, q and, where it counts, r.
 TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece& piece,
@@ -69,7 +68,8 @@ std::vector<TexturePlaceBounds> cube_place_bounds(const TexCoords& tex_coords, c
 inline constexpr double kSnap = 1.0 / 256;
 
 // The rulings that the place depends on, for a mesh.
-lighting::RulingSet texture_rulings(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window);
+lighting::RulingSet texture_rulings(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window,
+                                    const Texture& texture);
 
 // RULING: a quotient with a q of 0 is 0.
 template <class Real>

@@ -21,20 +21,23 @@ std::vector<Weighted> texels_on_axis(Enum filter, Enum wrap, double coordinate, 
 TextureSteps::Image image_steps(const Texture& texture, int level, double weight, Enum filter,
                                 const TexturePlace& place) {
     TextureSteps::Image steps{.level = level, .weight = weight};
-    const glm::dvec2& st = place.st;
+    const glm::dvec3& str = place.str;
     const TextureImage& image = texture.face(place.face)[static_cast<std::size_t>(level)];
-    const bool is_flat = texture.target == kGL_TEXTURE_1D;
+    const std::vector<Weighted> only{{0, 1}};
     const std::vector<Weighted> rows =
-        is_flat ? std::vector<Weighted>{{0, 1}} : texels_on_axis(filter, texture.wrap_t, st.y, image.height);
-    for (const Weighted& j : rows)
-        for (const Weighted& i : texels_on_axis(filter, texture.wrap_s, st.x, image.width))
-            steps.texels.push_back(
-                {.i = i.index,
-                 .j = j.index,
-                 .is_border = i.index < 0 || i.index >= image.width || j.index < 0 || j.index >= image.height,
-                 .weight = i.weight * j.weight,
-                 .color = texel_at(texture, image, i.index, j.index, place.r),
-                 .depth = texture.has_depths() ? texel_depth(texture, image, i.index, j.index) : 0});
+        texture.is_flat() ? only : texels_on_axis(filter, texture.wrap_t, str.y, image.height);
+    const std::vector<Weighted> layers =
+        texture.is_volume() ? texels_on_axis(filter, texture.wrap_r, str.z, image.depth) : only;
+    for (const Weighted& k : layers)
+        for (const Weighted& j : rows)
+            for (const Weighted& i : texels_on_axis(filter, texture.wrap_s, str.x, image.width)) {
+                const TexelPlace texel{i.index, j.index, k.index};
+                steps.texels.push_back({.place = texel,
+                                        .is_border = !texel.is_inside(image),
+                                        .weight = i.weight * j.weight * k.weight,
+                                        .color = texel_at(texture, image, texel, str.z),
+                                        .depth = texture.has_depths() ? texel_depth(texture, image, texel) : 0});
+            }
     return steps;
 }
 
@@ -42,8 +45,7 @@ TextureSteps::Image image_steps(const Texture& texture, int level, double weight
 
 TextureSteps texture_steps(const TextureUnit& unit, const glm::dvec4& coordinates, const TexturePlace& place) {
     const Texture& texture = *unit.texture;
-    TextureSteps steps{
-        .coordinates = coordinates, .st = place.st, .face = place.face, .r = place.r, .of_point = place.of_point};
+    TextureSteps steps{.coordinates = coordinates, .str = place.str, .face = place.face, .of_point = place.of_point};
     steps.rho = scale_factor(texture, place);
     steps.lambda = level_of_detail(steps.rho, unit);
     const FilteredImages images = filtered_images(texture, steps.lambda);
@@ -52,7 +54,7 @@ TextureSteps texture_steps(const TextureUnit& unit, const glm::dvec4& coordinate
     steps.images.push_back(image_steps(texture, images.first, 1 - images.weight, images.filter, place));
     if (images.weight > 0)
         steps.images.push_back(image_steps(texture, images.second, images.weight, images.filter, place));
-    steps.texel = sample(texture, place.st, steps.lambda, place.face, place.r);
+    steps.texel = sample(texture, place.str, steps.lambda, place.face);
     return steps;
 }
 

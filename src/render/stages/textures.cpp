@@ -15,7 +15,8 @@ namespace {
 
 // Texels are stored without gaps, so glPixelStore and glPixelTransfer get their initial values.
 void set_unpacking() {
-    for (GLenum name : {GL_UNPACK_SWAP_BYTES, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS})
+    for (GLenum name : {GL_UNPACK_SWAP_BYTES, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS,
+                        GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES})
         glPixelStorei(name, 0);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
@@ -42,14 +43,17 @@ void upload(const Texture& texture) {
         const std::vector<float> depths = has_depths ? depths_of(image) : std::vector<float>();
         const GLenum pixels = has_depths ? GL_DEPTH_COMPONENT : GL_RGBA;
         const void* const data = has_depths ? static_cast<const void*>(depths.data()) : image.texels.data();
-        if (texture.target == kGL_TEXTURE_1D)
+        if (texture.is_flat())
             glTexImage1D(GL_TEXTURE_1D, level, format, image.width, 0, pixels, GL_FLOAT, data);
+        else if (texture.is_volume())
+            glTexImage3D(GL_TEXTURE_3D, level, format, image.width, image.height, image.depth, 0, pixels, GL_FLOAT,
+                         data);
         else
             glTexImage2D(target, level, format, image.width, image.height, 0, pixels, GL_FLOAT, data);
         if (const GLenum error = glGetError(); error != GL_NO_ERROR)
             throw std::runtime_error(
-                fmt::format("the driver refuses level {} of a texture, {} x {} texels: GL error {:#x}", level,
-                            image.width, image.height, error));
+                fmt::format("the driver refuses level {} of a texture, {} x {} x {} texels: GL error {:#x}", level,
+                            image.width, image.height, image.depth, error));
     };
     for (std::size_t face = 0; face < texture.face_count(); ++face)
         for (std::size_t i = 0; i < texture.face(face).size(); ++i) upload_level(face, i);
@@ -64,6 +68,7 @@ void set_parameters(const Texture& texture, Clamping clamping) {
     if (clamping == Clamping::kDriver || texture.is_cube()) clamped = kGL_CLAMP;
     set(GL_TEXTURE_WRAP_S, texture.wrap_s == kGL_CLAMP ? clamped : texture.wrap_s);
     set(GL_TEXTURE_WRAP_T, texture.wrap_t == kGL_CLAMP ? clamped : texture.wrap_t);
+    set(GL_TEXTURE_WRAP_R, texture.wrap_r == kGL_CLAMP ? clamped : texture.wrap_r);
     // Drivers disagree on what this mode does in GLSL, so a shader has luminance and does the rest itself.
     set(GL_DEPTH_TEXTURE_MODE, clamping == Clamping::kDriver ? texture.depth_mode : kGL_LUMINANCE);
     set(GL_TEXTURE_COMPARE_MODE, texture.compare_mode);
@@ -72,7 +77,7 @@ void set_parameters(const Texture& texture, Clamping clamping) {
     glTexParameterfv(texture.target, GL_TEXTURE_BORDER_COLOR, &border[0]);
     glTexParameterf(texture.target, GL_TEXTURE_MIN_LOD, static_cast<float>(texture.min_lod));
     glTexParameterf(texture.target, GL_TEXTURE_MAX_LOD, static_cast<float>(texture.max_lod));
-    if (texture.target != kGL_TEXTURE_1D)  // llvmpipe 22.3 crashes there
+    if (!texture.is_flat())  // llvmpipe 22.3 crashes there
         glTexParameterf(texture.target, GL_TEXTURE_MAX_ANISOTROPY_EXT, static_cast<float>(texture.max_anisotropy));
     glTexParameteri(texture.target, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(texture.levels.size()) - 1);
 }
@@ -97,10 +102,10 @@ GLuint uploaded(const Texture& texture, Clamping clamping) {
 
 // Compares all members; the structured binding fails to compile if one is added.
 bool are_same(const TextureImage& a, const TextureImage& b) {
-    const auto& [width, height, base_format, internal_format, texels, parts, half_of] = a;
+    const auto& [width, height, depth, base_format, internal_format, texels, parts, half_of] = a;
     static_assert(sizeof(glm::vec4) == 4 * sizeof(float));
     const bool are_whole = parts.empty() && b.parts.empty() && !half_of && !b.half_of;
-    return are_whole && width == b.width && height == b.height && base_format == b.base_format &&
+    return are_whole && width == b.width && height == b.height && depth == b.depth && base_format == b.base_format &&
            internal_format == b.internal_format && texels.size() == b.texels.size() &&
            (texels.empty() || std::memcmp(texels.data(), b.texels.data(), texels.size() * sizeof(glm::vec4)) == 0);
 }
@@ -111,11 +116,11 @@ bool are_same(const std::vector<TextureImage>& a, const std::vector<TextureImage
 
 // Compares all members, as above.
 bool are_same(const Texture& a, const Texture& b) {
-    const auto& [target, levels, further_faces, min_filter, mag_filter, wrap_s, wrap_t, border_color, priority,
+    const auto& [target, levels, further_faces, min_filter, mag_filter, wrap_s, wrap_t, wrap_r, border_color, priority,
                  generate_mipmap, lod_bias, min_lod, max_lod, max_anisotropy, depth_mode, compare_mode, compare_func,
                  base_level, max_level, range] = a;
     return target == b.target && min_filter == b.min_filter && mag_filter == b.mag_filter && wrap_s == b.wrap_s &&
-           wrap_t == b.wrap_t && border_color == b.border_color && priority == b.priority &&
+           wrap_t == b.wrap_t && wrap_r == b.wrap_r && border_color == b.border_color && priority == b.priority &&
            generate_mipmap == b.generate_mipmap && lod_bias == b.lod_bias && min_lod == b.min_lod &&
            max_lod == b.max_lod && max_anisotropy == b.max_anisotropy && depth_mode == b.depth_mode &&
            compare_mode == b.compare_mode && compare_func == b.compare_func && base_level == b.base_level &&

@@ -254,6 +254,7 @@ Answer answer(const State& state, Enum pname) {
         case kGL_LIST_BASE: return one(a.list_base);
         case kGL_TEXTURE_BINDING_1D: return one(unit.bound_1d);
         case kGL_TEXTURE_BINDING_2D: return one(unit.bound_2d);
+        case kGL_TEXTURE_BINDING_3D: return one(unit.bound_3d);
         case kGL_TEXTURE_BINDING_CUBE_MAP: return one(unit.bound_cube);
         case kGL_LIST_INDEX: return one(state.lists().open_name);
         case kGL_LIST_MODE: return one(state.lists().open_name == 0 ? 0 : state.lists().open_mode);
@@ -267,6 +268,7 @@ Answer answer(const State& state, Enum pname) {
         case kGL_MAX_LIGHTS: return one(kMaxLights);
         case kGL_MAX_CLIP_PLANES: return one(kMaxClipPlanes);
         case kGL_MAX_TEXTURE_SIZE: return one(kMaxTextureSize);
+        case kGL_MAX_3D_TEXTURE_SIZE: return one(kMax3dTextureSize);
         case kGL_MAX_TEXTURE_UNITS: return one(kMaxTextureUnits);
         case kGL_MAX_TEXTURE_LOD_BIAS: return one(kMaxLodBias);
         case kGL_MAX_TEXTURE_MAX_ANISOTROPY_EXT: return one(kMaxAnisotropy);
@@ -327,6 +329,7 @@ Answer tex_parameter_answer(const State& state, Enum target, Enum pname) {
         case kGL_TEXTURE_MAG_FILTER: return one(texture.mag_filter);
         case kGL_TEXTURE_WRAP_S: return one(texture.wrap_s);
         case kGL_TEXTURE_WRAP_T: return one(texture.wrap_t);
+        case kGL_TEXTURE_WRAP_R: return one(texture.wrap_r);
         case kGL_TEXTURE_BORDER_COLOR: return list(texture.border_color);
         case kGL_TEXTURE_PRIORITY: return one(texture.priority);
         case kGL_GENERATE_MIPMAP: return one(texture.generate_mipmap);
@@ -353,6 +356,7 @@ Answer tex_level_answer(const State& state, Enum target, int level, Enum pname) 
     switch (pname) {
         case kGL_TEXTURE_WIDTH: return one(image ? image->width : 0);
         case kGL_TEXTURE_HEIGHT: return one(image ? image->height : 0);
+        case kGL_TEXTURE_DEPTH: return one(image ? image->depth : 0);
         case kGL_TEXTURE_BORDER: return one(0);
         case kGL_TEXTURE_INTERNAL_FORMAT: return one(image ? image->internal_format : 1);
         case kGL_TEXTURE_DEPTH_SIZE: {

@@ -49,9 +49,9 @@ auto viewport(auto& a) { return std::tie(a.raster.viewport, a.raster.depth_near,
 
 // The parameters of a texture (tables 6.16 and 6.17), without its images.
 auto parameters(auto& texture) {
-    return std::tie(texture.min_filter, texture.mag_filter, texture.wrap_s, texture.wrap_t, texture.border_color,
-                    texture.priority, texture.generate_mipmap, texture.lod_bias, texture.min_lod, texture.max_lod,
-                    texture.base_level, texture.max_level, texture.max_anisotropy);
+    return std::tie(texture.min_filter, texture.mag_filter, texture.wrap_s, texture.wrap_t, texture.wrap_r,
+                    texture.border_color, texture.priority, texture.generate_mipmap, texture.lod_bias, texture.min_lod,
+                    texture.max_lod, texture.base_level, texture.max_level, texture.max_anisotropy);
 }
 
 void restore_enables(Attributes& now, const Attributes& saved) {
@@ -62,6 +62,7 @@ void restore_enables(Attributes& now, const Attributes& saved) {
     for (std::size_t i = 0; i < saved.units.size(); ++i) {
         now.units[i].enabled_1d = saved.units[i].enabled_1d;
         now.units[i].enabled_2d = saved.units[i].enabled_2d;
+        now.units[i].enabled_3d = saved.units[i].enabled_3d;
         now.units[i].enabled_cube = saved.units[i].enabled_cube;
         for (std::size_t n = 0; n < saved.units[i].tex_gen.size(); ++n)
             now.units[i].tex_gen[n].enabled = saved.units[i].tex_gen[n].enabled;

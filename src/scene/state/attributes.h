@@ -17,6 +17,7 @@ struct TextureObjects {
     // The textures of name 0 (3.8.12).
     std::shared_ptr<Texture> default_1d = std::make_shared<Texture>(Texture{.target = kGL_TEXTURE_1D});
     std::shared_ptr<Texture> default_2d = std::make_shared<Texture>();
+    std::shared_ptr<Texture> default_3d = std::make_shared<Texture>(Texture{.target = kGL_TEXTURE_3D});
     std::shared_ptr<Texture> default_cube = std::make_shared<Texture>(Texture{.target = kGL_TEXTURE_CUBE_MAP});
     std::size_t texels = 0;  // in all of them
 };
@@ -36,7 +37,8 @@ inline constexpr double kMaxLodBias = 16;           // GL_MAX_TEXTURE_LOD_BIAS: 
 inline constexpr std::size_t kMaxTextureUnits = 8;  // GL_MAX_TEXTURE_UNITS: at least 2 (table 6.31); 8 in Mesa
 
 // The kinds of textures that all renderers draw.
-inline constexpr std::initializer_list<Enum> kTextureTargets{kGL_TEXTURE_1D, kGL_TEXTURE_2D, kGL_TEXTURE_CUBE_MAP};
+inline constexpr std::initializer_list<Enum> kTextureTargets{kGL_TEXTURE_1D, kGL_TEXTURE_2D, kGL_TEXTURE_3D,
+                                                             kGL_TEXTURE_CUBE_MAP};
 
 // An image of a texture, by the target of glTexImage.
 struct ImageTarget {
@@ -46,6 +48,10 @@ struct ImageTarget {
 
 // nullopt for other targets, proxies among them.
 std::optional<ImageTarget> image_target(Enum target);
+// Whether the command on images has the dimensions of the texture: glTexImage3D those of GL_TEXTURE_3D.
+bool has_dimensions_of(const Command& command, Enum texture);
+// 1 to 3, from the name of a command on images.
+int image_dimensions(const Command& command);
 
 // How a texture coordinate is generated (2.11.4), and whether it is.
 struct TexGen {
@@ -57,8 +63,8 @@ struct TexGen {
 
 // The bindings, capabilities and environment of a texture unit (3.8.13, 3.8.16).
 struct TextureBindings {
-    std::uint32_t bound_1d = 0, bound_2d = 0, bound_cube = 0;
-    bool enabled_1d = false, enabled_2d = false, enabled_cube = false;
+    std::uint32_t bound_1d = 0, bound_2d = 0, bound_3d = 0, bound_cube = 0;
+    bool enabled_1d = false, enabled_2d = false, enabled_3d = false, enabled_cube = false;
     Enum env_mode = kGL_MODULATE;
     glm::dvec4 env_color{0, 0, 0, 0};
     Combine combine;
@@ -68,14 +74,24 @@ struct TextureBindings {
     std::array<TexGen, 4> tex_gen{TexGen{.object_plane = {1, 0, 0, 0}, .plane_eye = {1, 0, 0, 0}},
                                   TexGen{.object_plane = {0, 1, 0, 0}, .plane_eye = {0, 1, 0, 0}}, TexGen{}, TexGen{}};
 
-    bool is_enabled() const { return enabled_1d || enabled_2d || enabled_cube; }
+    bool is_enabled() const { return enabled_1d || enabled_2d || enabled_3d || enabled_cube; }
+    // The enabled target with more dimensions (3.8.15), if one is enabled.
+    Enum target() const {
+        return enabled_cube ? kGL_TEXTURE_CUBE_MAP
+               : enabled_3d ? kGL_TEXTURE_3D
+               : enabled_2d ? kGL_TEXTURE_2D
+                            : kGL_TEXTURE_1D;
+    }
     // The name of the texture that is bound to one of kTextureTargets.
     std::uint32_t& bound(Enum target) {
-        return target == kGL_TEXTURE_1D ? bound_1d : target == kGL_TEXTURE_2D ? bound_2d : bound_cube;
+        switch (target) {
+            case kGL_TEXTURE_1D: return bound_1d;
+            case kGL_TEXTURE_2D: return bound_2d;
+            case kGL_TEXTURE_3D: return bound_3d;
+            default: return bound_cube;
+        }
     }
-    std::uint32_t bound(Enum target) const {
-        return target == kGL_TEXTURE_1D ? bound_1d : target == kGL_TEXTURE_2D ? bound_2d : bound_cube;
-    }
+    std::uint32_t bound(Enum target) const { return const_cast<TextureBindings&>(*this).bound(target); }  // NOLINT
 };
 
 // Those that are enabled, in the order s, t, r, q.

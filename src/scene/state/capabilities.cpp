@@ -13,7 +13,6 @@ std::span<const DriverOnlyCapability> driver_only_capabilities() {
         {kGL_POLYGON_SMOOTH, kGL_POLYGON_BIT, true},
         {kGL_INDEX_LOGIC_OP, kGL_COLOR_BUFFER_BIT, false},
         {kGL_DITHER, kGL_COLOR_BUFFER_BIT, false},
-        {kGL_TEXTURE_3D, kGL_TEXTURE_BIT, true},
         {kGL_TEXTURE_RECTANGLE, kGL_TEXTURE_BIT, true},
         {kGL_MULTISAMPLE, kGL_MULTISAMPLE_BIT, false},
         {kGL_SAMPLE_ALPHA_TO_COVERAGE, kGL_MULTISAMPLE_BIT, false},
@@ -85,6 +84,7 @@ auto* supported_flag(A& a, Enum cap) {
         case kGL_FOG: return &a.fog.enabled;
         case kGL_TEXTURE_1D: return &a.units[a.active_unit].enabled_1d;
         case kGL_TEXTURE_2D: return &a.units[a.active_unit].enabled_2d;
+        case kGL_TEXTURE_3D: return &a.units[a.active_unit].enabled_3d;
         case kGL_TEXTURE_CUBE_MAP: return &a.units[a.active_unit].enabled_cube;
         default: return Flag{};
     }

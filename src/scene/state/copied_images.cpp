@@ -56,7 +56,7 @@ bool is_driver_only_format(Enum format) {
 
 void add_part(TextureImage& image, ImagePart part) {
     std::erase_if(image.parts, [&](const ImagePart& older) { return part.covers(older); });
-    if (part.covers({.width = image.width, .height = image.height})) image.half_of.reset();
+    if (image.depth == 1 && part.covers({.width = image.width, .height = image.height})) image.half_of.reset();
     image.parts.push_back(std::move(part));
 }
 
@@ -85,29 +85,31 @@ std::shared_ptr<const CopiedPixels> State::take_pixels(const Command& c, CopiedB
 void State::copy_tex_image(const Command& c) {
     const bool two = c.id == CommandId::glCopyTexImage2D;
     const bool is_driver_only = two && is_driver_only_copy(c.enumerant(0));
-    const std::optional<ImageTarget> target = is_driver_only ? ImageTarget{} : image_target(c, two);
+    const std::optional<ImageTarget> target = is_driver_only ? ImageTarget{} : image_target(c);
     if (!target) return;
     const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
     const int level = whole(1), border = whole(two ? 7 : 6);
     Viewport from{whole(3), whole(4), whole(5), two ? whole(6) : 1};
     const int largest = level >= 0 && level < kMaxTextureLevels ? kMaxTextureSize >> level : 0;
     const auto fits = [&](int side) { return side >= 2 * border && side <= largest + 2 * border; };
-    if (largest == 0 || (border != 0 && border != 1) || !fits(from.width) || (two && !fits(from.height))) {
-        return raise(kGL_INVALID_VALUE, c,
-                     "{} cannot make level {} with {} x {} texels and a border of {}; each side of level 0 can have at "
-                     "most {}, and the border must be 0 or 1",
-                     c.name(), level, from.width, from.height, border, kMaxTextureSize);
-    }
-    if (target->texture == kGL_TEXTURE_CUBE_MAP && from.width != from.height)
-        return raise(kGL_INVALID_VALUE, c, "the image is {} x {}; those of a cube map must be square", from.width,
-                     from.height);
+    const auto raise_size = [&] {
+        raise(kGL_INVALID_VALUE, c,
+              "{} cannot make level {} with {} x {} texels and a border of {}; each side of level 0 can have at "
+              "most {}, and the border must be 0 or 1",
+              c.name(), level, from.width, from.height, border, kMaxTextureSize);
+    };
+    if (largest == 0 || (border != 0 && border != 1)) return raise_size();
     const std::optional<InternalFormat> format = internal_format(c.number(2));
-    if (is_driver_only_format(c.enumerant(2)))
-        return note_lasting(fmt::format("{}({})", c.name(), enum_name(c.enumerant(2))), c.place);
-    if (!format || c.number(2) <= 4) {
+    const bool is_unsupported = is_driver_only_format(c.enumerant(2));
+    if (!is_unsupported && (!format || c.number(2) <= 4)) {
         return raise(kGL_INVALID_ENUM, c, "{} is given the internal format {}; expected GL_RGB, GL_RGBA8, ...",
                      c.name(), enum_name(c.enumerant(2)));
     }
+    if (!fits(from.width) || (two && !fits(from.height))) return raise_size();
+    if (target->texture == kGL_TEXTURE_CUBE_MAP && from.width != from.height)
+        return raise(kGL_INVALID_VALUE, c, "the image is {} x {}; those of a cube map must be square", from.width,
+                     from.height);
+    if (is_unsupported) return note_lasting(fmt::format("{}({})", c.name(), enum_name(c.enumerant(2))), c.place);
     if (is_driver_only) return note_lasting(c.name(), c.place);
     if (!check_depths(c, target->texture, format->base_format, format->base_format)) return;
     // RULING: borders are cut off, as by glTexImage.
@@ -119,8 +121,11 @@ void State::copy_tex_image(const Command& c) {
     const std::size_t replaced = index < bound.size() ? bound[index].texels.size() : 0;
     const auto count = static_cast<std::size_t>(from.width) * static_cast<std::size_t>(from.height);
     if (!has_texels(c, static_cast<double>(count), replaced)) return;
-    TextureImage image{from.width, from.height, format->base_format, c.enumerant(2),
-                       std::vector<glm::vec4>(count, stored({0, 0, 0, 1}, *format))};
+    TextureImage image{.width = from.width,
+                       .height = from.height,
+                       .base_format = format->base_format,
+                       .internal_format = c.enumerant(2),
+                       .texels = std::vector<glm::vec4>(count, stored({0, 0, 0, 1}, *format))};
     if (count > 0)
         if (auto pixels = take_pixels(c, buffer_for(format->base_format), from))
             image.parts.push_back({.width = from.width, .height = from.height, .copied = std::move(pixels)});
@@ -135,28 +140,32 @@ void State::copy_tex_image(const Command& c) {
 }
 
 void State::copy_tex_sub_image(const Command& c) {
-    const bool two = c.id == CommandId::glCopyTexSubImage2D;
-    const bool is_driver_only = two && is_driver_only_copy(c.enumerant(0));
-    const std::optional<ImageTarget> target = is_driver_only ? ImageTarget{} : image_target(c, two);
+    const auto dimensions = static_cast<std::size_t>(image_dimensions(c));
+    const bool is_flat = dimensions == 1, is_volume = dimensions == 3;
+    const bool is_driver_only = dimensions == 2 && is_driver_only_copy(c.enumerant(0));
+    const std::optional<ImageTarget> target = is_driver_only ? ImageTarget{} : image_target(c);
     if (!target) return;
     const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
-    const int level = whole(1), x0 = whole(2), y0 = two ? whole(3) : 0;
-    const std::size_t at = two ? 4 : 3;
-    const Viewport from{whole(at), whole(at + 1), whole(at + 2), two ? whole(at + 3) : 1};
-    if (level < 0 || level >= kMaxTextureLevels)
-        return raise(kGL_INVALID_VALUE, c, "the level is {}; it must be in [0, {}]", level, kMaxTextureLevels - 1);
+    const int level = whole(1), x0 = whole(2), y0 = is_flat ? 0 : whole(3), z0 = is_volume ? whole(4) : 0;
+    const std::size_t at = 2 + dimensions;
+    const Viewport from{whole(at), whole(at + 1), whole(at + 2), is_flat ? 1 : whole(at + 3)};
+    const int levels_at_most = is_volume ? kMax3dTextureLevels : kMaxTextureLevels;
+    if (level < 0 || level >= levels_at_most)
+        return raise(kGL_INVALID_VALUE, c, "the level is {}; it must be in [0, {}]", level, levels_at_most - 1);
     if (is_driver_only) return note_lasting(c.name(), c.place);
     const auto index = static_cast<std::size_t>(level);
     const Texture& bound = bound_texture(target->texture);
     const std::vector<TextureImage>& images = bound.face(target->face);
     if (images.size() <= index || images[index].texels.empty()) {
-        return raise(kGL_INVALID_OPERATION, c, "level {} has no image yet; give it one with {}", level,
-                     two ? "glTexImage2D" : "glTexImage1D");
+        return raise(kGL_INVALID_OPERATION, c, "level {} has no image yet; give it one with glTexImage{}D", level,
+                     dimensions);
     }
     if (from.width < 0 || from.height < 0)
         return raise(kGL_INVALID_VALUE, c, "{} is given the size {} x {}; it cannot be negative", c.name(), from.width,
                      from.height);
     const TextureImage& old = images[index];
+    if (z0 < 0 || z0 >= old.depth)
+        return raise(kGL_INVALID_VALUE, c, "the image has {} layers, not a layer {}", old.depth, z0);
     if (x0 < 0 || y0 < 0 || x0 > old.width - from.width || y0 > old.height - from.height) {
         return raise(kGL_INVALID_VALUE, c, "{} x {} texels at ({}, {}) are not inside the image of {} x {}", from.width,
                      from.height, x0, y0, old.width, old.height);
@@ -170,7 +179,7 @@ void State::copy_tex_sub_image(const Command& c) {
     if (!pixels) return;
     textures_.texels -= texels_of(*texture);
     add_part(texture->face(target->face)[index],
-             {.x = x0, .y = y0, .width = from.width, .height = from.height, .copied = std::move(pixels)});
+             {.x = x0, .y = y0, .z = z0, .width = from.width, .height = from.height, .copied = std::move(pixels)});
     if (is_base) generate_mipmaps(*texture, target->face);
     textures_.texels += texels_of(*texture);
 }

@@ -232,8 +232,7 @@ class Copier {
                 for (int x = 0; x < part.width; ++x) {
                     const auto from = static_cast<std::size_t>(y) * static_cast<std::size_t>(part.width) +
                                       static_cast<std::size_t>(x);
-                    const auto to = static_cast<std::size_t>(part.y + y) * static_cast<std::size_t>(image.width) +
-                                    static_cast<std::size_t>(part.x + x);
+                    const std::size_t to = image.index(part.x + x, part.y + y, part.z);
                     result.texels[to] = part.copied ? stored(taken->second.pixel(of, x, y), format) : part.texels[from];
                 }
         }

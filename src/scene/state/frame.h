@@ -314,23 +314,23 @@ struct TakePixels {
     Viewport from;  // of the same size, unless the frame was resized
 };
 
-// Texels of an image over those that it had before.
+// Texels of an image over those that it had before, all in one layer.
 struct ImagePart {
-    int x = 0, y = 0, width = 0, height = 1;
+    int x = 0, y = 0, z = 0, width = 0, height = 1;
     std::shared_ptr<const CopiedPixels> copied{};  // of the same size; null: `texels`
     std::vector<glm::vec4> texels{};               // as TextureImage has them
 
     // Whether none of `other` can be seen.
     bool covers(const ImagePart& other) const {
-        return x <= other.x && y <= other.y && x + width >= other.x + other.width &&
+        return x <= other.x && y <= other.y && z == other.z && x + width >= other.x + other.width &&
                y + height >= other.y + other.height;
     }
 };
 
 // One level of a texture. The texels hold the components of the base internal format (table 3.15) as numbers in [0,1],
-// rounded to the bits of the internal format; other components are 0 (alpha 1). Row 0 is t = 0.
+// rounded to the bits of the internal format; other components are 0 (alpha 1). Row 0 is t = 0; layer 0 is r = 0.
 struct TextureImage {
-    int width = 0, height = 1;  // without the border
+    int width = 0, height = 1, depth = 1;  // without the border
     // GL_ALPHA, _LUMINANCE, _LUMINANCE_ALPHA, _INTENSITY, _RGB, _RGBA or _DEPTH_COMPONENT
     Enum base_format = kGL_RGBA;
     Enum internal_format = kGL_RGBA;  // as given; all levels of a complete texture have the same
@@ -341,15 +341,31 @@ struct TextureImage {
     std::shared_ptr<const TextureImage> half_of{};
 
     bool has_copies() const { return !parts.empty() || half_of; }
-    const glm::vec4& texel(int x, int y) const {
-        return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    // The number of a texel in `texels`.
+    std::size_t index(int x, int y, int z = 0) const {
+        const std::size_t row =
+            static_cast<std::size_t>(z) * static_cast<std::size_t>(height) + static_cast<std::size_t>(y);
+        return row * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    }
+    const glm::vec4& texel(int x, int y, int z = 0) const { return texels[index(x, y, z)]; }
+    bool has_size_of(const TextureImage& other) const {
+        return width == other.width && height == other.height && depth == other.depth;
+    }
+    // Whether a level of half the size follows it (3.8.8).
+    bool is_halved() const { return width > 1 || height > 1 || depth > 1; }
+    TextureImage half_size() const {  // without texels
+        return {.width = std::max(1, width / 2),
+                .height = std::max(1, height / 2),
+                .depth = std::max(1, depth / 2),
+                .base_format = base_format,
+                .internal_format = internal_format};
     }
 };
 
 struct TextureRange;
 
 struct Texture {                         // 3.8.4, table 3.18
-    Enum target = kGL_TEXTURE_2D;        // or GL_TEXTURE_1D, GL_TEXTURE_CUBE_MAP
+    Enum target = kGL_TEXTURE_2D;        // or GL_TEXTURE_1D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP
     std::vector<TextureImage> levels{};  // levels[0] is the base; missing levels are empty images
     // A cube map's levels for the faces -x, +y, -y, +z and -z; `levels` holds those of +x. Row 0 is at t = 0 of the face.
     std::array<std::vector<TextureImage>, 5> further_faces{};
@@ -357,6 +373,7 @@ struct Texture {                         // 3.8.4, table 3.18
     Enum mag_filter = kGL_LINEAR;
     Enum wrap_s = kGL_REPEAT;
     Enum wrap_t = kGL_REPEAT;
+    Enum wrap_r = kGL_REPEAT;
     glm::dvec4 border_color{0, 0, 0, 0};
     double priority = 1;
     bool generate_mipmap = false;
@@ -374,6 +391,8 @@ struct Texture {                         // 3.8.4, table 3.18
     std::shared_ptr<const TextureRange> range{};
 
     bool is_cube() const { return target == kGL_TEXTURE_CUBE_MAP; }
+    bool is_flat() const { return target == kGL_TEXTURE_1D; }    // no t
+    bool is_volume() const { return target == kGL_TEXTURE_3D; }  // s, t and r
     std::size_t face_count() const { return is_cube() ? 1 + further_faces.size() : 1; }
     const std::vector<TextureImage>& face(std::size_t i) const { return i == 0 ? levels : further_faces.at(i - 1); }
     std::vector<TextureImage>& face(std::size_t i) { return i == 0 ? levels : further_faces.at(i - 1); }
@@ -386,6 +405,7 @@ struct Texture {                         // 3.8.4, table 3.18
     // A texture that has images either has depths or colours.
     bool has_depths() const { return levels.front().base_format == kGL_DEPTH_COMPONENT; }
     bool compares() const { return has_depths() && compare_mode == kGL_COMPARE_R_TO_TEXTURE; }
+    bool needs_r() const { return is_cube() || is_volume() || compares(); }
     // The base internal format that the texture environment sees.
     Enum base_format() const { return has_depths() ? depth_mode : levels.front().base_format; }
     // The border's colour with the components that the texels have (table 3.15).
@@ -671,14 +691,15 @@ struct Draw {
 
     // Whether Shading::kExact draws surfaces instead of the mesh. It does so only for filled polygons whose texture
     // coordinates are not generated (GL generates them for vertices), that have at most one texture and no GL_COMBINE,
-    // no cube map, no depths to compare r with, no secondary colours without lighting and no fog coordinates,
+    // no texture that needs r (a cube map, one of three dimensions, depths to compare r with), no secondary colours
+    // without lighting and no fog coordinates,
     // and only if both faces have the same stencil test: shaders draw a surface as a rectangle, whose face is not the
     // surface's.
     bool has_exact_surfaces() const {
         return surfaces && !draws_borders() && !combines_textures() && texture.generated.empty() &&
-               !(texture.texture && (texture.texture->is_cube() || texture.texture->compares())) &&
-               secondary_colors.empty() && fog_coords.empty() && raster.viewport.width > 0 &&
-               raster.viewport.height > 0 && (!fragment.stencil || fragment.stencil->front == fragment.stencil->back);
+               !(texture.texture && texture.texture->needs_r()) && secondary_colors.empty() && fog_coords.empty() &&
+               raster.viewport.width > 0 && raster.viewport.height > 0 &&
+               (!fragment.stencil || fragment.stencil->front == fragment.stencil->back);
     }
 
     std::size_t count() const { return indices.empty() ? vertices.size() : indices.size(); }

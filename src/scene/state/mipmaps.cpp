@@ -1,4 +1,4 @@
-// gluBuild1DMipmaps and gluBuild2DMipmaps, with the arithmetic of libglu 9.0.2 (libutil/mipmap.c), which computes in
+// gluBuild1DMipmaps to gluBuild3DMipmaps, with the arithmetic of libglu 9.0.2 (libutil/mipmap.c), which computes in
 // the type of the pixels.
 
 #include <algorithm>
@@ -14,12 +14,14 @@ namespace {
 
 // An RGBA image. For a whole-number type `largest` is the number that means 1; for other types it is 0.
 struct Pixels {
-    int width = 0, height = 0;
-    std::vector<glm::dvec4> rgba;
+    int width = 0, height = 0, depth = 1;
+    std::vector<glm::dvec4> rgba{};
     double largest = 0;
 
-    const glm::dvec4& at(int x, int y) const {
-        return rgba[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    const glm::dvec4& at(int x, int y, int z = 0) const {
+        const std::size_t row =
+            static_cast<std::size_t>(z) * static_cast<std::size_t>(height) + static_cast<std::size_t>(y);
+        return rgba[row * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
     }
     // A mean as the type stores it: adds `rounding` units, then rounds down.
     glm::dvec4 as_stored(const glm::dvec4& mean, double rounding) const {
@@ -39,7 +41,7 @@ int nearest_power(int value) {
 
 // scale_internal_*(): each new pixel is the mean of the area that it covers.
 Pixels scaled(const Pixels& image, int width, int height) {
-    Pixels result{width, height, {}, image.largest};
+    Pixels result{.width = width, .height = height, .largest = image.largest};
     const double step_x = static_cast<double>(image.width) / width;
     const double step_y = static_cast<double>(image.height) / height;
     const auto overlap = [](double low, double high, int cell) {
@@ -58,29 +60,42 @@ Pixels scaled(const Pixels& image, int width, int height) {
     return result;
 }
 
-// halveImage_*(): (sum + 2) / 4 of four pixels, sum / 2 of two, in whole numbers.
+// halveImage_*(): (sum + 2) / 4 of four pixels, sum / 2 of two, in whole numbers; halveImage3D(): the mean of up to eight, rounded
+// down.
 Pixels halved(const Pixels& image) {
-    Pixels result{std::max(1, image.width / 2), std::max(1, image.height / 2), {}, image.largest};
-    const int dx = image.width > 1 ? 1 : 0, dy = image.height > 1 ? 1 : 0;
-    for (int y = 0; y < result.height; ++y) {
-        for (int x = 0; x < result.width; ++x) {
-            const int u = x * (1 + dx), v = y * (1 + dy);
-            const glm::dvec4 mean =
-                (image.at(u, v) + image.at(u + dx, v) + image.at(u, v + dy) + image.at(u + dx, v + dy)) / 4.0;
-            result.rgba.push_back(result.as_stored(mean, dx + dy == 2 ? 0.5 : 0));
+    Pixels result{.width = std::max(1, image.width / 2),
+                  .height = std::max(1, image.height / 2),
+                  .depth = std::max(1, image.depth / 2),
+                  .largest = image.largest};
+    const int dx = image.width > 1 ? 1 : 0, dy = image.height > 1 ? 1 : 0, dz = image.depth > 1 ? 1 : 0;
+    for (int z = 0; z < result.depth; ++z) {
+        for (int y = 0; y < result.height; ++y) {
+            for (int x = 0; x < result.width; ++x) {
+                const int u = x * (1 + dx), v = y * (1 + dy), w = z * (1 + dz);
+                const auto sum = [&](int layer) {
+                    return image.at(u, v, layer) + image.at(u + dx, v, layer) + image.at(u, v + dy, layer) +
+                           image.at(u + dx, v + dy, layer);
+                };
+                const glm::dvec4 mean = (sum(w) + sum(w + dz)) / 8.0;
+                result.rgba.push_back(result.as_stored(mean, dx + dy == 2 && dz == 0 ? 0.5 : 0));
+            }
         }
     }
     return result;
 }
 
-// The image and its halves, down to 1 x 1.
+// The image and its halves, down to one pixel.
 void fill_levels(std::vector<TextureImage>& levels, Pixels image, const InternalFormat& format, Enum internal_format) {
     for (std::size_t level = 0;; ++level) {
         if (levels.size() <= level) levels.resize(level + 1);
-        levels[level] = {image.width, image.height, format.base_format, internal_format, {}};
+        levels[level] = {.width = image.width,
+                         .height = image.height,
+                         .depth = image.depth,
+                         .base_format = format.base_format,
+                         .internal_format = internal_format};
         levels[level].texels.reserve(image.rgba.size());
         for (const glm::dvec4& rgba : image.rgba) levels[level].texels.push_back(stored(rgba, format));
-        if (image.width == 1 && image.height == 1) return;
+        if (!levels[level].is_halved()) return;
         image = halved(image);
     }
 }
@@ -98,39 +113,46 @@ double largest_of(Enum type) {
 
 // For a wrong argument GLU returns its own error code and leaves the texture unchanged. So does this.
 void State::build_mipmaps(const Command& c) {
-    const bool two = c.id == CommandId::gluBuild2DMipmaps;
+    const auto dimensions = static_cast<std::size_t>(image_dimensions(c));
     const std::optional<ImageTarget> target = twinlight::image_target(c.enumerant(0));
-    const std::size_t after_size = two ? 4 : 3;
     const PixelSource source{.width = static_cast<int>(c.number(2)),
-                             .height = two ? static_cast<int>(c.number(3)) : 1,
-                             .format = c.enumerant(after_size),
-                             .type = c.enumerant(after_size + 1)};
+                             .height = dimensions > 1 ? static_cast<int>(c.number(3)) : 1,
+                             .depth = dimensions > 2 ? static_cast<int>(c.number(4)) : 1,
+                             .format = c.enumerant(2 + dimensions),
+                             .type = c.enumerant(3 + dimensions),
+                             .is_volume = dimensions == 3};
     const std::optional<InternalFormat> format = internal_format(c.number(1));
-    const bool fits =
-        source.width >= 1 && source.height >= 1 && source.width <= kMaxTextureSize && source.height <= kMaxTextureSize;
-    if (!target || two == (target->texture == kGL_TEXTURE_1D) || !format || !fits ||
-        !pixel_bytes(source.format, source.type))
+    const int largest_side = source.is_volume ? kMax3dTextureSize : kMaxTextureSize;
+    const auto fits = [&](int side) { return side >= 1 && side <= largest_side; };
+    if (!target || !has_dimensions_of(c, target->texture) || !format || !fits(source.width) || !fits(source.height) ||
+        !fits(source.depth) || !pixel_bytes(source.format, source.type))
         return;
     if (source.format == kGL_DEPTH_COMPONENT || format->base_format == kGL_DEPTH_COMPONENT)
         return note_lasting(fmt::format("{} of depths", c.name()), c.place);
     if (!c.memory) return raise(kGL_INVALID_OPERATION, c, "{} is given NULL; it needs an array of pixels", c.name());
     const int width = nearest_power(source.width), height = nearest_power(source.height);
+    const bool is_scaled =
+        width != source.width || height != source.height || nearest_power(source.depth) != source.depth;
+    if (source.is_volume && is_scaled)
+        return note_lasting(fmt::format("{} with a side that is not a power of 2", c.name()), c.place);
     // The images of this arithmetic need four times the memory.
     const double largest =
-        std::max(static_cast<double>(width) * height, static_cast<double>(source.width) * source.height);
+        std::max(static_cast<double>(width) * height, static_cast<double>(source.width) * source.height) * source.depth;
     if (!has_texels(c, 4 * largest)) return;
     const auto rows = pixels(c, source);
     if (!rows) return;
     // GLU scales the images first, and then glTexImage transfers each level by itself.
     if (!a_.pixel_transfer.is_initial()) note_lasting(fmt::format("{} with glPixelTransfer", c.name()), c.place);
-    Pixels image{source.width, source.height, {}, largest_of(source.type)};
-    image.rgba.reserve(static_cast<std::size_t>(source.width) * static_cast<std::size_t>(source.height));
+    Pixels image{
+        .width = source.width, .height = source.height, .depth = source.depth, .largest = largest_of(source.type)};
+    image.rgba.reserve(static_cast<std::size_t>(static_cast<double>(source.width) * source.height * source.depth));
     std::vector<glm::dvec4> row;
-    for (int y = 0; y < source.height; ++y) {
-        rows->unpack(y, row);
-        image.rgba.insert(image.rgba.end(), row.begin(), row.end());
-    }
-    if (width != source.width || height != source.height) image = scaled(image, width, height);
+    for (int z = 0; z < source.depth; ++z)
+        for (int y = 0; y < source.height; ++y) {
+            rows->unpack(y, row, z);
+            image.rgba.insert(image.rgba.end(), row.begin(), row.end());
+        }
+    if (is_scaled) image = scaled(image, width, height);
     Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
     textures_.texels -= texels_of(*texture);

@@ -125,6 +125,13 @@ std::size_t row_bytes(const PixelSource& source, const PixelStore& store) {
     return (bytes + alignment - 1) / alignment * alignment;
 }
 
+// 3.8.1: the rows from the pointer to image z.
+double rows_before(const PixelSource& source, const PixelStore& store, int z) {
+    if (!source.is_volume) return 0;
+    const int height = store.unpack_image_height > 0 ? store.unpack_image_height : source.height;
+    return (static_cast<double>(store.unpack_skip_images) + z) * height;
+}
+
 }  // namespace
 
 glm::dvec4 transferred(glm::dvec4 color, const PixelTransfer& transfer, const PixelMaps* maps) {
@@ -259,22 +266,24 @@ std::optional<int> driver_only_pixel_bytes(Enum format, Enum type) {
 }
 
 std::size_t bytes_read(const PixelSource& source, const PixelStore& store) {
-    if (source.width <= 0 || source.height <= 0) return 0;
+    if (source.width <= 0 || source.height <= 0 || source.depth <= 0) return 0;
     const auto pixel = static_cast<std::size_t>(*pixel_bytes(source.format, source.type));
-    const auto rows = static_cast<std::size_t>(store.unpack_skip_rows) + static_cast<std::size_t>(source.height) - 1;
+    const double rows =
+        rows_before(source, store, source.depth - 1) + static_cast<double>(store.unpack_skip_rows) + source.height - 1;
     const auto pixels = static_cast<std::size_t>(store.unpack_skip_pixels) + static_cast<std::size_t>(source.width);
-    // There may be 2^31 rows of 2^35 bytes. A double is exact for all sizes that fit into memory.
-    const double bytes = static_cast<double>(rows) * static_cast<double>(row_bytes(source, store)) +
-                         static_cast<double>(pixels) * static_cast<double>(pixel);
+    // There may be 2^63 rows of 2^35 bytes. A double is exact for all sizes that fit into memory.
+    const double bytes =
+        rows * static_cast<double>(row_bytes(source, store)) + static_cast<double>(pixels) * static_cast<double>(pixel);
     return bytes < 0x1p53 ? static_cast<std::size_t>(bytes) : std::numeric_limits<std::size_t>::max();
 }
 
-void PixelRows::unpack(int y, std::vector<glm::dvec4>& row) const {
+void PixelRows::unpack(int y, std::vector<glm::dvec4>& row, int z) const {
     row.assign(static_cast<std::size_t>(source.width), glm::dvec4(0));
     if (!bytes.data()) return;
     const int components = *components_of(source.format);
     const auto pixel = static_cast<std::size_t>(*pixel_bytes(source.format, source.type));
-    const auto rows = static_cast<std::size_t>(store.unpack_skip_rows) + static_cast<std::size_t>(y);
+    const auto rows = static_cast<std::size_t>(rows_before(source, store, z)) +
+                      static_cast<std::size_t>(store.unpack_skip_rows) + static_cast<std::size_t>(y);
     const std::byte* at =
         bytes.data() + rows * row_bytes(source, store) + static_cast<std::size_t>(store.unpack_skip_pixels) * pixel;
     for (glm::dvec4& texel : row) {
@@ -307,15 +316,20 @@ glm::vec4 stored(const glm::dvec4& rgba, const InternalFormat& format) {
 }
 
 TextureImage half(const TextureImage& image, const InternalFormat& format) {
-    TextureImage result{
-        std::max(1, image.width / 2), std::max(1, image.height / 2), image.base_format, image.internal_format, {}};
-    const int dx = image.width > 1 ? 1 : 0, dy = image.height > 1 ? 1 : 0;
-    for (int y = 0; y < result.height; ++y) {
-        for (int x = 0; x < result.width; ++x) {
-            const int x0 = x * (1 + dx), y0 = y * (1 + dy);
-            const glm::dvec4 sum = glm::dvec4(image.texel(x0, y0)) + glm::dvec4(image.texel(x0 + dx, y0)) +
-                                   glm::dvec4(image.texel(x0, y0 + dy)) + glm::dvec4(image.texel(x0 + dx, y0 + dy));
-            result.texels.push_back(stored(sum / 4.0, format));
+    TextureImage result = image.half_size();
+    const int dx = image.width > 1 ? 1 : 0, dy = image.height > 1 ? 1 : 0, dz = image.depth > 1 ? 1 : 0;
+    for (int z = 0; z < result.depth; ++z) {
+        for (int y = 0; y < result.height; ++y) {
+            for (int x = 0; x < result.width; ++x) {
+                const int x0 = x * (1 + dx), y0 = y * (1 + dy), z0 = z * (1 + dz);
+                const auto sum = [&](int layer) {
+                    return glm::dvec4(image.texel(x0, y0, layer)) + glm::dvec4(image.texel(x0 + dx, y0, layer)) +
+                           glm::dvec4(image.texel(x0, y0 + dy, layer)) +
+                           glm::dvec4(image.texel(x0 + dx, y0 + dy, layer));
+                };
+                const glm::dvec4 mean = dz == 0 ? sum(z0) / 4.0 : (sum(z0) + sum(z0 + 1)) / 8.0;
+                result.texels.push_back(stored(mean, format));
+            }
         }
     }
     return result;

@@ -14,6 +14,9 @@ namespace twinlight {
 // The largest side of a texture; more is GL_INVALID_VALUE. Mesa's llvmpipe has the same limit.
 inline constexpr int kMaxTextureSize = 16384;
 inline constexpr int kMaxTextureLevels = 15;
+// The same for textures of three dimensions: llvmpipe's limit; GL requires at least 16 (table 6.29).
+inline constexpr int kMax3dTextureSize = 2048;
+inline constexpr int kMax3dTextureLevels = 12;
 // The limit on the texels of all images of a scene together; more is GL_OUT_OF_MEMORY.
 inline constexpr std::size_t kMaxTexels = std::size_t{1} << 26;
 
@@ -35,9 +38,10 @@ std::optional<int> components_of(Enum format);
 std::optional<int> pixel_bytes(Enum format, Enum type);
 
 struct PixelSource {
-    int width = 0, height = 1;
+    int width = 0, height = 1, depth = 1;
     Enum format = kGL_RGBA;
     Enum type = kGL_UNSIGNED_BYTE;
+    bool is_volume = false;  // of glTexImage3D or glTexSubImage3D: images lie behind each other (3.8.1)
 };
 
 // The size in bytes of a bitmap, which has one bit per pixel (3.6.4); 0 if it has no pixels.
@@ -60,7 +64,8 @@ struct PixelRows {
     PixelTransfer transfer{};
     const PixelMaps* maps = nullptr;
 
-    void unpack(int y, std::vector<glm::dvec4>& row) const;  // writes source.width pixels to `row`
+    // Writes source.width pixels to `row`; `z` is the number of the image.
+    void unpack(int y, std::vector<glm::dvec4>& row, int z = 0) const;
 };
 
 // 3.6.5, "Arithmetic on components" and "RGBA to RGBA lookup". NaN becomes 0.
@@ -70,7 +75,7 @@ glm::dvec4 transferred(glm::dvec4 color, const PixelTransfer& transfer, const Pi
 glm::vec4 stored(const glm::dvec4& rgba, const InternalFormat& format);
 
 // The next smaller level, by a box filter (recommended by 3.8.8) and rounded to the format's bits. If a side is odd,
-// the last column or row is ignored.
+// the last column, row or layer is ignored.
 TextureImage half(const TextureImage& image, const InternalFormat& format);
 
 }  // namespace twinlight

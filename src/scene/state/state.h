@@ -235,7 +235,7 @@ class State {
     void generate_mipmaps(Texture& texture, std::size_t face) const;
     // What a command with images in one or two dimensions names. Raises GL_INVALID_ENUM and returns nullopt for a wrong
     // target; for one of a proxy only if not `allows_proxy`.
-    std::optional<ImageTarget> image_target(const Command& command, bool two, bool allows_proxy = false);
+    std::optional<ImageTarget> image_target(const Command& command, bool allows_proxy = false);
     // Pixels of the picture so far. Raises the error and returns null if there is no room for `count` values.
     std::shared_ptr<const CopiedPixels> copied_pixels(const Command& command, CopiedBuffer buffer, const Viewport& from,
                                                       double count);

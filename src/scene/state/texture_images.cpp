@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
@@ -11,16 +15,32 @@ namespace twinlight {
 
 namespace {
 
-// The arguments of glTexImage1D and glTexImage2D, by name.
+// The size of an image, from the argument at `at` on.
+PixelSource size_at(const Command& c, std::size_t at) {
+    const int dimensions = image_dimensions(c);
+    PixelSource size{.width = static_cast<int>(c.number(at)), .is_volume = dimensions == 3};
+    if (dimensions > 1) size.height = static_cast<int>(c.number(at + 1));
+    if (dimensions > 2) size.depth = static_cast<int>(c.number(at + 2));
+    return size;
+}
+
+double texel_count(const PixelSource& source) {
+    return static_cast<double>(source.width) * source.height * source.depth;
+}
+
+std::string size_text(const PixelSource& source) {
+    const std::string flat = fmt::format("{} x {}", source.width, source.height);
+    return source.is_volume ? fmt::format("{} x {}", flat, source.depth) : flat;
+}
+
+// The arguments of glTexImage1D to glTexImage3D, by name.
 struct ImageArguments {
     explicit ImageArguments(const Command& c) {
-        const bool two = c.id == CommandId::glTexImage2D;
         target = c.enumerant(0);
         level = static_cast<int>(c.number(1));
         internal_format = c.number(2);
-        source.width = static_cast<int>(c.number(3));
-        source.height = two ? static_cast<int>(c.number(4)) : 1;
-        const std::size_t border_at = two ? 5 : 4;
+        source = size_at(c, 3);
+        const std::size_t border_at = 3 + static_cast<std::size_t>(image_dimensions(c));
         border = static_cast<int>(c.number(border_at));
         source.format = c.enumerant(border_at + 1);
         source.type = c.enumerant(border_at + 2);
@@ -86,6 +106,10 @@ bool State::check_depths(const Command& c, Enum texture, Enum base_format, Enum 
               are_depths ? "depths" : "colours", has_depths ? "depths" : "colours");
         return false;
     }
+    if (has_depths && texture == kGL_TEXTURE_3D) {
+        raise(kGL_INVALID_OPERATION, c, "{} of depths; a texture of three dimensions can only have colours", c.name());
+        return false;
+    }
     if (!has_depths || texture != kGL_TEXTURE_CUBE_MAP) return true;
     note_lasting(fmt::format("{} of depths for a cube map", c.name()), c.place);  // GL 3.0
     return false;
@@ -143,38 +167,53 @@ bool is_driver_only_image(Enum target) {
 }
 
 std::optional<ImageTarget> image_target(Enum target) {
-    if (target == kGL_TEXTURE_1D || target == kGL_TEXTURE_2D) return ImageTarget{target, 0};
+    if (target == kGL_TEXTURE_1D || target == kGL_TEXTURE_2D || target == kGL_TEXTURE_3D) return ImageTarget{target, 0};
     if (target < kGL_TEXTURE_CUBE_MAP_POSITIVE_X || target > kGL_TEXTURE_CUBE_MAP_NEGATIVE_Z) return std::nullopt;
     return ImageTarget{kGL_TEXTURE_CUBE_MAP, target - kGL_TEXTURE_CUBE_MAP_POSITIVE_X};
 }
 
-std::optional<ImageTarget> State::image_target(const Command& c, bool two, bool allows_proxy) {
+int image_dimensions(const Command& c) {
+    const std::string_view name = c.sig().name;
+    return name[name.find('D') - 1] - '0';
+}
+
+bool has_dimensions_of(const Command& c, Enum texture) {
+    return image_dimensions(c) == (texture == kGL_TEXTURE_1D ? 1 : texture == kGL_TEXTURE_3D ? 3 : 2);
+}
+
+std::optional<ImageTarget> State::image_target(const Command& c, bool allows_proxy) {
     const Enum target = c.enumerant(0);
     const std::optional<ImageTarget> result = twinlight::image_target(target);
-    if (result && two != (target == kGL_TEXTURE_1D)) return result;
-    if (allows_proxy && two && target == kGL_PROXY_TEXTURE_CUBE_MAP) return ImageTarget{kGL_TEXTURE_CUBE_MAP, 0};
-    const Enum flat = two ? kGL_TEXTURE_2D : kGL_TEXTURE_1D, proxy = two ? kGL_PROXY_TEXTURE_2D : kGL_PROXY_TEXTURE_1D;
-    if (allows_proxy && target == proxy) return ImageTarget{flat, 0};
-    known(c, target, {flat});  // raises the error
+    if (result && has_dimensions_of(c, result->texture)) return result;
+    constexpr std::pair<Enum, Enum> kProxies[] = {{kGL_PROXY_TEXTURE_1D, kGL_TEXTURE_1D},
+                                                  {kGL_PROXY_TEXTURE_2D, kGL_TEXTURE_2D},
+                                                  {kGL_PROXY_TEXTURE_3D, kGL_TEXTURE_3D},
+                                                  {kGL_PROXY_TEXTURE_CUBE_MAP, kGL_TEXTURE_CUBE_MAP}};
+    for (const auto& [proxy, texture] : kProxies)
+        if (allows_proxy && target == proxy && has_dimensions_of(c, texture)) return ImageTarget{texture, 0};
+    const Enum expected[] = {kGL_TEXTURE_1D, kGL_TEXTURE_2D, kGL_TEXTURE_3D};
+    known(c, target, {expected[image_dimensions(c) - 1]});  // raises the error
     return std::nullopt;
 }
 
 void State::tex_image(const Command& c) {
     const ImageArguments a(c);
-    const bool two = c.id == CommandId::glTexImage2D;
-    if (two && is_driver_only_image(a.target)) return;
-    const std::optional<ImageTarget> target = image_target(c, two, true);
+    const int dimensions = image_dimensions(c);
+    if (dimensions == 2 && is_driver_only_image(a.target)) return;
+    const std::optional<ImageTarget> target = image_target(c, true);
     if (!target) return;
     const PixelSource& source = a.source;
-    if (a.level < 0 || a.level >= kMaxTextureLevels)
-        return raise(kGL_INVALID_VALUE, c, "the level is {}; it must be in [0, {}]", a.level, kMaxTextureLevels - 1);
+    const int levels_at_most = source.is_volume ? kMax3dTextureLevels : kMaxTextureLevels;
+    if (a.level < 0 || a.level >= levels_at_most)
+        return raise(kGL_INVALID_VALUE, c, "the level is {}; it must be in [0, {}]", a.level, levels_at_most - 1);
     if (a.border != 0 && a.border != 1)
         return raise(kGL_INVALID_VALUE, c, "the border is {}; it must be 0 or 1", a.border);
-    const int largest = kMaxTextureSize >> a.level;
-    for (int side : two ? std::vector<int>{source.width, source.height} : std::vector<int>{source.width}) {
+    const int largest = (source.is_volume ? kMax3dTextureSize : kMaxTextureSize) >> a.level;
+    const int sides[] = {source.width, source.height, source.depth};
+    for (const int side : std::span(sides).first(static_cast<std::size_t>(dimensions))) {
         if (side < 0 || side > largest + 2 * a.border || side < 2 * a.border) {
-            return raise(kGL_INVALID_VALUE, c, "the image is {} x {}; each side of level {} must be in [0, {}]",
-                         source.width, source.height, a.level, largest);
+            return raise(kGL_INVALID_VALUE, c, "the image is {}; each side of level {} must be in [0, {}]",
+                         size_text(source), a.level, largest);
         }
     }
     if (target->texture == kGL_TEXTURE_CUBE_MAP && source.width != source.height)
@@ -191,21 +230,25 @@ void State::tex_image(const Command& c) {
     const auto level = static_cast<std::size_t>(a.level);
     const std::vector<TextureImage>& bound = bound_texture(target->texture).face(target->face);
     const std::size_t replaced = level < bound.size() ? bound[level].texels.size() : 0;
-    if (!has_texels(c, static_cast<double>(source.width) * source.height, replaced)) return;
+    if (!has_texels(c, texel_count(source), replaced)) return;
     const auto rows = pixels(c, source);
     if (!rows) return;
     // RULING: borders are cut off, as in drivers, and the picture is reported as partial.
     if (a.border == 1) note_lasting(fmt::format("{} with a border", c.name()), c.place);
-    const int dx = a.border, dy = two ? a.border : 0;
-    TextureImage image{
-        source.width - 2 * dx, source.height - 2 * dy, format->base_format, static_cast<Enum>(a.internal_format), {}};
-    image.texels.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    const int dx = a.border, dy = dimensions > 1 ? a.border : 0, dz = dimensions > 2 ? a.border : 0;
+    TextureImage image{.width = source.width - 2 * dx,
+                       .height = source.height - 2 * dy,
+                       .depth = source.depth - 2 * dz,
+                       .base_format = format->base_format,
+                       .internal_format = static_cast<Enum>(a.internal_format)};
+    image.texels.reserve(image.index(0, 0, image.depth));
     std::vector<glm::dvec4> row;
-    for (int y = 0; y < image.height; ++y) {
-        rows->unpack(y + dy, row);
-        for (int x = 0; x < image.width; ++x)
-            image.texels.push_back(stored(row[static_cast<std::size_t>(x + dx)], *format));
-    }
+    for (int z = 0; z < image.depth; ++z)
+        for (int y = 0; y < image.height; ++y) {
+            rows->unpack(y + dy, row, z + dz);
+            for (int x = 0; x < image.width; ++x)
+                image.texels.push_back(stored(row[static_cast<std::size_t>(x + dx)], *format));
+        }
     Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
     textures_.texels -= texels_of(*texture);
@@ -217,58 +260,59 @@ void State::tex_image(const Command& c) {
 }
 
 void State::tex_sub_image(const Command& c) {
-    const bool two = c.id == CommandId::glTexSubImage2D;
-    if (two && is_driver_only_image(c.enumerant(0))) return;
-    const std::optional<ImageTarget> target = image_target(c, two);
+    const auto dimensions = static_cast<std::size_t>(image_dimensions(c));
+    if (dimensions == 2 && is_driver_only_image(c.enumerant(0))) return;
+    const std::optional<ImageTarget> target = image_target(c);
     if (!target) return;
     const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
-    const int level = whole(1), x0 = whole(2), y0 = two ? whole(3) : 0;
-    const PixelSource source{.width = whole(two ? 4 : 3),
-                             .height = two ? whole(5) : 1,
-                             .format = c.enumerant(two ? 6 : 4),
-                             .type = c.enumerant(two ? 7 : 5)};
-    if (level < 0 || level >= kMaxTextureLevels || source.width < 0 || source.height < 0) {
-        return raise(
-            kGL_INVALID_VALUE, c,
-            "{} is given level {} and the size {} x {}; the level must be in [0, {}], the size cannot be negative",
-            c.name(), level, source.width, source.height, kMaxTextureLevels - 1);
+    const int level = whole(1), x0 = whole(2), y0 = dimensions > 1 ? whole(3) : 0, z0 = dimensions > 2 ? whole(4) : 0;
+    PixelSource source = size_at(c, 2 + dimensions);
+    source.format = c.enumerant(2 + 2 * dimensions);
+    source.type = c.enumerant(3 + 2 * dimensions);
+    const int levels_at_most = source.is_volume ? kMax3dTextureLevels : kMaxTextureLevels;
+    if (level < 0 || level >= levels_at_most || source.width < 0 || source.height < 0 || source.depth < 0) {
+        return raise(kGL_INVALID_VALUE, c,
+                     "{} is given level {} and the size {}; the level must be in [0, {}], the size cannot be negative",
+                     c.name(), level, size_text(source), levels_at_most - 1);
     }
     if (!check_pixel_type(c, source)) return;
     const Texture& bound = bound_texture(target->texture);
     const std::vector<TextureImage>& images = bound.face(target->face);
     if (images.size() <= static_cast<std::size_t>(level) || images[static_cast<std::size_t>(level)].texels.empty()) {
-        return raise(kGL_INVALID_OPERATION, c, "level {} has no image yet; give it one with {}", level,
-                     two ? "glTexImage2D" : "glTexImage1D");
+        return raise(kGL_INVALID_OPERATION, c, "level {} has no image yet; give it one with glTexImage{}D", level,
+                     dimensions);
     }
     const TextureImage& old = images[static_cast<std::size_t>(level)];
     if (!check_depths(c, target->texture, old.base_format, source.format)) return;
-    if (x0 < 0 || y0 < 0 || x0 > old.width - source.width || y0 > old.height - source.height) {
-        return raise(kGL_INVALID_VALUE, c, "{} x {} texels at ({}, {}) are not inside the image of {} x {}",
-                     source.width, source.height, x0, y0, old.width, old.height);
+    if (x0 < 0 || y0 < 0 || z0 < 0 || x0 > old.width - source.width || y0 > old.height - source.height ||
+        z0 > old.depth - source.depth) {
+        const PixelSource size{
+            .width = old.width, .height = old.height, .depth = old.depth, .is_volume = source.is_volume};
+        return raise(kGL_INVALID_VALUE, c, "{} texels at ({}, {}{}) are not inside the image of {}", size_text(source),
+                     x0, y0, source.is_volume ? fmt::format(", {}", z0) : "", size_text(size));
     }
     const auto rows = pixels(c, source);
-    if (!rows || source.width == 0 || source.height == 0) return;
+    if (!rows || texel_count(source) == 0) return;
     const bool is_base = level == bound.base_level;
     const bool mipmaps = is_base && bound.generate_mipmap;
-    if (!has_time(
-            c, static_cast<double>(mipmaps ? texels_of(bound) : 0) + static_cast<double>(source.width) * source.height))
-        return;
+    if (!has_time(c, static_cast<double>(mipmaps ? texels_of(bound) : 0) + texel_count(source))) return;
     Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
     textures_.texels -= texels_of(*texture);
     TextureImage& image = texture->face(target->face)[static_cast<std::size_t>(level)];
     const InternalFormat format = *internal_format(image.internal_format);
     std::vector<glm::dvec4> row;
-    ImagePart part{.x = x0, .y = y0, .width = source.width, .height = source.height};
-    for (int y = 0; y < source.height; ++y) {
-        rows->unpack(y, row);
-        if (image.has_copies())
-            for (const glm::dvec4& texel : row) part.texels.push_back(stored(texel, format));
-        const auto to =
-            static_cast<std::size_t>(y0 + y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x0);
-        for (std::size_t x = 0; x < row.size(); ++x) image.texels[to + x] = stored(row[x], format);
+    for (int z = 0; z < source.depth; ++z) {
+        ImagePart part{.x = x0, .y = y0, .z = z0 + z, .width = source.width, .height = source.height};
+        for (int y = 0; y < source.height; ++y) {
+            rows->unpack(y, row, z);
+            if (image.has_copies())
+                for (const glm::dvec4& texel : row) part.texels.push_back(stored(texel, format));
+            const std::size_t to = image.index(x0, y0 + y, z0 + z);
+            for (std::size_t x = 0; x < row.size(); ++x) image.texels[to + x] = stored(row[x], format);
+        }
+        if (image.has_copies()) add_part(image, std::move(part));
     }
-    if (image.has_copies()) add_part(image, std::move(part));
     if (is_base) generate_mipmaps(*texture, target->face);
     textures_.texels += texels_of(*texture);
 }
@@ -280,8 +324,7 @@ void State::generate_mipmaps(Texture& texture, std::size_t face) const {
     if (!texture.generate_mipmap || levels[base].texels.empty()) return;
     const InternalFormat format = *internal_format(levels[base].internal_format);
     levels.resize(base + 1);
-    while ((levels.back().width > 1 || levels.back().height > 1) &&
-           levels.size() <= static_cast<std::size_t>(texture.max_level)) {
+    while (levels.back().is_halved() && levels.size() <= static_cast<std::size_t>(texture.max_level)) {
         TextureImage next = half(levels.back(), format);
         if (levels.back().has_copies()) next.half_of = std::make_shared<const TextureImage>(levels.back());
         levels.push_back(std::move(next));

@@ -14,11 +14,13 @@ namespace twinlight {
 
 const std::shared_ptr<Texture>& State::texture_of(const TextureBindings& bindings, Enum target) const {
     const std::uint32_t name = bindings.bound(target);
-    if (name == 0)
-        return target == kGL_TEXTURE_1D   ? textures_.default_1d
-               : target == kGL_TEXTURE_2D ? textures_.default_2d
-                                          : textures_.default_cube;
-    return textures_.named.at(name);
+    if (name != 0) return textures_.named.at(name);
+    switch (target) {
+        case kGL_TEXTURE_1D: return textures_.default_1d;
+        case kGL_TEXTURE_2D: return textures_.default_2d;
+        case kGL_TEXTURE_3D: return textures_.default_3d;
+        default: return textures_.default_cube;
+    }
 }
 
 Texture* State::writable_texture(const Command& c, Enum target) {
@@ -37,7 +39,7 @@ Texture* State::writable_texture(const Command& c, const TextureBindings& bindin
 }
 
 // 3.8.12. GL allows names that were never generated.
-bool is_driver_only_texture(Enum target) { return target == kGL_TEXTURE_3D || target == kGL_TEXTURE_RECTANGLE; }
+bool is_driver_only_texture(Enum target) { return target == kGL_TEXTURE_RECTANGLE; }
 
 void State::bind_texture(const Command& c) {
     const Enum target = c.enumerant(0);
@@ -132,7 +134,7 @@ void State::tex_parameter(const Command& c) {
         case kGL_TEXTURE_MAG_FILTER: return set(&Texture::mag_filter, {kGL_NEAREST, kGL_LINEAR});
         case kGL_TEXTURE_WRAP_S: return set(&Texture::wrap_s, wraps);
         case kGL_TEXTURE_WRAP_T: return set(&Texture::wrap_t, wraps);
-        case kGL_TEXTURE_WRAP_R: known(c, name, wraps); return;  // not used in one and two dimensions
+        case kGL_TEXTURE_WRAP_R: return set(&Texture::wrap_r, wraps);
         case kGL_TEXTURE_BORDER_COLOR:
             return assign(&Texture::border_color,
                           glm::clamp(glm::dvec4((*values)[0], (*values)[1], (*values)[2], (*values)[3]), 0.0, 1.0));
@@ -233,13 +235,11 @@ void State::set_combine(const Command& c, Enum pname, double value) {
 }
 
 // The texture of a Draw: that of the enabled target with more dimensions (3.8.15), if it is complete (3.8.10), with the
-// levels in use. A complete texture has its base level and, for a mipmap filter, all levels from there to 1 x 1 or the
-// last level in use, each half the size of the one before and in one format.
+// levels in use. A complete texture has its base level and, for a mipmap filter, all levels from there to one texel or
+// the last level in use, each half the size of the one before and in one format.
 std::shared_ptr<const Texture> State::complete_texture(const TextureBindings& bindings) const {
     if (!bindings.is_enabled()) return nullptr;
-    std::shared_ptr<const Texture> texture = texture_of(bindings, bindings.enabled_cube ? kGL_TEXTURE_CUBE_MAP
-                                                                  : bindings.enabled_2d ? kGL_TEXTURE_2D
-                                                                                        : kGL_TEXTURE_1D);
+    std::shared_ptr<const Texture> texture = texture_of(bindings, bindings.target());
     // Null also if the faces of a cube map differ (3.8.10).
     const auto image = [&](int level) -> const TextureImage* {
         const auto index = static_cast<std::size_t>(level);
@@ -256,14 +256,11 @@ std::shared_ptr<const Texture> State::complete_texture(const TextureBindings& bi
     if (!base || texture->base_level > texture->max_level) return nullptr;
     int last = texture->base_level;
     if (texture->min_filter != kGL_NEAREST && texture->min_filter != kGL_LINEAR) {
-        int width = base->width, height = base->height;
-        while ((width > 1 || height > 1) && last < texture->max_level) {
-            width = std::max(1, width / 2);
-            height = std::max(1, height / 2);
+        TextureImage size{.width = base->width, .height = base->height, .depth = base->depth};
+        while (size.is_halved() && last < texture->max_level) {
+            size = size.half_size();
             const TextureImage* next = image(++last);
-            if (!next || next->width != width || next->height != height ||
-                next->internal_format != base->internal_format)
-                return nullptr;
+            if (!next || !next->has_size_of(size) || next->internal_format != base->internal_format) return nullptr;
         }
     } else if (texture->base_level == 0) {
         return texture;

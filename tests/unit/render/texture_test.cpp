@@ -29,7 +29,7 @@ Texture ramp() {
 }
 
 double sampled(const Texture& texture, Enum filter, double s) {
-    return sample_image(texture, texture.levels[0], filter, {s, 0}).r;
+    return sample_image(texture, texture.levels[0], filter, {s, 0, 0}).r;
 }
 
 TEST(TextureWrap, ChoosesTheNearestTexel) {
@@ -72,7 +72,7 @@ TEST(TextureLevels, FollowLambda) {
     texture.levels.push_back({.width = 1, .texels = {glm::vec4(4)}});
     const auto at = [&](Enum min_filter, double lambda) {
         texture.min_filter = min_filter;
-        return sample(texture, {0.1, 0}, lambda).r;
+        return sample(texture, {0.1, 0, 0}, lambda).r;
     };
     EXPECT_EQ(at(kGL_NEAREST_MIPMAP_NEAREST, 0.5), 0);  // half way: the finer one
     EXPECT_EQ(at(kGL_NEAREST_MIPMAP_NEAREST, 0.51), 2);
@@ -85,7 +85,7 @@ TEST(TextureLevels, FollowLambda) {
     texture.mag_filter = kGL_LINEAR;
     EXPECT_EQ(magnification_limit(texture), 0.5);
     // Sixteen texels per pixel are four halvings.
-    const TexturePlace place{.per_x = {4, 0}, .per_y = {1, 0}};
+    const TexturePlace place{.per_x = {4, 0, 0}, .per_y = {1, 0, 0}};
     EXPECT_EQ(scale_factor(texture, place), 16);
     texture.max_lod = 2.5;
     TextureUnit unit{.texture = std::make_shared<const Texture>(texture), .lod_bias = -1};
@@ -101,12 +101,12 @@ TEST(TextureBounds, HoldTheSampleAndTellChoicesApart) {
     Texture texture = ramp();
     TextureUnit unit;
     unit.texture = std::make_shared<Texture>(texture);
-    EXPECT_FALSE(sample_bounds(unit, {0.3, 0}, {1e-6, 0}, 0.1).has_choice);
-    EXPECT_TRUE(sample_bounds(unit, {0.25, 0}, {1e-6, 0}, 0.1).has_choice);  // the border of two texels
+    EXPECT_FALSE(sample_bounds(unit, {0.3, 0, 0}, {1e-6, 0, 0}, 0.1).has_choice);
+    EXPECT_TRUE(sample_bounds(unit, {0.25, 0, 0}, {1e-6, 0, 0}, 0.1).has_choice);  // the border of two texels
     texture.min_filter = texture.mag_filter = kGL_LINEAR;
     unit.texture = std::make_shared<Texture>(texture);
     for (double s = -1; s < 2; s += 1.0 / 64) {
-        const TexelBounds bounds = sample_bounds(unit, {s, 0}, {1e-6, 0}, 0.1);
+        const TexelBounds bounds = sample_bounds(unit, {s, 0, 0}, {1e-6, 0, 0}, 0.1);
         EXPECT_FALSE(bounds.has_choice);
         const double exact = sampled(texture, kGL_LINEAR, s);
         EXPECT_LE(bounds.texel[0].low, exact);

@@ -128,6 +128,27 @@ TEST_F(Traces, ReadTheMemoryOfArraysFromBlobs) {
     EXPECT_EQ(commands[2].arguments.back(), 0);
 }
 
+// Also by the extension that became a part of GL 1.2.
+TEST_F(Traces, HaveTexturesOfThreeDimensions) {
+    write_file_atomically(folder_ / "layers.bin", std::string("\x0a\x14\x1e\x28", 4));
+    const auto list = recording(
+        "1 glViewport(x = 0, y = 0, width = 32, height = 24)\n2 glPixelStorei(pname = GL_UNPACK_ALIGNMENT, param = 1)\n"
+        "3 glTexImage3DEXT(target = GL_TEXTURE_3D, level = 0, internalformat = GL_LUMINANCE, width = 2, height = 1, "
+        "depth = 2, "
+        "border = 0, format = GL_LUMINANCE, type = GL_UNSIGNED_BYTE, pixels = blob(\"layers.bin\"))\n"
+        "4 glTexParameteri(target = GL_TEXTURE_3D, pname = GL_TEXTURE_MIN_FILTER, param = GL_NEAREST)\n"
+        "5 glEnable(cap = GL_TEXTURE_3D)\n6 glRectf(x1 = -1, y1 = -1, x2 = 1, y2 = 1)\n"
+        "7 glXSwapBuffers(dpy = 0x1, drawable = 2)\n");
+    const Frame frame = make_recorded_frame(list, {}).scene.frame;
+    EXPECT_TRUE(frame.unsupported.empty());
+    ASSERT_EQ(frame.draws().size(), 1u);
+    ASSERT_TRUE(frame.draws()[0]->texture.texture);
+    const TextureImage& image = frame.draws()[0]->texture.texture->levels.at(0);
+    EXPECT_EQ(image.depth, 2);
+    EXPECT_FLOAT_EQ(255 * image.texel(1, 0, 0).r, 20);
+    EXPECT_FLOAT_EQ(255 * image.texel(0, 0, 1).r, 30);
+}
+
 // As glutBitmapCharacter and the usual display list for each letter record it.
 TEST_F(Traces, HaveTextOfBitmaps) {
     write_file_atomically(folder_ / "letter.bin", std::string("\x80\xC0", 2));

@@ -345,7 +345,7 @@ class Writer {
         }
     }
     Enum target_of(const Texture& texture) const {
-        return version_ == Glsl::k300es ? Enum{kGL_TEXTURE_2D} : texture.target;
+        return version_ == Glsl::k300es && texture.is_flat() ? Enum{kGL_TEXTURE_2D} : texture.target;
     }
 
     // ---- The files ----
@@ -396,16 +396,16 @@ class Writer {
         constexpr std::size_t kMostLevels = 16;
         for (const TextureImage& level : texture.levels) {
             if (level.texels.empty() || count == kMostLevels) break;
-            levels += (count++ == 0 ? "" : ", ") +
-                      c_.list(fmt::format("{}, {}, {}", level.width, level.height, place_of(texels_of(level))));
+            levels += (count++ == 0 ? "" : ", ") + c_.list(fmt::format("{}, {}, {}, {}", level.width, level.height,
+                                                                       level.depth, place_of(texels_of(level))));
         }
         const auto name = [&](const char* member, Enum value) { return c_.member(member, enum_name(value)) + ", "; };
-        const std::string members = name("target", target_of(texture)) + name("min_filter", texture.min_filter) +
-                                    name("mag_filter", texture.mag_filter) + c_.member("wrap_s", wrap(texture.wrap_s)) +
-                                    ", " + c_.member("wrap_t", wrap(texture.wrap_t)) + ",\n        " +
-                                    c_.member("border_color", c_.list(c_.numbers(texture.border_texel()))) + ", " +
-                                    c_.member("level_count", fmt::format("{}", count)) + ", " +
-                                    c_.member("levels", c_.list(levels));
+        const std::string members =
+            name("target", target_of(texture)) + name("min_filter", texture.min_filter) +
+            name("mag_filter", texture.mag_filter) + c_.member("wrap_s", wrap(texture.wrap_s)) + ", " +
+            c_.member("wrap_t", wrap(texture.wrap_t)) + ", " + c_.member("wrap_r", wrap(texture.wrap_r)) +
+            ",\n        " + c_.member("border_color", c_.list(c_.numbers(texture.border_texel()))) + ", " +
+            c_.member("level_count", fmt::format("{}", count)) + ", " + c_.member("levels", c_.list(levels));
         std::string load = fmt::format("    load_texture({}, {});\n", number, c_.structure("texture", members));
         const auto limit = [&](const char* parameter, double lod, double initial) {
             if (lod != initial)
@@ -430,7 +430,8 @@ class Writer {
         note("smooth lines", draw.draws_lines() && raster.line_smooth);
         note("logical operations", draw.fragment.logic_op.has_value());
         note("polygon mode", draw.draws_borders());
-        note("border colours of textures", texture && (has_border(texture->wrap_s) || has_border(texture->wrap_t)));
+        note("border colours of textures", texture && (has_border(texture->wrap_s) || has_border(texture->wrap_t) ||
+                                                       (texture->is_volume() && has_border(texture->wrap_r))));
         note("GL_TEXTURE_LOD_BIAS", texture && draw.texture.lod_bias != 0);
         const auto& stencil = draw.fragment.stencil;
         const auto values = [](const StencilFace& face) { return std::tuple(face.ref, face.mask, face.write_mask); };

@@ -34,11 +34,12 @@ const Words& kept_names() {
     return kNames;
 }
 
-const char* kept_version(Glsl version) {
+std::string kept_version(Glsl version, const std::string& sampler) {
     switch (version) {
         case Glsl::k130: return "130";
         case Glsl::k330: return "330 core";
-        case Glsl::k300es: return "300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;";
+        case Glsl::k300es:
+            return fmt::format("300 es\nprecision highp float;\nprecision highp int;\nprecision highp {};", sampler);
     }
     return "";
 }

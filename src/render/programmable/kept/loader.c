@@ -88,6 +88,7 @@ void load_texture(int number, struct texture t) {
     glTexParameteri(t.target, GL_TEXTURE_MAG_FILTER, (GLint)t.mag_filter);
     glTexParameteri(t.target, GL_TEXTURE_WRAP_S, (GLint)t.wrap_s);
     glTexParameteri(t.target, GL_TEXTURE_WRAP_T, (GLint)t.wrap_t);
+    glTexParameteri(t.target, GL_TEXTURE_WRAP_R, (GLint)t.wrap_r);
     glTexParameteri(t.target, GL_TEXTURE_MAX_LEVEL, t.level_count - 1);
     glTexParameterfv(t.target, GL_TEXTURE_BORDER_COLOR, t.border_color);
     for (int i = 0; i < t.level_count; ++i) {
@@ -95,6 +96,9 @@ void load_texture(int number, struct texture t) {
         const char* texels = data + 4L * level.first_texel;
         if (t.target == GL_TEXTURE_1D)
             glTexImage1D(t.target, i, GL_RGBA8, level.width, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+        else if (t.target == GL_TEXTURE_3D)
+            glTexImage3D(t.target, i, GL_RGBA8, level.width, level.height, level.depth, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                         texels);
         else
             glTexImage2D(t.target, i, GL_RGBA8, level.width, level.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
     }

@@ -11,12 +11,12 @@ struct attribute {
 };
 
 struct image {
-    int width, height;
+    int width, height, depth;
     int first_texel;  // in 4 bytes of scene.bin: red, green, blue, alpha
 };
 
 struct texture {
-    GLenum target, min_filter, mag_filter, wrap_s, wrap_t;
+    GLenum target, min_filter, mag_filter, wrap_s, wrap_t, wrap_r;
     float border_color[4];
     int level_count;
     struct image levels[16];

@@ -46,10 +46,14 @@ function load_texture(number, t) {
     gl.texParameteri(t.target, gl.TEXTURE_MAG_FILTER, t.mag_filter);
     gl.texParameteri(t.target, gl.TEXTURE_WRAP_S, t.wrap_s);
     gl.texParameteri(t.target, gl.TEXTURE_WRAP_T, t.wrap_t);
+    gl.texParameteri(t.target, gl.TEXTURE_WRAP_R, t.wrap_r);
     gl.texParameteri(t.target, gl.TEXTURE_MAX_LEVEL, t.level_count - 1);
-    t.levels.forEach(([width, height, first], level) => {
-        const texels = data.subarray(4 * first, 4 * (first + width * height));
-        gl.texImage2D(t.target, level, gl.RGBA8, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, texels);
+    t.levels.forEach(([width, height, depth, first], level) => {
+        const texels = data.subarray(4 * first, 4 * (first + width * height * depth));
+        if (t.target === gl.TEXTURE_3D)
+            gl.texImage3D(t.target, level, gl.RGBA8, width, height, depth, 0, gl.RGBA, gl.UNSIGNED_BYTE, texels);
+        else
+            gl.texImage2D(t.target, level, gl.RGBA8, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, texels);
     });
 }
 

@@ -14,6 +14,9 @@
 #if EFFECT_TEXTURE_CLAMP_T
     tex_coord.t = clamp(tex_coord.t, 0.0, texture_end);
 #endif
+#if EFFECT_TEXTURE_CLAMP_R
+    tex_coord.p = clamp(tex_coord.p, 0.0, texture_end);
+#endif
 #if EFFECT_RAY_TEX_COORD
     LOOKED_UP = textureGrad(u_texture, tex_coord, tex_per_x.DIVIDED_PARTS, tex_per_y.DIVIDED_PARTS)LOOKED_UP_PART;
 #elif EFFECT_TEXTURE_GRADIENTS
