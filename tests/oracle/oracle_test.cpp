@@ -65,6 +65,22 @@ TEST(Oracle, AgreesWithTheShadersInAllTiersWhichAreNeverWorseThanTheFixedFunctio
     for (const auto& [who, counts] : summary.counts) expect_rare(summary, who, 0.08);
 }
 
+// A spot factor of 3.1e-39, which a driver may flush to 0, under an attenuation of 1e37: the ambient term is 0.2 of 0.031.
+TEST(Oracle, AddsUpTheTermsWithDenormalPowers) {
+    const auto sum = [](int exponent) {
+        const std::string text = fmt::format(
+            "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glLightfv(GL_LIGHT0, GL_AMBIENT, (GLfloat[]){{0, 0, 1, 0}});"
+            "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){{-1, 0, 0, 1}}); glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 79);"
+            "glLightfv(GL_LIGHT0, GL_SPOT_DIRECTION, (GLfloat[]){{0.4008, 0.9162, 0}});"
+            "glLightf(GL_LIGHT0, GL_SPOT_EXPONENT, {}); glLightf(GL_LIGHT0, GL_CONSTANT_ATTENUATION, 1e-37);"
+            "glBegin(GL_POINTS); glVertex3f(0, 0, 0); glEnd();",
+            exponent);
+        return oracle::light(read_scene(text, "spot", "spot")).at(0).of_denormal_powers;
+    };
+    EXPECT_NEAR(sum(97), 0.2 * std::pow(0.4008 / std::hypot(0.4008, 0.9162), 97) * 1e37, 1e-5);
+    EXPECT_EQ(sum(80), 0);
+}
+
 // With a bar that nobody can reach, everything fails.
 TEST(Oracle, ShrinksWhatItFindsToASceneThatStillFails) {
     fuzz::OracleOptions options = only_the_reference({.count = 20, .most_failures = 1});

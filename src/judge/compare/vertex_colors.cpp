@@ -130,6 +130,7 @@ Draw as_points(const VertexScene& scene, const Viewport& tile) {
     raster.front_face = draw.raster.front_face;
     raster.viewport = tile;
     raster.polygon_mode_front = raster.polygon_mode_back = kGL_POINT;
+    draw.state_number = 0;
     draw.raster = raster;
     draw.fragment.scissor = {.enabled = true, .box = tile};
     return draw;

@@ -249,7 +249,8 @@ class Judged {
         const oracle::Vertex& exact = evaluated({}).at(vertex);
         // A light so near that their places are equal in doubles.
         bool cancels = exact.closest_light < 0x1p-45;
-        bool beyond = false, denormal = false, wide = false, interpolated = false;
+        bool beyond = false, wide = false, interpolated = false;
+        bool denormal = exact.of_denormal_powers > limits.bar / 10;
         const auto look_at = [&](const auto& v, double w) {
             for (int i = 0; i < 3; ++i) {
                 const double x = v[static_cast<std::size_t>(i)];
@@ -309,8 +310,8 @@ class Judged {
         double normal = glm::length(normals * draw().vertices.at(vertex).normal_object);
         if (lighting.rescale_normal && !lighting.normalize) normal /= glm::length(normals[2]);
         const double shininess = std::max(lighting.front.shininess, lighting.back.shininess);
-        if (limits.flushes && !lighting.normalize && !per_pixel && std::pow(normal, shininess) > 1e30)
-            return kBeyondPowers;
+        const double largest_power = limits.flushes ? 1e30 : 1e300;
+        if (!lighting.normalize && !per_pixel && std::pow(normal, shininess) > largest_power) return kBeyondPowers;
         if (type == NumberType::kFloat && exact.position_eye[3] == 0) return "a vertex in a direction";
         if (interpolated) return kInterpolated;
         if (cancels) return kNearlyAgree;

@@ -173,12 +173,15 @@ class Machine {
 
     Colors lit(const Vector4& v, const Vector3& n, const Material& material) {
         Vector3 primary = xyz(material.emission), secondary{}, magnitude{};
+        const auto is_denormal = [](const Number& x) { return x > 0 && x < 0x1p-126; };
+        bool has_denormal_power = false;
         const auto add = [&](Vector3& sum, const Number& factor, const Vector4& a, const Vector4& b) {
             for (std::size_t i = 0; i < 3; ++i) {
                 if (a[i] == 0 || b[i] == 0) continue;  // `factor` may be infinite
                 const Number term = factor * a[i] * b[i];
                 sum[i] += term;
                 magnitude[i] += abs(term);
+                if (has_denormal_power) of_denormal_powers_ += static_cast<double>(Number(abs(term)));
             }
         };
         for (std::size_t i = 0; i < 3; ++i) magnitude[i] = abs(primary[i]);
@@ -190,7 +193,8 @@ class Machine {
             Towards vp = towards(v, value_of_position(light.position_eye));
             if (vp.distance > 0) closest_light_ = std::min(closest_light_, relative_to(v, vp.distance));
             vp.dir = value(vp.dir);
-            const Number reach = attenuation(light, vp) * spot(light, vp);
+            const Number cone = spot(light, vp), reach = attenuation(light, vp) * cone;
+            has_denormal_power = is_denormal(cone);
             add(primary, reach, material.ambient, light.ambient);
             const Number n_dot_vp = dot(n, vp.dir);
             add(primary, reach * std::max(n_dot_vp, Number(0)), material.diffuse, light.diffuse);
@@ -200,9 +204,9 @@ class Machine {
             if (behind) continue;
             const auto [h, size] = measured(plus(vp.dir, vpe));
             shortest_half_vector_ = std::min(shortest_half_vector_, static_cast<double>(size));
-            add(separate_ ? secondary : primary,
-                reach * power(std::max(Number(dot(n, h)), Number(0)), material.shininess), material.specular,
-                light.specular);
+            const Number highlight = power(std::max(Number(dot(n, h)), Number(0)), material.shininess);
+            has_denormal_power |= is_denormal(highlight);
+            add(separate_ ? secondary : primary, reach * highlight, material.specular, light.specular);
         }
         Colors colors;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -253,10 +257,12 @@ class Machine {
         for (std::size_t i = 0; i < 4; ++i) result.position_eye[i] = static_cast<double>(v[i]);
         closest_light_ = HUGE_VAL;
         shortest_half_vector_ = 2;
+        of_denormal_powers_ = 0;
         result.front = lit(v, n, materials_[0]);
         if (two_side_) result.back = lit(v, negative(n), materials_[1]);
         result.closest_light = closest_light_;
         result.shortest_half_vector = shortest_half_vector_;
+        result.of_denormal_powers = of_denormal_powers_;
         vertices_.push_back(result);
     }
 
@@ -453,7 +459,7 @@ class Machine {
     std::array<Light, 8> lights_{};
     std::array<Material, 2> materials_{};  // front, back
     Vector4 scene_ambient_{Number(0.2), Number(0.2), Number(0.2), 1};
-    double closest_light_ = HUGE_VAL, shortest_half_vector_ = 2;
+    double closest_light_ = HUGE_VAL, shortest_half_vector_ = 2, of_denormal_powers_ = 0;
     bool agrees_ = false;
     bool local_viewer_ = false, separate_ = false, two_side_ = false, normalize_ = false, rescale_ = false;
     bool color_material_ = false;

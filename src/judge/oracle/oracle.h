@@ -48,6 +48,8 @@ struct Vertex {
     // The least distance to a positional light that is not exactly here, relative to the vertex's distance from the eye.
     double closest_light = HUGE_VAL;
     double shortest_half_vector = 2;  // the least length of VP + VPe of all lights
+    // The sum of the magnitudes of the terms whose spot_i or (n . h_i)^s_rm is a denormal float. Attenuation may make them large.
+    double of_denormal_powers = 0;
 };
 
 // The vertices after the last glBegin, in order. Throws std::invalid_argument for a command that it does not know.

@@ -632,8 +632,9 @@ struct Draw {
     glm::dmat4 clip_from_eye{1};
     Place place;           // the place of glBegin or of the shape
     bool in_list = false;  // a display list draws it; then a driver may cut quadrilaterals the other way
-    // Draws of a frame with the same number, unless it is 0, have the same state: at most `mode`, `materials` and the values
-    // of vertices differ. Different numbers say nothing.
+    // Draws with the same number, unless it is 0, have the same state: at most `mode`, `materials` and the values of vertices
+    // differ. Different numbers say nothing. Whoever changes the state of a frame's Draw sets it to 0, as
+    // Frame::editable_draws() does.
     std::uint64_t state_number = 0;
     // Of glBitmap, glDrawPixels and glCopyPixels (3.6.4, 3.7, 4.3.3), otherwise null. The mode is GL_POINTS, the viewport kWindowOfPixels. The
     // vertices have the values of the raster position, which make the colours as for any point.

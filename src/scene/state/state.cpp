@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -36,6 +37,12 @@ constexpr CommandSet kKeepsState =
                     "begin", "end", "call_list", "call_lists"});
 constexpr CommandSet kSetsColor = CommandSet::of({"color"});
 
+// Each is given once, so that Draws of different States have different numbers.
+std::uint64_t new_state_number() {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
+
 // Adds one to the count of `name`.
 void count(std::vector<Unsupported>& list, std::string_view name, const Place& place, MissingFrom missing_from) {
     const auto find = [&] {
@@ -54,7 +61,7 @@ void count(std::vector<Unsupported>& list, std::string_view name, const Place& p
 
 }  // namespace
 
-State::State(const StateOptions& options) : options_(options) {
+State::State(const StateOptions& options) : options_(options), state_number_(new_state_number()) {
     a_.raster.viewport = a_.fragment.scissor.box = {0, 0, options.width, options.height};
 }
 
@@ -80,7 +87,7 @@ void State::carry_out(const Command& command) {
     }
     const bool keeps_state =
         kKeepsState.contains(command.id) || (kSetsColor.contains(command.id) && !a_.lighting.color_material.enabled);
-    if (!keeps_state) ++state_number_;
+    if (!keeps_state) state_number_ = new_state_number();
     (this->*kCarriedOutBy[static_cast<std::size_t>(command.id)])(command);
 }
 

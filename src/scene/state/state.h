@@ -295,7 +295,7 @@ class State {
     Enum render_mode_ = kGL_RENDER;                      // 5.2
     bool has_selection_ = false, has_feedback_ = false;  // has a buffer with room
     std::optional<Draw> open_;                           // between Begin and End
-    std::uint64_t state_number_ = 1;                     // Draw::state_number of the next Draw
+    std::uint64_t state_number_;                         // Draw::state_number of the next Draw
     std::size_t open_bytes_ = 0;                         // what it counts in item_bytes_, besides its vertices
     std::map<Enum, EvaluatorMap> maps_;                  // by the target of glMap
     std::map<double, Quadric> quadrics_;                 // by number
