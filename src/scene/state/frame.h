@@ -380,7 +380,8 @@ struct Texture {                         // 3.8.4, table 3.18
     double lod_bias = 0;                     // a Draw's is in its TextureUnit
     double min_lod = -1000, max_lod = 1000;  // limits of the level of detail
     double max_anisotropy = 1;  // EXT_texture_filter_anisotropic: at most as many samples along the longer axis
-    // Of a texture of depths (3.8.14): the environment takes a depth, or 0 or 1 if it is compared with r, as this format.
+    // Only for textures that hold depths (3.8.14). The texture environment gets the depth, or, if depths are compared with r,
+    // the outcome: 0 or 1. It gets that as a texel of the format depth_mode.
     Enum depth_mode = kGL_LUMINANCE;  // or GL_INTENSITY, GL_ALPHA
     Enum compare_mode = kGL_NONE;     // or GL_COMPARE_R_TO_TEXTURE
     Enum compare_func = kGL_LEQUAL;
