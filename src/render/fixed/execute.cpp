@@ -127,8 +127,9 @@ void Executor::pragma(const Command& command) {
 
 void Executor::execute(const Command& command) {
     // Offscreen there is only one colour buffer, with a different name than a window's.
-    const bool draws_to_window = command.id == CommandId::glDrawBuffer && draw_framebuffer() == window_;
-    if (draws_to_window && command.enumerant(0) != GL_NONE) return glDrawBuffer(color_buffer_);
+    const bool draws_to_window = command.id == CommandId::glDrawBuffer && command.enumerant(0) != GL_NONE &&
+                                 command.enumerant(0) < GL_COLOR_ATTACHMENT0 && draw_framebuffer() == window_;
+    if (draws_to_window) return glDrawBuffer(color_buffer_);
     // Ignored for a window: its picture is read from the current buffer.
     if (command.id == CommandId::glReadBuffer && read_framebuffer() == window_) return;
     switch (command.id) {

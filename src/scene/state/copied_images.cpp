@@ -129,9 +129,12 @@ void State::copy_tex_image(const Command& c) {
                        .base_format = format->base_format,
                        .internal_format = c.enumerant(2),
                        .texels = std::vector<glm::vec4>(count, stored({0, 0, 0, 1}, *format))};
-    if (count > 0)
+    if (count > 0) {
+        const std::size_t errors = error_count_;
         if (auto pixels = take_pixels(c, buffer_for(format->base_format), from))
             image.parts.push_back({.width = from.width, .height = from.height, .copied = std::move(pixels)});
+        if (error_count_ > errors) return;
+    }
     Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
     textures_.texels -= texels_of(*texture);

@@ -105,13 +105,20 @@ void State::delete_renderbuffers(const Command& c) {
     }
 }
 
+constexpr std::uint32_t kIncomplete = 0;  // the name of a deleted image that could not be drawn into
+
 // A deleted image leaves the bound objects. Others keep it.
 void State::detach(Enum type, std::uint32_t name) {
     for (auto& [number, object] : framebuffers_.named) {
         if (!object) continue;
         const bool is_bound = number == framebuffers_.draw || number == framebuffers_.read;
         object->for_each([&](Attachment& attachment) {
-            if (attachment.type != type || attachment.name != name) return;
+            if (attachment.type != type || attachment.name != name || attachment.is_deleted) return;
+            const std::optional<AttachedImage> image = attached_image(attachment);
+            const auto is_right = &attachment == &object->depth     ? has_depths
+                                  : &attachment == &object->stencil ? has_stencil
+                                                                    : has_colors;
+            if (!image || !is_right(image->format)) attachment.name = kIncomplete;
             attachment.is_deleted = true;
             if (is_bound) attachment = {};
         });
@@ -122,6 +129,8 @@ void State::detach(Enum type, std::uint32_t name) {
 
 void State::renderbuffer_storage(const Command& c) {
     if (!known(c, c.enumerant(0), {kGL_RENDERBUFFER})) return;
+    if (framebuffers_.renderbuffer == 0)
+        return raise(kGL_INVALID_OPERATION, c, "{}: no renderbuffer is bound; call glBindRenderbuffer first", c.name());
     const Enum format = c.enumerant(1);
     const bool is_color = c.number(1) > 4 && internal_format(format) && !has_depths(format);
     if (!is_color && !has_depths(format) && !has_stencil(format) && !is_driver_only_storage(format))
@@ -132,8 +141,6 @@ void State::renderbuffer_storage(const Command& c) {
     if (std::min(width, height) < 0 || std::max(width, height) > kMaxRenderbufferSize)
         return raise(kGL_INVALID_VALUE, c, "{} is given the size {}; each side must be in [0, {}]", c.name(),
                      size_text(width, height), kMaxRenderbufferSize);
-    if (framebuffers_.renderbuffer == 0)
-        return raise(kGL_INVALID_OPERATION, c, "{}: no renderbuffer is bound; call glBindRenderbuffer first", c.name());
     if (!has_time(c, static_cast<double>(width) * height)) return;
     *framebuffers_.renderbuffers.at(framebuffers_.renderbuffer) = {format, width, height};
 }
@@ -211,6 +218,7 @@ constexpr int kAnySize = kMaxRenderbufferSize;  // of an image that is not known
 }  // namespace
 
 std::optional<State::AttachedImage> State::attached_image(const Attachment& attachment) const {
+    if (attachment.is_deleted && attachment.name == kIncomplete) return std::nullopt;
     if (attachment.is_deleted) return AttachedImage{kAnySize, kAnySize, 0};
     if (attachment.type == kGL_RENDERBUFFER) {
         const Renderbuffer& buffer = *framebuffers_.renderbuffers.at(attachment.name);
@@ -556,9 +564,14 @@ void State::generate_mipmap(const Command& c) {
     if (is_driver_only_texture(target) || !known(c, target, kTextureTargets)) return;
     const Texture& bound = bound_texture(target);
     const auto base = static_cast<std::size_t>(bound.base_level);
-    for (std::size_t face = 0; face < bound.face_count(); ++face)
-        if (base >= bound.face(face).size() || bound.face(face)[base].texels.empty())
-            return raise(kGL_INVALID_OPERATION, c, "level {} has no image yet; give it one with glTexImage", base);
+    const auto has_image = [&](std::size_t face) {
+        return base < bound.face(face).size() && !bound.face(face)[base].texels.empty();
+    };
+    for (std::size_t face = 0; face < bound.face_count(); ++face) {
+        if (has_image(face)) continue;
+        if (bound.is_cube()) raise(kGL_INVALID_OPERATION, c, "a face of the cube map has no image of level {}", base);
+        return;
+    }
     if (!has_texels(c, static_cast<double>(texels_of(bound)))) return;
     Texture* texture = writable_texture(c, target);
     if (!texture) return;
@@ -590,14 +603,13 @@ void State::read_buffer(const Command& c) {
 bool State::check_buffer(const Command& c, std::uint32_t framebuffer) {
     const Enum mode = c.enumerant(0), attachment = mode - kGL_COLOR_ATTACHMENT0;
     const bool is_attachment = attachment <= kGL_COLOR_ATTACHMENT15 - kGL_COLOR_ATTACHMENT0;
-    if (mode == kGL_NONE || (framebuffer != 0 && attachment < kMaxColorAttachments)) return true;
     if (!is_attachment && !known(c, mode,
                                  {kGL_NONE, kGL_FRONT, kGL_BACK, kGL_LEFT, kGL_RIGHT, kGL_FRONT_AND_BACK,
                                   kGL_FRONT_LEFT, kGL_FRONT_RIGHT, kGL_BACK_LEFT, kGL_BACK_RIGHT}))
         return false;
-    if ((framebuffer == 0) != is_attachment) return true;
+    if (mode == kGL_NONE || (framebuffer == 0 ? !is_attachment : attachment < kMaxColorAttachments)) return true;
     raise(kGL_INVALID_OPERATION, c, "{} is given {}; {}", c.name(), enum_name(mode),
-          framebuffer == 0 ? "the window has no attachments" : "a framebuffer object has GL_COLOR_ATTACHMENT0, ...");
+          framebuffer == 0 ? "the window has no attachments" : "a framebuffer object has GL_COLOR_ATTACHMENT0 to 7");
     return false;
 }
 
