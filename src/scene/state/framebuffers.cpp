@@ -109,15 +109,16 @@ constexpr std::uint32_t kIncomplete = 0;  // the name of a deleted image that co
 
 // A deleted image leaves the bound objects. Others keep it.
 void State::detach(Enum type, std::uint32_t name) {
-    for (auto& [number, object] : framebuffers_.named) {
-        if (!object) continue;
+    for (auto& [number, named] : framebuffers_.named) {
+        if (!named) continue;
+        FramebufferObject& object = *named;
         const bool is_bound = number == framebuffers_.draw || number == framebuffers_.read;
-        object->for_each([&](Attachment& attachment) {
+        object.for_each([&](Attachment& attachment) {
             if (attachment.type != type || attachment.name != name || attachment.is_deleted) return;
             const std::optional<AttachedImage> image = attached_image(attachment);
-            const auto is_right = &attachment == &object->depth     ? has_depths
-                                  : &attachment == &object->stencil ? has_stencil
-                                                                    : has_colors;
+            const auto is_right = &attachment == &object.depth     ? has_depths
+                                  : &attachment == &object.stencil ? has_stencil
+                                                                   : has_colors;
             if (!image || !is_right(image->format)) attachment.name = kIncomplete;
             attachment.is_deleted = true;
             if (is_bound) attachment = {};
@@ -270,8 +271,9 @@ bool State::use_framebuffers(const Command& c) {
     const bool draws = framebuffers_.draw != 0 && kDraws.contains(c.id);
     const bool reads = framebuffers_.read != 0 && kReads.contains(c.id);
     if (!draws && !reads) return true;
-    const FramebufferObject& object = *framebuffers_.named.at(draws ? framebuffers_.draw : framebuffers_.read);
-    if (const Enum status = status_of(object); status != kGL_FRAMEBUFFER_COMPLETE) {
+    for (const auto& [is_used, name] : {std::pair(draws, framebuffers_.draw), {reads, framebuffers_.read}}) {
+        const Enum status = is_used ? status_of(*framebuffers_.named.at(name)) : kGL_FRAMEBUFFER_COMPLETE;
+        if (status == kGL_FRAMEBUFFER_COMPLETE) continue;
         raise(kGL_INVALID_FRAMEBUFFER_OPERATION, c,
               "the bound framebuffer object is not complete: glCheckFramebufferStatus returns {}", enum_name(status));
         return false;

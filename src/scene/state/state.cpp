@@ -85,7 +85,7 @@ void State::carry_out(const Command& command) {
         return raise(kGL_INVALID_VALUE, command, "{} needs finite numbers, but a value is NaN or infinite",
                      command.name());
     }
-    if (!use_framebuffers(command)) return;
+    if ((framebuffers_.draw != 0 || framebuffers_.read != 0) && !use_framebuffers(command)) return;
     const bool keeps_state =
         kKeepsState.contains(command.id) || (kSetsColor.contains(command.id) && !a_.lighting.color_material.enabled);
     if (!keeps_state) state_number_ = new_state_number();
