@@ -342,10 +342,17 @@ TEST(Precise, GivesTheFixedFunctionsFloatsOverRandomStates) {
 
 // These scenes also show sums in fragments, whose order the compiler chooses. The share of two levels of a texture is one. A texture
 // of copied depths is left out too: it shows their last digit, which a few depths of shaders do not share.
+// So is the picture of a framebuffer object, where a few edges differ by a pixel.
+bool shows_object(const Texture& texture) {
+    const std::vector<ImagePart>& parts = texture.levels.front().parts;
+    return std::ranges::any_of(parts, [](const ImagePart& part) { return part.copied && part.copied->drawn; });
+}
+
 bool sums_in_fragments(const Draw& draw) {
     const auto& texture = draw.texture.texture;
-    return draw.fog.enabled || (texture && (draw.texture.env_mode == kGL_BLEND ||
-                                            texture->min_filter == kGL_LINEAR_MIPMAP_LINEAR || texture->has_depths()));
+    return draw.fog.enabled ||
+           (texture && (draw.texture.env_mode == kGL_BLEND || texture->min_filter == kGL_LINEAR_MIPMAP_LINEAR ||
+                        texture->has_depths() || shows_object(*texture)));
 }
 
 // The fixed function gets the Frame's state and loads its matrices.

@@ -90,9 +90,9 @@ Command random_command(fuzz::Random& random, CommandId id) {
             count =
                 static_cast<int>(command.count(static_cast<std::size_t>(&parameter - signature(id).parameters.data())));
         }
-        // When a command is read, its results are unknown, except names.
+        // When a command is read, its results are unknown, except names and that a framebuffer is complete.
         if (parameter.extent == Extent::kResult && parameter.kind != Kind::kQuadric && !named_objects(parameter)) {
-            command.arguments.push_back(0);
+            command.arguments.push_back(id == CommandId::glCheckFramebufferStatus ? kGL_FRAMEBUFFER_COMPLETE : 0);
             continue;
         }
         if (parameter.extent == Extent::kOutputByCount) {

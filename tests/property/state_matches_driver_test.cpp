@@ -364,6 +364,8 @@ bool is_departure(const Command& command, const State& state) {
     if (is_anisotropy && command.enumerant(0) == kGL_TEXTURE_1D && command.arguments.size() > 2 &&
         command.number(2) > 1)
         return true;
+    // The driver refuses mipmaps of a texture without an image; OpenGL 3.0 (4.4.7) refuses only incomplete cube maps.
+    if (command.id == CommandId::glGenerateMipmap) return true;
     // cot(90 degrees) is 0 but for rounding, and so is the determinant, which decides what planes become.
     if (command.id == CommandId::gluPerspective && std::abs(command.number(0)) == 180) return true;
     const bool is_eye_plane = name.starts_with("glTexGen") && command.enumerant(1) == kGL_EYE_PLANE;

@@ -265,7 +265,8 @@ bool may_be_compiled(const Command& command) {
     if (command.sig().family != Family::kGl) return false;
     static constexpr std::string_view kNot[] = {"glGen",          "glDelete",        "glNewList",    "glEndList",
                                                 "glEnableClient", "glDisableClient", "glPushClient", "glPopClient",
-                                                "glPixelStore",   "glBindBuffer",    "glBufferData"};
+                                                "glPixelStore",   "glBindBuffer",    "glBufferData", "glFramebuffer",
+                                                "glBindFrame",    "glRenderbuffer",  "glBindRender"};
     return std::ranges::none_of(kNot, [&](std::string_view name) { return command.name().starts_with(name); }) &&
            command.name().find("Pointer") == std::string_view::npos;
 }

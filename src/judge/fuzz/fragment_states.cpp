@@ -33,6 +33,7 @@ class Builder {
           pixel_copies_(~seed.values + 3),
           depths_(seed.structure + 9),
           volumes_(seed.structure + 10),
+          objects_(seed.structure + 11),
           departure_(departure_of(seed, structure_)) {}
 
     std::string build() {
@@ -93,6 +94,7 @@ class Builder {
         if (is_of_pixel_copies(departure_) || (departure_.empty() && pixel_copies_.chance(0.05)))
             text_ += pixel_copy(pixel_copies_, departure_);
         if (shows("depths in one dimension") || (departure_.empty() && depths_.chance(0.1))) depths();
+        if (departure_.empty() && objects_.chance(0.1)) object();
         if (has_quadric_) add("gluDeleteQuadric(quadric);");
         return std::move(text_);
     }
@@ -401,6 +403,51 @@ class Builder {
             depths_.uniform(-0.2, 0.4));
         add("glTexGeni(GL_R, GL_TEXTURE_GEN_MODE, GL_EYE_LINEAR); glEnable(GL_TEXTURE_GEN_R); glPopMatrix();");
         text_ += batch();
+    }
+
+    // A picture in a texture, by a framebuffer object, on further primitives; last, as copied().
+    void object() {
+        const char* const formats[] = {"GL_RGB", "GL_RGBA", "GL_RGB8", "GL_RGBA8"};
+        const char* const filters[] = {"GL_NEAREST", "GL_LINEAR", "GL_LINEAR_MIPMAP_LINEAR"};
+        const int filter = objects_.below(3), width = 1 + objects_.below(100), height = 1 + objects_.below(100);
+        const int depths = objects_.below(3);  // none, depths, depths and stencil
+        add("glBindTexture(GL_TEXTURE_2D, 60);");
+        add("glTexImage2D(GL_TEXTURE_2D, 0, {}, {}, {}, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);",
+            formats[objects_.below(4)], width, height);
+        add("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, {}); "
+            "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, {});",
+            filters[filter], filters[std::min(filter, 1)]);
+        add("glBindFramebuffer(GL_FRAMEBUFFER, 1);");
+        add("glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 60, 0);");
+        if (depths > 0) {
+            add("glBindRenderbuffer(GL_RENDERBUFFER, 1);");
+            add("glRenderbufferStorage(GL_RENDERBUFFER, {}, {}, {});",
+                depths == 1 ? "GL_DEPTH_COMPONENT24" : "GL_DEPTH24_STENCIL8", width, height);
+            add("glFramebufferRenderbuffer(GL_FRAMEBUFFER, {}, GL_RENDERBUFFER, 1);",
+                depths == 1 ? "GL_DEPTH_ATTACHMENT" : "GL_DEPTH_STENCIL_ATTACHMENT");
+        }
+        add("glDisable(GL_SCISSOR_TEST); glColorMask(1, 1, 1, 1); glDepthMask(1); glStencilMask(255);");
+        add("glPushAttrib(GL_VIEWPORT_BIT); glViewport(0, 0, {}, {}); glClearDepth(1);", width, height);
+        clear("GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT");
+        const auto draw = [&] {
+            add("glBindTexture(GL_TEXTURE_2D, 0);");
+            text_ += batch();
+        };
+        const auto show = [&] {
+            add("glBindFramebuffer(GL_FRAMEBUFFER, 0); glPopAttrib();");
+            add("glDisable(GL_TEXTURE_1D); glDisable(GL_TEXTURE_3D); glDisable(GL_TEXTURE_CUBE_MAP); "
+                "glEnable(GL_TEXTURE_2D); glBindTexture(GL_TEXTURE_2D, 60);");
+            if (filter == 2) add("glGenerateMipmap(GL_TEXTURE_2D);");
+            text_ += batch();
+        };
+        draw();
+        show();
+        if (!objects_.chance(0.3)) return;
+        add("glBindFramebuffer(GL_FRAMEBUFFER, 1);");
+        add("glPushAttrib(GL_VIEWPORT_BIT); glViewport({}, {}, {}, {});", objects_.below(20) - 10,
+            objects_.below(20) - 10, 1 + objects_.below(width), 1 + objects_.below(height));
+        draw();
+        show();
     }
 
     // GL_COMBINE of the active unit. It reads no unit that may lack a texture.
@@ -859,7 +906,7 @@ class Builder {
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
     Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_, more_, more_values_, stipples_,
-        copies_, cubes_, points_, anisotropy_, labels_, pixel_copies_, depths_, volumes_;
+        copies_, cubes_, points_, anisotropy_, labels_, pixel_copies_, depths_, volumes_, objects_;
     bool secondary_ = false, fog_coords_ = false;  // vertices have secondary colours, fog coordinates
     bool sprites_ = false;                         // everything is points
     std::vector<int> further_units_;               // the numbers of those with a texture

@@ -56,6 +56,8 @@ RenderTarget::~RenderTarget() {
 
 void RenderTarget::bind() const { glBindFramebuffer(GL_FRAMEBUFFER, levels_.front().framebuffer); }
 
+void RenderTarget::release() const { glBindFramebuffer(GL_FRAMEBUFFER, own_); }
+
 void RenderTarget::resolve() const {
     glDisable(GL_SCISSOR_TEST);
     // A linear filter at the common corner of four texels is their mean.

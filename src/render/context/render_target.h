@@ -22,6 +22,7 @@ class RenderTarget {
     void resolve() const;
     // The picture of the last resolve(), row 0 at the top.
     Image read() const;
+    void release() const;  // draws go to the context's own buffer again, without a resolve()
 
   private:
     struct Level {

@@ -16,25 +16,32 @@ namespace twinlight::fixed {
 namespace {
 
 void generate_names(ObjectType type, GLsizei n, GLuint* names) {
-    if (type == ObjectType::kTexture) {
-        glGenTextures(n, names);
-    } else {
-        glGenBuffers(n, names);
+    switch (type) {
+        case ObjectType::kTexture: return glGenTextures(n, names);
+        case ObjectType::kBuffer: return glGenBuffers(n, names);
+        case ObjectType::kFramebuffer: return glGenFramebuffers(n, names);
+        case ObjectType::kRenderbuffer: return glGenRenderbuffers(n, names);
+        case ObjectType::kList: return;
     }
 }
 
 void delete_names(ObjectType type, const std::set<std::uint32_t>& names) {
     const std::vector<GLuint> list(names.begin(), names.end());
-    if (type == ObjectType::kTexture) {
-        glDeleteTextures(static_cast<GLsizei>(list.size()), list.data());
-    } else {
-        glDeleteBuffers(static_cast<GLsizei>(list.size()), list.data());
+    const auto count = static_cast<GLsizei>(list.size());
+    switch (type) {
+        case ObjectType::kTexture: return glDeleteTextures(count, list.data());
+        case ObjectType::kBuffer: return glDeleteBuffers(count, list.data());
+        case ObjectType::kFramebuffer: return glDeleteFramebuffers(count, list.data());
+        case ObjectType::kRenderbuffer: return glDeleteRenderbuffers(count, list.data());
+        case ObjectType::kList: return;
     }
 }
 
 }  // namespace
 
-Driver::Driver(int width, int height) : width_(width), height_(height) { initial_.emplace(width, height); }
+Driver::Driver(int width, int height) : window_(draw_framebuffer()), width_(width), height_(height) {
+    initial_.emplace(width, height);
+}
 
 Driver::~Driver() {
     if (selects_) {  // their buffers are freed with this object
@@ -55,6 +62,7 @@ Driver::~Driver() {
 }
 
 std::uint32_t Driver::name_of(ObjectType type, std::uint32_t name) const {
+    if (type == ObjectType::kFramebuffer && name == 0) return window_;
     if (type == ObjectType::kList || name == 0) return name;
     const auto names = names_.find(type);
     if (names == names_.end()) return 0;
@@ -73,7 +81,7 @@ std::uint32_t Driver::new_name(ObjectType type) {
     return name;
 }
 
-// glGenTextures, glGenBuffers: gets a driver's name for each of the scene's names.
+// glGenTextures, glGenBuffers, ...: gets a driver's name for each of the scene's names.
 void Driver::generate(const Command& command) {
     const ObjectType type = *named_objects(command.sig().parameters[1]);
     if (command.number(0) <= 0) return executor_.execute(command);  // the driver's error
@@ -117,6 +125,8 @@ void Driver::execute(const Command& command) {
     if ((command.id == CommandId::glAccum || command.id == CommandId::glClear) && accumulate(command)) return;
     switch (command.id) {
         case CommandId::glGenTextures:
+        case CommandId::glGenFramebuffers:
+        case CommandId::glGenRenderbuffers:
         case CommandId::glGenBuffers: return generate(command);
         case CommandId::glSelectBuffer: return selection_buffer(static_cast<GLsizei>(command.number(0)));
         case CommandId::glFeedbackBuffer:
@@ -175,6 +185,7 @@ bool Driver::accumulate(const Command& command) {
     if (clears && (command.enumerant(0) & GL_ACCUM_BUFFER_BIT) == 0) return false;
     if (!answers() || is_compiling() || answer_of(GL_ACCUM_RED_BITS) > 0) return false;
     if (static_cast<GLenum>(answer_of(GL_RENDER_MODE)) != GL_RENDER) return false;
+    if (answer_of(GL_DRAW_FRAMEBUFFER_BINDING) != static_cast<GLint>(window_)) return false;
     if (!accumulated_) accumulated_.emplace(width_, height_);
     if (clears) {
         Clear clear = with_scissor(Clear{.accumulation = true});
@@ -254,9 +265,11 @@ Command Driver::translated(const Command& command) {
         const std::size_t first = command.first(i), end = first + command.count(i);
         for (std::size_t n = first; n < end; ++n) {
             const auto name = static_cast<std::uint32_t>(command.number(n));
-            std::uint32_t driver_name = name_of(*type, name);
+            // 4.4.1 of OpenGL 3.0: the window's framebuffer is deleted as little as one without a name.
+            const bool is_binding = parameters[i].extent == Extent::kValue;
+            std::uint32_t driver_name = name == 0 && !is_binding ? 0 : name_of(*type, name);
             // 3.8.12, 2.9: binding a name that was never generated creates an object.
-            if (driver_name == 0 && name != 0 && parameters[i].extent == Extent::kValue) {
+            if (driver_name == 0 && name != 0 && is_binding) {
                 driver_name = names_[*type].driver_from_scene[name] = new_name(*type);
             }
             result.arguments[n] = driver_name;

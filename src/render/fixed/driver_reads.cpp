@@ -42,6 +42,9 @@ GLint integer(GLenum name, GLint unanswered) {
     return value;
 }
 
+// Mesa (22.3) crashes where it copies colours without one.
+bool has_read_buffer() { return integer(GL_READ_BUFFER, GL_FRONT) != GL_NONE; }
+
 }  // namespace
 
 bool Driver::answers() { return integer(GL_CLIENT_ATTRIB_STACK_DEPTH, -1) >= 0; }
@@ -60,6 +63,10 @@ bool Driver::may_send(const Command& c) {
         case CommandId::glPolygonStipple: return may_send_stipple(c);
         case CommandId::glCopyTexImage1D:
         case CommandId::glCopyTexImage2D: return may_copy_pixels(c);
+        case CommandId::glCopyTexSubImage1D:
+        case CommandId::glCopyTexSubImage2D:
+        case CommandId::glCopyTexSubImage3D:
+        case CommandId::glCopyPixels: return has_read_buffer();
         default: return std::ranges::none_of(c.sig().parameters, names_memory) || may_send_pixels(c);
     }
 }
@@ -218,7 +225,11 @@ bool Driver::may_send_stipple(const Command& c) {
     return bitmap_bytes(kSide, kSide, unpacking()) <= c.array().size();
 }
 
-bool Driver::may_copy_pixels(const Command& c) { return !is_too_large(pixels_of(c)); }
+bool Driver::may_copy_pixels(const Command& c) {
+    const std::optional<InternalFormat> format = internal_format(c.number(2));
+    const bool are_depths = format && format->base_format == GL_DEPTH_COMPONENT;
+    return !is_too_large(pixels_of(c)) && (are_depths || has_read_buffer());
+}
 
 bool Driver::may_send_pixels(const Command& c) {
     const GLint buffer = integer(GL_PIXEL_UNPACK_BUFFER_BINDING, -1);

@@ -113,7 +113,7 @@ struct Call {
 
 }  // namespace
 
-Executor::Executor() : color_buffer_(draw_buffer()) {}
+Executor::Executor() : window_(draw_framebuffer()), color_buffer_(draw_buffer()) {}
 
 void Executor::draw_shape(const Command& command) {
     if (draws_quadric(command)) return quadrics_.execute(command);
@@ -127,8 +127,11 @@ void Executor::pragma(const Command& command) {
 
 void Executor::execute(const Command& command) {
     // Offscreen there is only one colour buffer, with a different name than a window's.
-    if (command.id == CommandId::glDrawBuffer && command.enumerant(0) != GL_NONE) return glDrawBuffer(color_buffer_);
-    if (command.id == CommandId::glReadBuffer) return;  // ignored: the picture is read from the current buffer
+    const bool draws_to_window = command.id == CommandId::glDrawBuffer && command.enumerant(0) != GL_NONE &&
+                                 command.enumerant(0) < GL_COLOR_ATTACHMENT0 && draw_framebuffer() == window_;
+    if (draws_to_window) return glDrawBuffer(color_buffer_);
+    // Ignored for a window: its picture is read from the current buffer.
+    if (command.id == CommandId::glReadBuffer && read_framebuffer() == window_) return;
     switch (command.id) {
 // clang-format off
 #define PARAMETER(name, kind, extent, count) decltype(declared<Kind::kind, Extent::extent>())

@@ -1,6 +1,8 @@
 // Sends one command to the driver.
 #pragma once
 
+#include <cstdint>
+
 #include "render/fixed/quadrics.h"
 #include "scene/command/command.h"
 
@@ -8,6 +10,9 @@ namespace twinlight::fixed {
 
 // The current draw buffer: GL_BACK in a window with two buffers; it has another name offscreen.
 Enum draw_buffer();
+// The framebuffer that is bound for drawing, and the one for reading: a window's often is 0.
+std::uint32_t draw_framebuffer();
+std::uint32_t read_framebuffer();
 
 // Calls the function with the command's name and arguments, and keeps GLU's objects. Names of GL objects must be the
 // driver's, and memory that the command reads must exist: Driver ensures both.
@@ -21,7 +26,8 @@ class Executor {
     void draw_shape(const Command& command);
     void pragma(const Command& command);
 
-    Enum color_buffer_;  // the context's, used for GL_BACK and similar names
+    std::uint32_t window_;  // the window's framebuffer
+    Enum color_buffer_;     // the window's, used for GL_BACK and similar names
     Quadrics quadrics_;
 };
 

@@ -10,12 +10,14 @@ namespace twinlight::fixed {
 
 namespace {
 
-// Clears to black, depth 1 and stencil 0, whatever the state is, and restores the state. `accumulation`: also that
+// Clears the window to black, depth 1 and stencil 0, whatever the state is, and restores the state. `accumulation`: also that
 // buffer, if the context has one.
-void clear_to_black(bool accumulation) {
+void clear_to_black(std::uint32_t window, bool accumulation) {
     GLint list = 0, mask = GL_TRUE, stencil = 0, stencil_mask = 0;
     glGetIntegerv(GL_LIST_INDEX, &list);
     if (list != 0) return;  // a list is being compiled and would record the clear
+    const std::uint32_t framebuffer = draw_framebuffer();
+    if (framebuffer != window) glBindFramebuffer(GL_DRAW_FRAMEBUFFER, window);
     std::array<GLfloat, 4> color{}, accumulated{};
     std::array<GLboolean, 4> color_mask{};
     GLdouble depth = 1;
@@ -47,6 +49,7 @@ void clear_to_black(bool accumulation) {
     glClearStencil(stencil);
     glStencilMaskSeparate(GL_FRONT, static_cast<GLuint>(stencil_mask));
     glClearAccum(accumulated[0], accumulated[1], accumulated[2], accumulated[3]);
+    if (framebuffer != window) glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
 }
 
 }  // namespace
@@ -56,7 +59,8 @@ void draw(const Scene& scene, const Options& options) {
     Driver driver(scene.frame.width, scene.frame.height);
     driver.make_empty_lists(scene.frame.lists_called_before_made);
     const bool accumulation = accumulates(scene.frame);
-    clear_to_black(accumulation);
+    const std::uint32_t window = driver.name_of(ObjectType::kFramebuffer, 0);
+    clear_to_black(window, accumulation);
     if (options.shading) glShadeModel(*options.shading == Shading::kFlat ? GL_FLAT : GL_SMOOTH);
     scene.recording->for_each([&](const Step& step) {
         switch (step.kind) {
@@ -64,7 +68,7 @@ void draw(const Scene& scene, const Options& options) {
                 if (!options.shading || step.command.id != CommandId::glShadeModel) driver.execute(step.command);
                 break;
             case Step::Kind::kFrameEnd:
-                clear_to_black(accumulation);
+                clear_to_black(window, accumulation);
                 driver.drop_accumulated();
                 break;
             case Step::Kind::kOutside:

@@ -30,6 +30,7 @@ class InitialState {
 
   private:
     int width_, height_;
+    std::uint32_t framebuffer_;  // the window's
     Enum draw_buffer_;
 };
 
@@ -57,7 +58,7 @@ class Driver {
     // Ends a picture of a recording: what was accumulated is lost.
     void drop_accumulated() { accumulated_.reset(); }
 
-    // The driver's name for an object of the scene; 0 if there is none.
+    // The driver's name for an object of the scene; 0 if there is none. Framebuffer 0 is the window's.
     std::uint32_t name_of(ObjectType type, std::uint32_t name) const;
 
   private:
@@ -91,6 +92,7 @@ class Driver {
     bool holds_arrays() const;
     bool holds(const ArrayPointer& array, Enum name) const;
 
+    const std::uint32_t window_;  // its framebuffer, in which the driver starts
     std::optional<InitialState> initial_;
     Executor executor_;
     std::map<ObjectType, Names> names_;

@@ -197,10 +197,12 @@ void reset_evaluators() {
     }
 }
 
-void reset(int width, int height) {
+void reset(int width, int height, std::uint32_t framebuffer) {
     const State initial({.width = width, .height = height});
     const Attributes& start = initial.attributes();
     close_and_empty_stacks();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, 0);
     reset_stack(GL_PROJECTION, GL_PROJECTION_STACK_DEPTH);
     reset_stack(GL_MODELVIEW, GL_MODELVIEW_STACK_DEPTH);  // before lights and clip planes, which it transforms
     reset_pixels(initial.pixel_store());                  // before the stipple patterns, which it unpacks
@@ -233,13 +235,16 @@ void reset(int width, int height) {
 }  // namespace
 
 Enum draw_buffer() { return static_cast<Enum>(integer(GL_DRAW_BUFFER)); }
+std::uint32_t draw_framebuffer() { return static_cast<std::uint32_t>(integer(GL_DRAW_FRAMEBUFFER_BINDING)); }
+std::uint32_t read_framebuffer() { return static_cast<std::uint32_t>(integer(GL_READ_FRAMEBUFFER_BINDING)); }
 
-InitialState::InitialState(int width, int height) : width_(width), height_(height), draw_buffer_(draw_buffer()) {
-    reset(width_, height_);
+InitialState::InitialState(int width, int height)
+    : width_(width), height_(height), framebuffer_(draw_framebuffer()), draw_buffer_(draw_buffer()) {
+    reset(width_, height_, framebuffer_);
 }
 
 InitialState::~InitialState() {
-    reset(width_, height_);
+    reset(width_, height_, framebuffer_);
     glDrawBuffer(draw_buffer_);
 }
 

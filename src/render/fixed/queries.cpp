@@ -13,7 +13,7 @@ namespace {
 // Some names of drivers have hundreds of values (GL_COMPRESSED_TEXTURE_FORMATS).
 constexpr std::size_t kMostValues = 4096;
 
-// The names of textures and buffers are the driver's; offscreen, colour buffers have other names than in a window.
+// The names of objects are the driver's; offscreen, colour buffers have other names than in a window.
 bool names_objects(const Command& query) {
     if (query.sig().parameters.front().name != "pname") return false;
     switch (query.enumerant(0)) {
@@ -30,6 +30,9 @@ bool names_objects(const Command& query) {
         case GL_COLOR_ARRAY_BUFFER_BINDING:
         case GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING:
         case GL_EDGE_FLAG_ARRAY_BUFFER_BINDING:
+        case GL_FRAMEBUFFER_BINDING:
+        case GL_READ_FRAMEBUFFER_BINDING:
+        case GL_RENDERBUFFER_BINDING:
         case GL_DRAW_BUFFER:
         case GL_READ_BUFFER: return true;
         default: return false;

@@ -212,8 +212,8 @@ struct PreparedDraw {
 struct Replay::Impl {
     Impl(const Frame& frame, const ReplayOptions& options)
         : width(frame.width), height(frame.height), whole(frame, [&](const Frame& picture, CopiedBuffer buffer) {
-              Replay(picture, options).draw();
-              return CopySource{.picture = read_copied(buffer, picture.width, picture.height)};
+              const auto draw = [&] { Replay(picture, options).draw(); };
+              return CopySource{.picture = drawn_to_copy(picture, buffer, draw)};
           }) {}
 
     int width, height;

@@ -257,11 +257,11 @@ class Preparation {
     std::vector<const Draw*> placed_;  // small Draws after each other that will be placed and drawn as one
 };
 
-// Copies pixels (3.8.2) of pictures that the renderer draws into the current colour buffer.
+// Copies pixels (3.8.2) of pictures that the renderer draws.
 DrawableFrame drawable(const Frame& frame, Renderer& renderer, const Options& options) {
     return {frame, [&](const Frame& picture, CopiedBuffer buffer) {
-                renderer.draw(picture, options);
-                return CopySource{.picture = read_copied(buffer, picture.width, picture.height)};
+                const auto draw = [&] { renderer.draw(picture, options); };
+                return CopySource{.picture = drawn_to_copy(picture, buffer, draw)};
             }};
 }
 

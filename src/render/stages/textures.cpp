@@ -9,6 +9,7 @@
 
 #include "render/context/context.h"
 #include "render/context/gl.h"
+#include "render/context/render_target.h"
 
 namespace twinlight {
 namespace {
@@ -131,8 +132,18 @@ bool are_same(const Texture& a, const Texture& b) {
 
 }  // namespace
 
-Image read_copied(CopiedBuffer buffer, int width, int height) {
-    return buffer == CopiedBuffer::kDepths ? read_depths(width, height) : read_pixels(width, height);
+Image drawn_to_copy(const Frame& picture, CopiedBuffer buffer, const std::function<void()>& draw) {
+    const auto drawn = [&] {
+        draw();
+        const bool are_depths = buffer == CopiedBuffer::kDepths;
+        return are_depths ? read_depths(picture.width, picture.height) : read_pixels(picture.width, picture.height);
+    };
+    if (!picture.is_object) return drawn();
+    const RenderTarget target(picture.width, picture.height, ColorBuffer::kUnorm8);
+    target.bind();
+    Image image = drawn();
+    target.release();
+    return image;
 }
 
 Textures::~Textures() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <utility>
@@ -16,8 +17,9 @@ namespace twinlight {
 // to the start of the border.
 enum class Clamping : std::uint8_t { kDriver, kShader };
 
-// What textures copy, of the current context's picture.
-Image read_copied(CopiedBuffer buffer, int width, int height);
+// Calls draw(), and returns what textures copy of the picture. That of a framebuffer object is drawn into a buffer of its own,
+// another into the current one.
+Image drawn_to_copy(const Frame& picture, CopiedBuffer buffer, const std::function<void()>& draw);
 
 // Texture units with their numbers.
 using TextureUnits = std::vector<std::pair<std::size_t, TextureUnit>>;

@@ -9,6 +9,8 @@ std::optional<ObjectType> named_objects(const Parameter& parameter) {
     if (parameter.name == "texture" || parameter.name == "textures") return ObjectType::kTexture;
     if (parameter.name == "buffer" || parameter.name == "buffers") return ObjectType::kBuffer;
     if (parameter.name == "list") return ObjectType::kList;
+    if (parameter.name == "framebuffer" || parameter.name == "framebuffers") return ObjectType::kFramebuffer;
+    if (parameter.name == "renderbuffer" || parameter.name == "renderbuffers") return ObjectType::kRenderbuffer;
     return std::nullopt;
 }
 

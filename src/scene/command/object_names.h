@@ -12,7 +12,7 @@
 
 namespace twinlight {
 
-enum class ObjectType : std::uint8_t { kTexture, kBuffer, kList };
+enum class ObjectType : std::uint8_t { kTexture, kBuffer, kList, kFramebuffer, kRenderbuffer };
 
 // The type of object that a parameter names ("texture", "buffers", "list", ...); nullopt for other parameters.
 std::optional<ObjectType> named_objects(const Parameter& parameter);

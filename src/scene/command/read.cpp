@@ -241,7 +241,8 @@ void Reader::assign_result(const Lvalue& target) {
                                    name.place, fmt::format("the result of {}", sig.name));
     const std::span<std::byte> bytes = writable(*target.object).bytes;
     store(bytes.subspan(target.offset), target.object->kind, value);
-    target.object->known = named_objects(sig.parameters.back()).has_value();
+    target.object->known =
+        named_objects(sig.parameters.back()).has_value() || command.id == CommandId::glCheckFramebufferStatus;
     target.object->unknown_because = fmt::format("the result of {} is known only when the program runs", sig.name);
 }
 

@@ -309,7 +309,7 @@ void Reader::give_names(Command& command, ObjectType type, const Value& array, s
     command.arguments.insert(command.arguments.end(), names.begin(), names.end());
 }
 
-// The result of a command, if the reader can know it: the names of new lists; otherwise 0.
+// The result of a command, if the reader can know it: the names of new lists, a framebuffer's status; otherwise 0.
 double Reader::result(const Command& command, const Parameter& parameter) {
     if (returns_) {
         const double value = *returns_;
@@ -317,6 +317,8 @@ double Reader::result(const Command& command, const Parameter& parameter) {
         return value;
     }
     if (parameter.kind == Kind::kQuadric) return ++quadrics_;
+    // A scene that draws into an incomplete one is refused.
+    if (command.id == CommandId::glCheckFramebufferStatus) return kGL_FRAMEBUFFER_COMPLETE;
     const std::optional<ObjectType> type = named_objects(parameter);
     if (!type || command.number(0) < 1) return 0;
     return names_.next(*type, static_cast<std::uint32_t>(command.number(0)));

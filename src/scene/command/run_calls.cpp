@@ -69,7 +69,8 @@ Value Reader::call_in_program(const Token& name) {
         if (sig.c_arguments() == sig.parameters.size()) return integer(0);
         const Parameter& result = sig.parameters.back();
         // Scenes with errors are refused, so glGetError returns GL_NO_ERROR.
-        if (named_objects(result) || result.kind == Kind::kQuadric || command.id == CommandId::glGetError)
+        if (named_objects(result) || result.kind == Kind::kQuadric || command.id == CommandId::glGetError ||
+            command.id == CommandId::glCheckFramebufferStatus)
             return integer(static_cast<std::int64_t>(command.arguments.back()));
         out_of_reach(name.place, fmt::format("the result of {}", sig.name));
     }
@@ -163,8 +164,9 @@ std::optional<Value> Reader::call_of_mathematics(const Token& name) {
 
 namespace {
 
-// Whether every driver with GL 2.1 has this extension, given in quotes: the versions up to 2.1 took it over.
-bool is_core(std::string_view quoted) {
+// Whether all renderers have this extension, given in quotes: the versions up to 2.1 took it over, or it is that of framebuffer
+// objects.
+bool is_known_extension(std::string_view quoted) {
     constexpr std::string_view kAll[] = {"GL_ARB_depth_texture",
                                          "GL_ARB_multisample",
                                          "GL_ARB_multitexture",
@@ -190,6 +192,7 @@ bool is_core(std::string_view quoted) {
                                          "GL_EXT_blend_subtract",
                                          "GL_EXT_draw_range_elements",
                                          "GL_EXT_fog_coord",
+                                         "GL_EXT_framebuffer_object",
                                          "GL_EXT_multi_draw_arrays",
                                          "GL_EXT_packed_pixels",
                                          "GL_EXT_polygon_offset",
@@ -269,7 +272,7 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
         advance();
         const Token extension = token_;
         jump(after);
-        if (is_core(extension.text)) return integer(1);
+        if (is_known_extension(extension.text)) return integer(1);
         out_of_reach(name.place, fmt::format("glutExtensionSupported({})", extension.text));
     }
     if (name.is("glutGet")) {

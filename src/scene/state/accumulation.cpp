@@ -11,6 +11,8 @@ void State::clear_accumulation(const Command& c) {
 void State::accumulate(const Command& c) {
     const Enum op = c.enumerant(0);
     if (!known(c, op, {kGL_ACCUM, kGL_LOAD, kGL_RETURN, kGL_MULT, kGL_ADD})) return;
+    if (framebuffers_.draw != 0 || framebuffers_.read != 0)
+        return raise(kGL_INVALID_OPERATION, c, "glAccum: a framebuffer object has no accumulation buffer");
     if (!has_room(c, sizeof items_[0])) return;
     Accumulate accumulate{.op = op, .value = c.number(1), .scissor = a_.fragment.scissor};
     accumulate.color_mask = a_.fragment.color_mask;

@@ -256,6 +256,11 @@ Answer answer(const State& state, Enum pname) {
         case kGL_TEXTURE_BINDING_2D: return one(unit.bound_2d);
         case kGL_TEXTURE_BINDING_3D: return one(unit.bound_3d);
         case kGL_TEXTURE_BINDING_CUBE_MAP: return one(unit.bound_cube);
+        case kGL_FRAMEBUFFER_BINDING: return one(state.framebuffers().draw);
+        case kGL_READ_FRAMEBUFFER_BINDING: return one(state.framebuffers().read);
+        case kGL_RENDERBUFFER_BINDING: return one(state.framebuffers().renderbuffer);
+        case kGL_MAX_RENDERBUFFER_SIZE: return one(kMaxRenderbufferSize);
+        case kGL_MAX_COLOR_ATTACHMENTS: return one(kMaxColorAttachments);
         case kGL_LIST_INDEX: return one(state.lists().open_name);
         case kGL_LIST_MODE: return one(state.lists().open_name == 0 ? 0 : state.lists().open_mode);
         case kGL_MAX_LIST_NESTING: return one(kMaxListNesting);

@@ -12,9 +12,6 @@ namespace twinlight {
 
 namespace {
 
-// How many copies may follow each other, each of a picture that shows the one before. A renderer draws a picture for each.
-constexpr int kMostCopiesInARow = 50;
-
 int copies_in_a_row(const TextureImage& image) {
     int depth = image.half_of ? copies_in_a_row(*image.half_of) : 0;
     for (const ImagePart& part : image.parts)
@@ -26,7 +23,18 @@ CopiedBuffer buffer_for(Enum base_format) {
     return base_format == kGL_DEPTH_COMPONENT ? CopiedBuffer::kDepths : CopiedBuffer::kColors;
 }
 
-// The same for what a picture with these items shows.
+// Copies have no proxies.
+bool is_driver_only_copy(Enum target) { return is_driver_only_image(target) && target != kGL_PROXY_TEXTURE_RECTANGLE; }
+
+// Compressed formats, sRGB, and formats of later versions.
+bool is_driver_only_format(Enum format) {
+    constexpr std::pair<Enum, Enum> kRanges[] = {{0x84E9, 0x84EE}, {0x8C40, 0x8C4B}, {0x8814, 0x881B}};
+    return std::ranges::any_of(kRanges,
+                               [&](const auto& range) { return format >= range.first && format <= range.second; });
+}
+
+}  // namespace
+
 int copies_in_a_row(const FrameItems& items) {
     int depth = 0;
     const auto add = [&](std::size_t, const TextureUnit& unit) {
@@ -42,18 +50,6 @@ int copies_in_a_row(const FrameItems& items) {
     return depth;
 }
 
-// Copies have no proxies.
-bool is_driver_only_copy(Enum target) { return is_driver_only_image(target) && target != kGL_PROXY_TEXTURE_RECTANGLE; }
-
-// Compressed formats, sRGB, and formats of later versions.
-bool is_driver_only_format(Enum format) {
-    constexpr std::pair<Enum, Enum> kRanges[] = {{0x84E9, 0x84EE}, {0x8C40, 0x8C4B}, {0x8814, 0x881B}};
-    return std::ranges::any_of(kRanges,
-                               [&](const auto& range) { return format >= range.first && format <= range.second; });
-}
-
-}  // namespace
-
 void add_part(TextureImage& image, ImagePart part) {
     std::erase_if(image.parts, [&](const ImagePart& older) { return part.covers(older); });
     if (image.depth == 1 && part.covers({.width = image.width, .height = image.height})) image.half_of.reset();
@@ -63,7 +59,9 @@ void add_part(TextureImage& image, ImagePart part) {
 std::shared_ptr<const CopiedPixels> State::copied_pixels(const Command& c, CopiedBuffer buffer, const Viewport& from,
                                                          double count) {
     if (!has_time(c, count + static_cast<double>(items_.size()))) return nullptr;
-    const int depth = 1 + (copies_pixels_ ? copies_in_a_row(items_) : 0);
+    std::shared_ptr<const ObjectPicture> drawn;
+    if (framebuffers_.read != 0 && !(drawn = read_picture(c, buffer))) return nullptr;
+    const int depth = drawn ? drawn->depth : 1 + (copies_pixels_ ? copies_in_a_row(items_) : 0);
     if (depth > kMostCopiesInARow) {
         note_lasting(fmt::format("{} of a picture that shows {} copies in a row", c.name(), kMostCopiesInARow),
                      c.place);
@@ -71,14 +69,19 @@ std::shared_ptr<const CopiedPixels> State::copied_pixels(const Command& c, Copie
     }
     if (!has_room(c, sizeof items_[0] + static_cast<std::size_t>(count) * sizeof(glm::vec4))) return nullptr;
     copies_pixels_ = true;
-    return std::make_shared<const CopiedPixels>(
-        CopiedPixels{.buffer = buffer, .width = from.width, .height = from.height, .depth = depth});
+    return std::make_shared<const CopiedPixels>(CopiedPixels{.buffer = buffer,
+                                                             .width = from.width,
+                                                             .height = from.height,
+                                                             .depth = depth,
+                                                             .drawn = std::move(drawn),
+                                                             .x = from.x,
+                                                             .y = from.y});
 }
 
 std::shared_ptr<const CopiedPixels> State::take_pixels(const Command& c, CopiedBuffer buffer, const Viewport& from) {
     if (!a_.pixel_transfer.is_initial()) note_lasting(fmt::format("{} with glPixelTransfer", c.name()), c.place);
     auto pixels = copied_pixels(c, buffer, from, static_cast<double>(from.width) * from.height);
-    if (pixels) items_.emplace_back(TakePixels{pixels, from});
+    if (pixels && !pixels->drawn) items_.emplace_back(TakePixels{pixels, from});
     return pixels;
 }
 
@@ -126,9 +129,12 @@ void State::copy_tex_image(const Command& c) {
                        .base_format = format->base_format,
                        .internal_format = c.enumerant(2),
                        .texels = std::vector<glm::vec4>(count, stored({0, 0, 0, 1}, *format))};
-    if (count > 0)
+    if (count > 0) {
+        const std::size_t errors = error_count_;
         if (auto pixels = take_pixels(c, buffer_for(format->base_format), from))
             image.parts.push_back({.width = from.width, .height = from.height, .copied = std::move(pixels)});
+        if (error_count_ > errors) return;
+    }
     Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
     textures_.texels -= texels_of(*texture);

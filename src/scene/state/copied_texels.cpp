@@ -34,10 +34,9 @@ struct TakenPixels {
 
 // A pixel of a copy from an image, y up. A frame that was resized has a rectangle of another size than its copy: then the copy
 // has the pixel at the centre.
-Rgba taken_pixel(const Image& image, const TakePixels& copy, int i, int j, float outside) {
-    const CopiedPixels& size = *copy.pixels;
-    const double x = copy.from.x + std::floor((i + 0.5) * copy.from.width / size.width),
-                 y = copy.from.y + std::floor((j + 0.5) * copy.from.height / size.height);
+Rgba taken_pixel(const Image& image, const CopiedPixels& size, const Viewport& from, int i, int j, float outside) {
+    const double x = from.x + std::floor((i + 0.5) * from.width / size.width),
+                 y = from.y + std::floor((j + 0.5) * from.height / size.height);
     const bool is_inside = x >= 0 && x < image.width && y >= 0 && y < image.height;
     Rgba pixel{outside, outside, outside, outside};
     if (is_inside) pixel = image.at(static_cast<int>(x), image.height - 1 - static_cast<int>(y));
@@ -47,11 +46,11 @@ Rgba taken_pixel(const Image& image, const TakePixels& copy, int i, int j, float
 }
 
 // All pixels of a copy.
-std::vector<Rgba> cut(const Image& image, const TakePixels& copy, float outside) {
+std::vector<Rgba> cut(const Image& image, const CopiedPixels& copy, const Viewport& from, float outside) {
     std::vector<Rgba> pixels;
-    pixels.reserve(static_cast<std::size_t>(copy.pixels->width) * static_cast<std::size_t>(copy.pixels->height));
-    for (int j = 0; j < copy.pixels->height; ++j)
-        for (int i = 0; i < copy.pixels->width; ++i) pixels.push_back(taken_pixel(image, copy, i, j, outside));
+    pixels.reserve(static_cast<std::size_t>(copy.width) * static_cast<std::size_t>(copy.height));
+    for (int j = 0; j < copy.height; ++j)
+        for (int i = 0; i < copy.width; ++i) pixels.push_back(taken_pixel(image, copy, from, i, j, outside));
     return pixels;
 }
 
@@ -64,7 +63,7 @@ void fill_pixels(Draw& draw, const CopySource& from) {
     const bool has_range = !from.low.pixels.empty();
     const auto taken = [&](const Image& image, std::size_t vertex, float outside) {
         const glm::ivec2& place = groups->places[vertex];
-        return taken_pixel(image, groups->source, place.x, place.y, outside);
+        return taken_pixel(image, *groups->source.pixels, groups->source.from, place.x, place.y, outside);
     };
     if (groups->source.pixels->buffer == CopiedBuffer::kColors) {
         std::vector<Vertex>& vertices = draw.vertices.edit();
@@ -125,17 +124,24 @@ class Copier {
     }
 
   private:
-    static void note_uses(const TextureImage& image, std::set<const CopiedPixels*>& used) {
-        if (image.half_of) note_uses(*image.half_of, used);
-        for (const ImagePart& part : image.parts) used.insert(part.copied.get());
+    void note_use(const CopiedPixels& copied) {
+        if (used_.insert(&copied).second && copied.drawn) note_uses(copied.drawn->items);
+    }
+    void note_uses(const TextureImage& image) {
+        if (image.half_of) note_uses(*image.half_of);
+        for (const ImagePart& part : image.parts)
+            if (part.copied) note_use(*part.copied);
     }
     void note_uses(const FrameItems& items) {
-        for (const FrameItem& item : items)
-            if (const Draw* draw = std::get_if<Draw>(&item))
-                draw->for_each_unit([&](std::size_t, const TextureUnit& unit) {
-                    for (std::size_t i = 0; i < unit.texture->face_count(); ++i)
-                        for (const TextureImage& image : unit.texture->face(i)) note_uses(image, used_);
-                });
+        for (const FrameItem& item : items) {
+            const Draw* draw = std::get_if<Draw>(&item);
+            if (!draw) continue;
+            draw->for_each_unit([&](std::size_t, const TextureUnit& unit) {
+                for (std::size_t i = 0; i < unit.texture->face_count(); ++i)
+                    for (const TextureImage& image : unit.texture->face(i)) note_uses(image);
+            });
+            if (draw->pixels && draw->pixels->copied) note_use(*draw->pixels->copied->source.pixels);
+        }
     }
     bool is_used(const FrameItem& item) const {
         const TakePixels* copy = std::get_if<TakePixels>(&item);
@@ -161,14 +167,15 @@ class Copier {
             }
             const Draw* given = std::get_if<Draw>(&item);
             std::optional<CopySource> copied;
-            if (given && given->pixels && given->pixels->copied)
-                copied = source(given->pixels->copied->source.pixels->buffer);
+            if (given && given->pixels && given->pixels->copied) {
+                const CopiedPixels& from = *given->pixels->copied->source.pixels;
+                copied = from.drawn ? source(*from.drawn, from.buffer) : source(from.buffer);
+            }
             sources_.clear();
             shown_.push_back(item);
             if (Draw* draw = std::get_if<Draw>(&shown_.back())) {
                 if (copied) fill_pixels(*draw, *copied);
-                fill(draw->texture);
-                for (FurtherUnit& further : draw->further_units) fill(further.unit);
+                fill(*draw);
             }
             const auto hidden = static_cast<std::ptrdiff_t>(hidden_items(shown_));
             std::move(shown_.begin(), shown_.begin() + hidden, std::back_inserter(hidden_));
@@ -188,21 +195,57 @@ class Copier {
         return source->second;
     }
 
-    void take(const TakePixels& copy) {
-        const auto& [picture, low, high] = source(copy.pixels->buffer);
-        TakenPixels& taken = taken_[copy.pixels.get()];
-        taken.width = copy.pixels->width;
-        taken.picture = cut(picture, copy, 0);
+    // A picture of what a framebuffer object shows.
+    CopySource source(const ObjectPicture& object, CopiedBuffer buffer) {
+        Frame picture = frame_without_items();
+        picture.width = object.width;
+        picture.height = object.height;
+        picture.is_object = true;
+        picture.items = object.items;
+        for (FrameItem& item : picture.items) {
+            Draw* draw = std::get_if<Draw>(&item);
+            if (!draw) continue;
+            if (draw->pixels && draw->pixels->copied) {
+                const CopiedPixels& from = *draw->pixels->copied->source.pixels;
+                fill_pixels(*draw, source(*from.drawn, from.buffer));
+            }
+            fill(*draw);
+        }
+        return draw_(picture, buffer);
+    }
+
+    void take(const TakePixels& copy) { take(source(copy.pixels->buffer), *copy.pixels, copy.from); }
+    void take(const CopySource& source, const CopiedPixels& copy, const Viewport& from) {
+        const auto& [picture, low, high] = source;
+        TakenPixels& taken = taken_[&copy];
+        taken.width = copy.width;
+        taken.picture = cut(picture, copy, from, 0);
         if (low.pixels.empty()) return;
-        taken.low = cut(low, copy, 0);
-        taken.high = cut(high, copy, 1);
+        taken.low = cut(low, copy, from, 0);
+        taken.high = cut(high, copy, from, 1);
         has_range_ = true;
+    }
+    // The pixels that framebuffer objects have drawn into an image.
+    void take_drawn(const TextureImage& image) {
+        if (image.half_of) take_drawn(*image.half_of);
+        for (const ImagePart& part : image.parts) {
+            if (!part.copied || !part.copied->drawn || taken_.contains(part.copied.get())) continue;
+            const CopiedPixels& copy = *part.copied;
+            take(source(*copy.drawn, copy.buffer), copy, {copy.x, copy.y, copy.width, copy.height});
+        }
+    }
+
+    void fill(Draw& draw) {
+        fill(draw.texture);
+        for (FurtherUnit& further : draw.further_units) fill(further.unit);
     }
 
     void fill(TextureUnit& unit) {
         if (!unit.texture || !unit.texture->has_copies()) return;
         std::shared_ptr<const Texture>& filled = filled_[unit.texture.get()];
         if (!filled) {
+            for (std::size_t i = 0; i < unit.texture->face_count(); ++i)
+                for (const TextureImage& image : unit.texture->face(i)) take_drawn(image);
             Texture texture = with_levels(*unit.texture, Of::kPicture);
             if (has_range_)
                 texture.range = std::make_shared<const TextureRange>(

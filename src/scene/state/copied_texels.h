@@ -1,4 +1,4 @@
-// Textures and pixel rectangles that were copied from the picture (3.8.2, 4.3.3). Each renderer copies from its own pictures, so
+// Textures and pixel rectangles that were copied from the picture (3.8.2, 4.3.3), or drawn by framebuffer objects. Each renderer copies from its own pictures, so
 // what it draws wrong shows in its copies too.
 #pragma once
 
@@ -17,7 +17,8 @@ struct CopySource {
     Image low{}, high{};
 };
 
-// Draws a Frame in which all copies are filled in, and returns its colours or its depths.
+// Draws a Frame in which all copies are filled in, and returns its colours or its depths. The picture of a framebuffer object has
+// its own size, and is drawn apart from the window's.
 using DrawSource = std::function<CopySource(const Frame&, CopiedBuffer)>;
 
 // The frame with all copied texels in its textures and all copied pixels in its Draws, and without the commands that copied
@@ -25,7 +26,7 @@ using DrawSource = std::function<CopySource(const Frame&, CopiedBuffer)>;
 // are black, with a depth of 0.
 //
 // `draw` is called once for the colours and once for the depths of each picture that they are copied from: the commands since
-// the last Clear that hides all before it.
+// the last Clear that hides all before it; and once for each image that a framebuffer object drew.
 Frame with_copied_texels(const Frame& frame, const DrawSource& draw);
 
 // The frame itself if it shows no copies; otherwise with_copied_texels().

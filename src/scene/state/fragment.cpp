@@ -99,7 +99,7 @@ void State::clear(const Command& c) {
                      mask & ~kBits);
     }
     Clear clear = a_.clear;
-    clear.color = (mask & kGL_COLOR_BUFFER_BIT) != 0 && a_.draws_color;
+    clear.color = (mask & kGL_COLOR_BUFFER_BIT) != 0 && draws_color();
     clear.scissor = a_.fragment.scissor;
     clear.color_mask = a_.fragment.color_mask;
     clear.depth = (mask & kGL_DEPTH_BUFFER_BIT) != 0 && a_.raster.depth_mask;

@@ -299,13 +299,19 @@ struct RasterState {
 // What of a picture is copied.
 enum class CopiedBuffer : std::uint8_t { kColors, kDepths };
 
-// The pixels that glCopyTexImage, glCopyTexSubImage (3.8.2) or glCopyPixels (4.3.3) takes from the picture. Each renderer takes
-// them from its own picture: with_copied_texels(). Two are the same if they are the same object.
+struct ObjectPicture;
+
+// The pixels that glCopyTexImage, glCopyTexSubImage (3.8.2) or glCopyPixels (4.3.3) takes from the picture, or that a framebuffer
+// object has drawn into a texture. Each renderer takes them from its own picture: with_copied_texels(). Two are the same if they
+// are the same object.
 struct CopiedPixels {
     CopiedBuffer buffer = CopiedBuffer::kColors;
     int width = 0, height = 1;
     // How many copies follow each other: 1 if the picture shows no copied pixels, 2 if it shows those of such a picture.
     int depth = 1;
+    // What a framebuffer object shows, and the lower left corner there; null: the window's picture, at a TakePixels.
+    std::shared_ptr<const ObjectPicture> drawn{};
+    int x = 0, y = 0;
 };
 
 // Takes pixels from a rectangle of the picture as it is now: an item of the frame for a texture, or what a Draw begins with.
@@ -675,10 +681,10 @@ struct Draw {
         for_each_unit([&](std::size_t, const TextureUnit& unit) { shows = shows || unit.texture->has_copies(); });
         return shows;
     }
-    // Calls change(Viewport&) for the rectangle that the Draw's pixels are copied from, if they are.
+    // Calls change(Viewport&) for the rectangle of the window that the Draw's pixels are copied from, if they are.
     template <class Change>
     void change_source(const Change& change) {
-        if (!pixels || !pixels->copied) return;
+        if (!pixels || !pixels->copied || pixels->copied->source.pixels->drawn) return;
         CopiedGroups groups = *pixels->copied;
         change(groups.source.from);
         WindowPixels changed = *pixels;
@@ -753,6 +759,15 @@ struct Accumulate {
 using FrameItem = std::variant<Clear, Draw, Accumulate, TakePixels>;
 using FrameItems = std::vector<FrameItem>;
 
+// What the images that are attached to a framebuffer object show at one time. A picture of its own, which textures have as copied
+// pixels; the items of a Frame are only those of the window.
+struct ObjectPicture {
+    int width = 0, height = 0;
+    FrameItems items{};
+    std::size_t bytes = 0;
+    int depth = 1;  // as CopiedPixels has it
+};
+
 // How many of the first items no later item can show, because a Clear or a glAccum at the end hides them.
 std::size_t hidden_items(std::span<const FrameItem> items);
 
@@ -786,6 +801,7 @@ struct Frame {
     bool copies_pixels = false;
     // Earlier pictures that textures have copies of, oldest first, each up to the last TakePixels that counts.
     std::vector<std::shared_ptr<const FrameItems>> earlier{};
+    bool is_object = false;  // an ObjectPicture: only for a DrawSource
 
     // The items that are Draws, without the others.
     std::vector<const Draw*> draws() const { return draws_of<const Draw>(items); }

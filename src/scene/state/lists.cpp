@@ -15,12 +15,38 @@ namespace {
 
 // 5.4: commands that are executed immediately, even while a list is compiled: those on lists, client state and objects'
 // names, and queries. GLU's functions for quadrics are not GL commands.
-constexpr CommandSet kNeverCompiled =
-    CommandSet::of({"new_list",       "end_list",      "gen_lists",           "delete_lists",      "pixel_store",
-                    "flush",          "gen_textures",  "delete_textures",     "client_arrays",     "get_light",
-                    "get_material",   "render_mode",   "hit_buffer",          "is_enabled",        "query_clip_plane",
-                    "query_tex_env",  "query_tex_gen", "query_tex_parameter", "driver_only_query", "new_quadric",
-                    "delete_quadric", "set_quadric"});
+constexpr CommandSet kNeverCompiled = CommandSet::of({"new_list",
+                                                      "end_list",
+                                                      "gen_lists",
+                                                      "delete_lists",
+                                                      "pixel_store",
+                                                      "flush",
+                                                      "gen_textures",
+                                                      "delete_textures",
+                                                      "client_arrays",
+                                                      "get_light",
+                                                      "get_material",
+                                                      "render_mode",
+                                                      "hit_buffer",
+                                                      "is_enabled",
+                                                      "query_clip_plane",
+                                                      "query_tex_env",
+                                                      "query_tex_gen",
+                                                      "query_tex_parameter",
+                                                      "driver_only_query",
+                                                      "new_quadric",
+                                                      "delete_quadric",
+                                                      "set_quadric",
+                                                      "gen_framebuffers",
+                                                      "delete_framebuffers",
+                                                      "bind_framebuffer",
+                                                      "gen_renderbuffers",
+                                                      "delete_renderbuffers",
+                                                      "bind_renderbuffer",
+                                                      "renderbuffer_storage",
+                                                      "framebuffer_texture",
+                                                      "framebuffer_renderbuffer",
+                                                      "generate_mipmap"});
 
 // Commands that send vertices or their attributes.
 constexpr CommandSet kSendsVertices = CommandSet::of(
@@ -28,7 +54,9 @@ constexpr CommandSet kSendsVertices = CommandSet::of(
      "rect", "shape", "mesh_file", "quadric_shape", "eval_coord", "eval_point", "eval_mesh"});
 
 bool reads_pixels(const Command& c) {
-    const auto names_pixels = [](const Parameter& parameter) { return parameter.name == "pixels" || parameter.name == "bitmap"; };
+    const auto names_pixels = [](const Parameter& parameter) {
+        return parameter.name == "pixels" || parameter.name == "bitmap";
+    };
     return std::ranges::any_of(c.sig().parameters, names_pixels);
 }
 

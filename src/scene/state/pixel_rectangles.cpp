@@ -222,6 +222,8 @@ void State::copy_pixels(const Command& c) {
     const double count = static_cast<double>(columns.size()) * static_cast<double>(rows.size());
     if (count > kMostCopiedPixels)
         return note_unsupported(fmt::format("glCopyPixels of more than {} pixels", kMostCopiedPixels), c.place);
+    if (framebuffers_.draw != 0 && framebuffers_.read == 0)
+        return note_lasting("glCopyPixels from the window into a framebuffer object", c.place);
     const CopiedBuffer buffer = type == kGL_COLOR ? CopiedBuffer::kColors : CopiedBuffer::kDepths;
     CopiedGroups groups{.source = {.pixels = copied_pixels(c, buffer, from, count), .from = from},
                         .places = {},

@@ -182,7 +182,8 @@ void Player::command(const Command& command) {
     state_.apply(command);
     if (const auto& error = state_.exhausted())
         throw SceneError(fmt::format("{}: {}; this recording cannot be drawn", error->place.str(), error->message));
-    if (command.id == CommandId::glViewport) reach(state_.raster().viewport);
+    // Programs with framebuffer objects also set the viewport for those.
+    if (command.id == CommandId::glViewport && state_.framebuffers().named.empty()) reach(state_.raster().viewport);
     if (state_.items().size() == before) return;
     const bool drops_frame = choice_.number && frame_ < *choice_.number && frame_end_ == FrameEnd::kSwap && !keeps_;
     for (auto item = state_.items().begin() + static_cast<std::ptrdiff_t>(before); item != state_.items().end();
@@ -227,7 +228,7 @@ RecordedFrame Player::result(const std::shared_ptr<const Recording>& recording) 
         state_.apply(ending);
         endings_.push_back(std::move(ending));
     }
-    reach(state_.raster().viewport);
+    if (state_.framebuffers().draw == 0) reach(state_.raster().viewport);
     RecordedFrame result;
     result.number = frame_;
     result.error_count = state_.error_count();

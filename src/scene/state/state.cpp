@@ -85,6 +85,7 @@ void State::carry_out(const Command& command) {
         return raise(kGL_INVALID_VALUE, command, "{} needs finite numbers, but a value is NaN or infinite",
                      command.name());
     }
+    if ((framebuffers_.draw != 0 || framebuffers_.read != 0) && !use_framebuffers(command)) return;
     const bool keeps_state =
         kKeepsState.contains(command.id) || (kSetsColor.contains(command.id) && !a_.lighting.color_material.enabled);
     if (!keeps_state) state_number_ = new_state_number();
@@ -317,7 +318,7 @@ Draw State::new_draw(Enum mode, const Place& place) {
     });
     draw.fog = a_.fog;
     draw.fragment = a_.fragment;
-    if (!a_.draws_color) draw.fragment.color_mask.fill(false);
+    if (!draws_color()) draw.fragment.color_mask.fill(false);
     if (a_.stencil_enabled) draw.fragment.stencil = a_.stencil_test;
     if (a_.logic_op_enabled) draw.fragment.logic_op = a_.logic_op;
     if (a_.line_stipple_enabled && draw.draws_lines()) draw.raster.line_stipple = a_.line_stipple;
@@ -350,7 +351,9 @@ void State::show(FrameItem item) {
     Draw* draw = std::get_if<Draw>(&item);
     if (draw && std::ranges::all_of(draw->secondary_colors, [](const glm::dvec3& c) { return c == glm::dvec3(0); }))
         draw->secondary_colors.clear();
-    if (render_mode_ == kGL_RENDER) items_.push_back(std::move(item));
+    if (render_mode_ != kGL_RENDER) return;
+    if (framebuffers_.draw != 0) return show_in_object(std::move(item));
+    items_.push_back(std::move(item));
 }
 
 // 2.10: the same as a GL_POLYGON with four vertices.
@@ -435,7 +438,7 @@ Frame State::take_frame() {
 void State::drop_picture() {
     keep_for_copies(items_.size());
     items_.clear();
-    item_bytes_ = bytes_of_kept_pictures();
+    item_bytes_ = bytes_of_kept_pictures() + bytes_of_object_pictures();
     work_ = 0;
     unsupported_.clear();
     drop_typed_lights();
@@ -502,7 +505,7 @@ void State::drop_hidden() {
     if (hidden == 0) return;
     keep_for_copies(hidden);
     items_.erase(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(hidden));
-    item_bytes_ = bytes_of(items_) + bytes_of_kept_pictures();
+    item_bytes_ = bytes_of(items_) + bytes_of_kept_pictures() + bytes_of_object_pictures();
     if (items_.size() == 1) unsupported_.clear();
 }
 

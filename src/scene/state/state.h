@@ -15,6 +15,7 @@
 #include "scene/state/attributes.h"
 #include "scene/state/evaluators.h"
 #include "scene/state/frame.h"
+#include "scene/state/framebuffers.h"
 #include "scene/state/gl_error.h"
 #include "scene/state/lists.h"
 #include "scene/state/pixel_unpacking.h"
@@ -40,6 +41,9 @@ struct StateOptions {
 // and points (64 lists that each call the next one twice would execute 2^64 commands). Drivers have no such limits, so
 // a recording ends there.
 inline constexpr std::size_t kMaxFrameWork = 50'000'000;
+// How many copies may follow each other, each of a picture that shows the one before. A renderer draws a picture for each.
+inline constexpr int kMostCopiesInARow = 50;
+int copies_in_a_row(const FrameItems& items);  // for what a picture with these items shows
 // The number of errors that are stored; GL itself stores one.
 inline constexpr std::size_t kMaxErrorsKept = 100;
 inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; all further ones count as "more commands"
@@ -125,6 +129,9 @@ class State {
     std::vector<double> get_light(Enum light, Enum pname) const;
     std::vector<double> get_material(Enum face, Enum pname) const;
     const TextureObjects& textures() const { return textures_; }
+    const Framebuffers& framebuffers() const { return framebuffers_; }
+    // glCheckFramebufferStatus. `target`: GL_DRAW_FRAMEBUFFER or GL_READ_FRAMEBUFFER.
+    Enum framebuffer_status(Enum target) const;
 
   private:
     struct StackedMatrix {
@@ -159,6 +166,9 @@ class State {
     Effect shape, mesh_file, new_quadric, delete_quadric, set_quadric, quadric_shape;
     Effect spectrum, reflectance, illuminant, transfer;
     Effect begin, end, normal, color, secondary_color, fog_coord, vertex, tex_coord, multi_tex_coord, rect;
+    Effect gen_framebuffers, delete_framebuffers, bind_framebuffer, gen_renderbuffers, delete_renderbuffers,
+        bind_renderbuffer, renderbuffer_storage, framebuffer_texture, framebuffer_renderbuffer, generate_mipmap,
+        read_buffer;
     Effect pixel_store, tex_image, tex_sub_image, copy_tex_image, copy_tex_sub_image;
     Effect bind_texture, active_texture, tex_parameter, tex_env, tex_gen, query_tex_env, query_tex_gen,
         query_tex_parameter, gen_textures, delete_textures, prioritize_textures;
@@ -241,6 +251,34 @@ class State {
                                                       double count);
     // The same for all pixels of the rectangle, for a texture.
     std::shared_ptr<const CopiedPixels> take_pixels(const Command& command, CopiedBuffer buffer, const Viewport& from);
+    // Framebuffer objects: framebuffers.cpp.
+    struct AttachedImage {
+        int width = 0, height = 0;
+        Enum format = 0;  // the internal format
+    };
+    // The picture that is being drawn into the bound object.
+    struct OpenObject {
+        ObjectPicture picture{};
+        bool has_color = false, has_alpha = false, has_depth = false, has_stencil = false;
+        int depth_bits = 24;
+        bool knows_depths = false;  // they were drawn or cleared
+        bool is_lost = false;       // an image that no renderer but the driver has
+        bool is_changed = false;
+    };
+    bool use_framebuffers(const Command& command);
+    bool begin_object_picture(const Command& command);
+    void end_object_picture(const Command& command);
+    void show_in_object(FrameItem item);
+    bool draws_color() const;
+    bool check_buffer(const Command& command, std::uint32_t framebuffer);
+    void detach(Enum type, std::uint32_t name);
+    std::vector<Attachment*> attachments(const Command& command);
+    std::optional<AttachedImage> attached_image(const Attachment& attachment) const;  // nullopt: it has no pixels
+    Enum status_of(const FramebufferObject& object) const;
+    std::shared_ptr<const ObjectPicture> whole_picture(const Attachment& attachment, CopiedBuffer buffer) const;
+    std::shared_ptr<const Texture> attached_texture(const Command& command, const Attachment& attachment);
+    std::shared_ptr<const ObjectPicture> read_picture(const Command& command, CopiedBuffer buffer);
+    std::size_t bytes_of_object_pictures() const;
     // Before the first items are deleted: keeps those that textures have copies of.
     void keep_for_copies(std::size_t count);
     std::size_t bytes_of(const FrameItems& items) const;
@@ -280,6 +318,9 @@ class State {
     StateOptions options_;
     Attributes a_;
     TextureObjects textures_;
+    Framebuffers framebuffers_;
+    std::optional<OpenObject> object_;
+    std::vector<std::weak_ptr<const ObjectPicture>> object_pictures_;
     // Textures of which not all levels are in use, and the levels in use. Holding a texture keeps it unchanged.
     mutable std::map<const Texture*, std::pair<std::shared_ptr<const Texture>, std::shared_ptr<const Texture>>>
         parts_of_textures_;

@@ -325,6 +325,7 @@ void State::delete_textures(const Command& c) {
         const auto found = textures_.named.find(name);
         if (name == 0 || found == textures_.named.end()) continue;
         if (found->second) textures_.texels -= texels_of(*found->second);
+        detach(kGL_TEXTURE, name);
         textures_.named.erase(found);
         for (TextureBindings& unit : a_.units)
             for (const Enum target : kTextureTargets)

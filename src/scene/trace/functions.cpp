@@ -20,9 +20,8 @@ bool is_query(std::string_view name) {
 }
 
 // Functions that alone change no pixel: names of objects that Twinlight lacks, shaders and uniforms without
-// glUseProgram, color index mode, hints about memory, marks for debuggers, buffers that are never drawn to.
+// glUseProgram, color index mode, hints about memory, marks for debuggers.
 bool is_without_effect(std::string_view name) {
-    if (name == "glGenerateMipmap" || name == "glGenerateMipmapEXT") return false;
     return starts_with_one_of(name, {"glGen",
                                      "glDelete",
                                      "glCreate",
@@ -60,9 +59,6 @@ bool is_without_effect(std::string_view name) {
                                      "glFeedbackBuffer",
                                      "glSelectBuffer",
                                      "glPassThrough",
-                                     "glRenderbufferStorage",
-                                     "glFramebufferTexture",
-                                     "glFramebufferRenderbuffer",
                                      "glReleaseShaderCompiler",
                                      "glSampleMaski",
                                      "glTexBarrier",

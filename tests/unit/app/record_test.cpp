@@ -188,6 +188,23 @@ int main(void) {
     EXPECT_NE(result.out.find("It has 3 frames, 0 to 2. Frame 0 is worth a look"), std::string::npos) << result.out;
 }
 
+// A framebuffer object of 256 x 256 pixels, for a texture in a window of 160 x 120. The program's text shows the same.
+TEST_F(RecordCommand, RecordsProgramsWithFramebufferObjects) {
+    const std::string program = std::filesystem::absolute("tests/traces/monitor.c");
+    const ProgramResult result = record("-o monitor.trace " + quoted(program));
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("It has 3 frames, 0 to 2. Frame 0 is worth a look"), std::string::npos) << result.out;
+    for (const char* frame : {"0", "2"}) {
+        const ProgramResult compared =
+            run_program("twinlight", {"compare", in_ / "monitor.trace", "--frame", frame, "-o", in_ / "report"});
+        EXPECT_EQ(compared.status, 0) << compared.err;
+        EXPECT_NE(compared.out.find("frame " + std::string(frame) + ", 160 x 120"), std::string::npos) << compared.out;
+        EXPECT_NE(compared.out.find("All three agree"), std::string::npos) << compared.out;
+    }
+    const ProgramResult of_text = run_program("twinlight", {"compare", program, "-o", in_ / "report"});
+    EXPECT_NE(of_text.out.find("All three agree"), std::string::npos) << of_text.out << of_text.err;
+}
+
 TEST_F(RecordCommand, FindsTheWindowSystemInTheProgramsLibraries) {
     using trace::WindowSystem;
     const auto found = [&](const std::string& bytes) {
