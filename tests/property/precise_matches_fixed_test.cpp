@@ -340,14 +340,15 @@ TEST(Precise, GivesTheFixedFunctionsFloatsOverRandomStates) {
     EXPECT_GT(found.of_the_ordinary_program.differing, 0);  // otherwise the test does not compare bits
 }
 
-// These scenes also show sums in fragments, whose order the compiler chooses. The share of two levels of a texture is one. A texture
-// of copied depths is left out too: it shows their last digit, which a few depths of shaders do not share.
-// So is the picture of a framebuffer object, where a few edges differ by a pixel.
+// Whether the texture has a framebuffer object's picture.
 bool shows_object(const Texture& texture) {
     const std::vector<ImagePart>& parts = texture.levels.front().parts;
     return std::ranges::any_of(parts, [](const ImagePart& part) { return part.copied && part.copied->drawn; });
 }
 
+// These scenes also show sums in fragments, whose order the compiler chooses. The share of two levels of a texture is one. A texture
+// of copied depths is left out too: it shows their last digit, which a few depths of shaders do not share. So is the picture of
+// a framebuffer object: a few of its pixels differ.
 bool sums_in_fragments(const Draw& draw) {
     const auto& texture = draw.texture.texture;
     return draw.fog.enabled ||
