@@ -272,7 +272,7 @@ clean:  ## remove build/
 	rm -rf build
 
 help:  ## show this list
-	@grep -hE '^[a-z-]+:.*##' Makefile tools/install/install.mk | sed -E 's/:[^#]*## */\t/' | awk -F'\t' '{printf "  make %-12s %s\n", $$1, $$2}'
+	@grep -hE '^[a-z-]+:.*##' Makefile tools/install/install.mk src/app/web/web.mk | sed -E 's/:[^#]*## */\t/' | awk -F'\t' '{printf "  make %-12s %s\n", $$1, $$2}'
 
 # ---- Installing: make install, uninstall, dist, deb ------------------------------------------------------------
 

@@ -34,7 +34,10 @@ struct JobLook {
     reference::Options options() const {
         reference::Options options;
         options.shading = shading;
-        if (as_floats) options.arithmetic.number = Number::kFloat;
+        if (as_floats) {
+            options.arithmetic.number = Number::kFloat;
+            options.lecture_variants = false;
+        }
         return options;
     }
 };

@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <utility>
 
 #include "app/web/page_scene.h"
 
@@ -12,6 +13,7 @@ namespace twinlight::web {
 namespace {
 
 PageScene scene;
+WebglFrame frame;
 std::string answer, failure;
 
 // Returns the answer, or null after an exception; then failure() says why.
@@ -29,10 +31,19 @@ const char* answered(const Work& work) {
     return nullptr;
 }
 
+// shading: a number of Shading, or -1 for the scene's own.
+Look look_of(int shading) {
+    Look look;
+    if (shading >= 0) look.shading = static_cast<Shading>(shading);
+    return look;
+}
+
 reference::Options reference_options(int shading, bool as_floats) {
-    reference::Options options;
-    if (shading >= 0) options.shading = static_cast<Shading>(shading);
-    if (as_floats) options.arithmetic.number = Number::kFloat;
+    reference::Options options{look_of(shading)};
+    if (as_floats) {
+        options.arithmetic.number = Number::kFloat;
+        options.lecture_variants = false;  // as GL computes
+    }
     return options;
 }
 
@@ -57,7 +68,6 @@ EXPORT const char* lint_scene() {
     return answered([] { return scene.warnings(); });
 }
 
-// shading: a number of Shading, or -1 for the scene's own.
 EXPORT const std::uint8_t* reference_rows(int shading, int as_floats, int y0, int y1) {
     const std::uint8_t* pixels = nullptr;
     answered([&] {
@@ -65,4 +75,24 @@ EXPORT const std::uint8_t* reference_rows(int shading, int as_floats, int y0, in
         return std::string();
     });
     return pixels;
+}
+
+// The frame's header; webgl_words() has its words until the next call.
+EXPORT const char* webgl_header(int shading) {
+    return answered([&] {
+        frame = scene.webgl(look_of(shading));
+        return std::move(frame.header);
+    });
+}
+EXPORT const std::uint32_t* webgl_words() { return frame.words.data(); }
+EXPORT int webgl_word_count() { return static_cast<int>(frame.words.size()); }
+
+EXPORT const char* judge_picture(int shading, const std::uint8_t* pixels, int bytes, int subpixel_bits) {
+    return answered([&] {
+        return scene.judged(look_of(shading), {pixels, static_cast<std::size_t>(bytes)}, subpixel_bits);
+    });
+}
+
+EXPORT const char* explain_pixel(int shading, int x, int y) {
+    return answered([&] { return scene.explained(look_of(shading), x, y); });
 }

@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <new>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
 
+#include "judge/compare/tolerance.h"
+#include "judge/explain/explain.h"
 #include "judge/lint/lint.h"
 #include "render/reference/copied_pixels.h"
 #include "render/reference/framebuffer.h"
+#include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/scenes/images.h"
 #include "scene/scenes/load.h"
@@ -54,6 +58,7 @@ std::string built_in_scenes() {
 std::string PageScene::open(std::string_view text, const std::string& name, const std::string& step, WindowSize size) {
     scene_.reset();
     staged_.reset();
+    right_.reset();
     StateOptions options;
     options.width = size.width;
     options.height = size.height;
@@ -97,6 +102,42 @@ std::span<const std::uint8_t> PageScene::reference(const reference::Options& opt
     for (std::size_t i = image.index(0, y0); i < image.index(0, y1); ++i)
         for (const float channel : image.pixels[i]) codes_.push_back(channel_code(channel));
     return codes_;
+}
+
+WebglFrame PageScene::webgl(const Look& look) const {
+    const DrawableFrame frame = reference::drawable(scene_->frame, {look});
+    return webgl_frame(*frame, {look, /*budget=*/0});
+}
+
+std::string PageScene::judged(const Look& look, std::span<const std::uint8_t> shaders, int subpixel_bits) {
+    const Frame& frame = scene_->frame;
+    if (!right_ || right_->look != look || right_->subpixel_bits != subpixel_bits) {
+        Right right{
+            look, subpixel_bits, reference::render(frame, {look}), {}, reference::allowed_difference(frame, {look})};
+        if (reference::has_quadrilaterals(frame))
+            right.other_cut = reference::render(frame, {look, reference::QuadCut::kSecondToFourth});
+        compare::allow_ties(right.allowed, right.image);
+        compare::allow_rounded_positions(right.allowed, right.image, subpixel_bits);
+        right_ = std::move(right);
+    }
+    Image drawn(frame.width, frame.height);
+    if (shaders.size() != 4 * drawn.pixels.size()) throw std::invalid_argument("a picture of another size");
+    for (std::size_t i = 0; i < shaders.size(); ++i) drawn.pixels[i / 4][i % 4] = static_cast<float>(shaders[i]) / 255;
+    const Image nearer = right_->other_cut.pixels.empty()
+                             ? right_->image
+                             : nearer_of(drawn, right_->image, right_->other_cut, right_->allowed.channels);
+    const ImageDifference found = difference(drawn, nearer, right_->allowed);
+    return dumped({{"within", compare::is_within(found, {})},
+                   {"max", std::lround(255 * found.interior.max)},
+                   {"at", {found.interior.worst_x, found.interior.worst_y}},
+                   {"beyond", std::lround(255 * found.beyond_allowed.max)},
+                   {"differing", found.beyond_allowed.differing},
+                   {"interior", found.interior.pixels},
+                   {"edge", found.edge.pixels}});
+}
+
+std::string PageScene::explained(const Look& look, int x, int y) const {
+    return explain::text_of(*scene_, explain::explain_pixel(scene_->frame, look, {x, y}), {});
 }
 
 }  // namespace twinlight::web

@@ -10,6 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "app/web/webgl_frame.h"
+#include "base/image/difference.h"
+#include "render/look.h"
 #include "render/reference/reference_options.h"
 #include "render/reference/staged_frame.h"
 #include "scene/state/copied_texels.h"
@@ -40,6 +43,19 @@ class PageScene {
     // What precedes the pixels is kept for further rows of the same picture.
     std::span<const std::uint8_t> reference(const reference::Options& options, int y0, int y1);
 
+    // The frame for WebGL, shaded as `look` says. Copied pixels are the reference's. webgl_frame.h describes it.
+    WebglFrame webgl(const Look& look) const;
+
+    // Compares a picture by shaders, in the layout of reference(), with the whole of the reference's. Returns JSON:
+    //   {"within", "max", "at": [x, y], "beyond", "differing", "interior", "edge"}
+    // max: the largest difference away from edges in 255ths, and its place; beyond: the same beyond the allowed difference
+    // (docs/edges.md); differing: how many pixels differ beyond it; then the numbers of pixels away from edges and at them.
+    // subpixel_bits: of the browser's positions in the window (compare::allow_rounded_positions).
+    std::string judged(const Look& look, std::span<const std::uint8_t> shaders, int subpixel_bits);
+
+    // The lighting of a pixel, counted from the upper left corner, as `twinlight explain --pixel` prints it.
+    std::string explained(const Look& look, int x, int y) const;
+
   private:
     // Of the reference's picture.
     struct Staged {
@@ -51,8 +67,17 @@ class PageScene {
         Image image;
     };
 
+    // What a picture by shaders is compared with.
+    struct Right {
+        Look look;
+        int subpixel_bits = 0;
+        Image image, other_cut;  // the other cut is empty without quadrilaterals
+        AllowedDifference allowed;
+    };
+
     std::optional<Scene> scene_;
     std::unique_ptr<Staged> staged_;
+    std::optional<Right> right_;
     std::vector<std::uint8_t> codes_;
 };
 

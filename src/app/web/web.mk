@@ -8,11 +8,14 @@ PAGE := $(WEB)/page
 
 # The module has the rooms and files that need neither GL nor processes.
 ROOMS_web := $(addprefix src/,base/image base/math base/text scene/command scene/mesh scene/scenes scene/shape scene/spectrum \
-    scene/state scene/trace lighting render/effect render/reference judge/lint app/web)
-WITHOUT_web := $(wildcard src/lighting/points_avx*.cpp)
+    scene/state scene/trace lighting render/effect render/programmable render/programmable/kept render/programmable/precise render/reference judge/compare \
+    judge/explain judge/lint app/web)
+WITHOUT_web := $(wildcard src/lighting/points_avx*.cpp) $(filter-out %/tolerance.cpp,$(wildcard src/judge/compare/*.cpp)) \
+    $(addprefix src/render/programmable/,kept_meshes.cpp kept_programs.cpp programmable.cpp shader_program.cpp shader_text.cpp \
+        uploaded_mesh.cpp kept/kept_files.cpp precise/precise_support.cpp)
 sources_web = $(sort $(filter-out $(WITHOUT_web),$(wildcard $(1)/*.cpp)))
 OBJECTS_web := $(ROOMS_web:%=$(WEB)/objects/%.room.o) $(WEB)/objects/stb.o \
-    $(patsubst %,$(WEB)/objects/embedded/%.o,scenes scene_assets)
+    $(patsubst %,$(WEB)/objects/embedded/%.o,scenes scene_assets shaders)
 HEADERS_web := fmt glm nlohmann stb tiny_obj_loader.h
 
 # em++ has a library and a /usr/include of its own, so it sees only these of the system's headers.

@@ -43,5 +43,23 @@ export async function loadTwinlight(options = {}) {
             const place = call("reference_rows", SHADINGS[shading], asFloats ? 1 : 0, y0, y1);
             return module.HEAPU8.slice(place, place + 4 * width * (y1 - y0));
         },
+        // {header, words}: what gl.js draws.
+        webglFrame(shading) {
+            const header = json("webgl_header", SHADINGS[shading]);
+            const place = module._webgl_words(), count = module._webgl_word_count();
+            return {header, words: module.HEAPU8.slice(place, place + 4 * count).buffer};
+        },
+        // Compares a picture by shaders with the reference's. subpixelBits: gl.SUBPIXEL_BITS.
+        judge(shading, pixels, subpixelBits) {
+            const place = module._allocate(pixels.length);
+            if (place === 0) throw new Error("this scene needs more memory than a page gets");
+            try {
+                module.HEAPU8.set(pixels, place);
+                return json("judge_picture", SHADINGS[shading], place, pixels.length, subpixelBits);
+            } finally {
+                module._release(place);
+            }
+        },
+        explain: (shading, x, y) => textAt(call("explain_pixel", SHADINGS[shading], x, y)),
     };
 }
