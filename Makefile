@@ -64,6 +64,8 @@ $(if $(CI),clang               command -v clang++)
 $(if $(CI),libclang-rt-dev     $(try_fuzzer))
 $(if $(CI),chromium            command -v chromium || grep -q ubuntu /etc/os-release)
 $(if $(CI),debootstrap         command -v debootstrap || ls /usr/sbin/debootstrap)
+$(if $(CI)$(filter web,$(MAKECMDGOALS)),emscripten          command -v em++)
+$(if $(CI)$(filter web,$(MAKECMDGOALS)),node-acorn          ls /usr/share/nodejs/acorn)
 $(if $(CI),man-db              command -v man)
 $(if $(CI),zsh                 command -v zsh)
 $(if $(CI),fish                command -v fish)
@@ -120,6 +122,8 @@ SOURCES_app := $(wildcard src/app/*.cpp)
 SOURCES_cli := $(SOURCES_app) $(wildcard src/app/cli/*.cpp)
 # The window's state, without GL; the tests link it, too.
 SOURCES_session := $(wildcard src/app/session/*.cpp)
+# The page for browsers, without GL and JavaScript; the tests link it, too.
+SOURCES_web := $(filter-out src/app/web/module.cpp,$(wildcard src/app/web/*.cpp))
 SOURCES_demo := $(SOURCES_app) $(SOURCES_session) $(wildcard src/app/demo/*.cpp)
 SOURCES_bench := $(wildcard tests/bench/*.cpp)
 SOURCES_bench_library := src/app/cli/progress.cpp
@@ -133,7 +137,7 @@ SOURCES_fuzz := $(SOURCES_fuzzers) $(SOURCES_fuzz_common) $(SOURCES_fuzz_seeds)
 SOURCES_fuzz_library := $(filter-out src/judge/% $(addsuffix /%,$(addprefix src/render/,context stages fixed programmable)),$(SOURCES_library))
 SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
 SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz) $(SOURCES_recorder),$(sort $(shell find tests -name '*.cpp')))
-SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_tests) $(SOURCES_recorder) \
+SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_web) $(SOURCES_tests) $(SOURCES_recorder) \
     $(SOURCES_bench) $(SOURCES_fuzz))
 HEADERS := $(sort $(shell find src tests -name '*.h'))
 EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes scene_assets shaders pages cases lessons lessons-zh)
@@ -161,6 +165,8 @@ ALONE := $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_bench_library)
 ALONE += src/lighting/points_avx%.cpp
 # This calls so many of the equation's functions that g++ would no longer inline them where pictures are lit.
 ALONE += src/render/reference/pixel_history.cpp
+# Only Emscripten compiles this.
+ALONE += src/app/web/module.cpp
 # Tests share a precompiled header instead.
 ALONE += tests/%.cpp
 endif
@@ -193,6 +199,7 @@ test_environment := LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks_of_drivers.s
 test: deps  ## build, then run every test; needs no display (TEST='Spot*' runs some)
 	@$(MAKE) test-binary
 	@if pkg-config --exists egl; then $(MAKE) GL=egl $(BUILD)/egl/twinlight; fi
+	@if command -v $(EMXX) >/dev/null; then $(MAKE) config=release GL=osmesa web; fi
 	@$(test_environment) TWINLIGHT_BUILD=$(PROGRAMS) \
 	    tests/run.sh $(PROGRAMS)/twinlight-tests '$(or $(TEST),*)'
 
@@ -249,8 +256,9 @@ check:  ## check the format, compile each file by itself, run clang-tidy, and ru
 	    else echo "tidy: skipped, because clang-tidy is not installed"; fi
 	@$(MAKE) test config=sanitize
 
-# A source includes its own header first, so only headers without a source are compiled here. (kept/loader.h is C.)
-HEADERS_alone := $(filter-out $(SOURCES_all:.cpp=.h) $(FILES_shaders),$(HEADERS))
+# A source includes its own header first, so only headers without a source are compiled here. (kept/loader.h is C; only Emscripten needs
+# app/web/compat.)
+HEADERS_alone := $(filter-out $(SOURCES_all:.cpp=.h) $(FILES_shaders) src/app/web/compat/%,$(HEADERS))
 headers: deps  ## compile headers by themselves: each must include what it uses (units=files does so with sources)
 	@$(MAKE) --keep-going $(HEADERS_alone:%=alone/%)
 alone/%: %
@@ -264,11 +272,15 @@ clean:  ## remove build/
 	rm -rf build
 
 help:  ## show this list
-	@grep -hE '^[a-z-]+:.*##' Makefile tools/install/install.mk | sed -E 's/:[^#]*## */\t/' | awk -F'\t' '{printf "  make %-12s %s\n", $$1, $$2}'
+	@grep -hE '^[a-z-]+:.*##' Makefile tools/install/install.mk src/app/web/web.mk | sed -E 's/:[^#]*## */\t/' | awk -F'\t' '{printf "  make %-12s %s\n", $$1, $$2}'
 
 # ---- Installing: make install, uninstall, dist, deb ------------------------------------------------------------
 
 include tools/install/install.mk
+
+# ---- The page for browsers: make web -----------------------------------------------------------------------------
+
+include src/app/web/web.mk
 
 # ---- Rules ------------------------------------------------------------------------------------------------------
 
@@ -325,7 +337,7 @@ $(PROGRAMS)/twinlight-demo: $(call object,$(SOURCES_demo)) $(BUILD)/libtwinlight
 
 # The library's objects come first: of a template that a test instantiates too, the linker takes their copy, optimised as in the programs.
 $(PROGRAMS)/twinlight-tests: $(call object,$(SOURCES_$(GL))) $(OBJECTS_library) $(OBJECTS_tests) \
-    $(call object,$(SOURCES_bench_meshes) $(SOURCES_app) $(SOURCES_session))
+    $(call object,$(SOURCES_bench_meshes) $(SOURCES_app) $(SOURCES_session) $(SOURCES_web))
 	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
 
 $(PROGRAMS)/twinlight-bench: $(call object,$(SOURCES_bench) $(SOURCES_bench_library)) $(OFFSCREEN)

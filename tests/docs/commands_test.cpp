@@ -42,7 +42,8 @@ std::string with_examples(std::string line) {
 
 // make is not run from here, since it builds and runs these tests. Its goals and variables must exist.
 std::string complaint_of_make(const std::string& line) {
-    static const std::string makefile = read_file("Makefile") + read_file("tools/install/install.mk");
+    static const std::string makefile =
+        read_file("Makefile") + read_file("tools/install/install.mk") + read_file("src/app/web/web.mk");
     static const std::set<std::string> kUsual = {"CXX", "CXXFLAGS", "LDFLAGS", "DESTDIR"};
     bool after_make = false;
     for (const std::string& word : split(line)) {

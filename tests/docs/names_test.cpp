@@ -55,7 +55,8 @@ class Known {
             for (std::sregex_iterator match(text.begin(), text.end(), instantiated), end; match != end; ++match)
                 tests_.push_back(match->str(1) + "/" + match->str(2) + ".");
         }
-        makefile_ = "\n" + read_file("Makefile") + read_file("tools/install/install.mk");
+        makefile_ =
+            "\n" + read_file("Makefile") + read_file("tools/install/install.mk") + read_file("src/app/web/web.mk");
         const std::string help = help_of("twinlight", "");
         const std::regex command("\n  ([a-z]+) +[A-Z]");
         const std::string list = help.substr(help.find("ubcommands:"));

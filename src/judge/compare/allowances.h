@@ -1,14 +1,11 @@
-// Allowed differences at a pixel in addition to those of the reference (render/reference): for ties in rounding, for lights that
-// plans skip, and for pairs of two drivers.
+// Allowed differences at a pixel in addition to those of the reference (render/reference) and of ties (tolerance.h): for lights
+// that plans skip, and for pairs of two drivers.
 #pragma once
 
 #include "base/image/difference.h"
 #include "judge/compare/comparison.h"
 
 namespace twinlight::compare {
-
-// If the right value lies halfway between two 8-bit values, both are allowed.
-void allow_ties(AllowedDifference& allowed, const Image& reference);
 
 // For a pair of drivers: each may be off in its own direction, and may split quadrilaterals its own way. One driver may even split
 // those in a display list differently.

@@ -10,6 +10,7 @@
 #include "base/image/difference.h"
 #include "base/image/image.h"
 #include "judge/compare/queries.h"
+#include "judge/compare/tolerance.h"
 #include "render/effect/explanation.h"
 #include "render/fixed/fixed.h"
 #include "render/path.h"
@@ -47,13 +48,6 @@ enum class Verdict : std::uint8_t {
     kBeyond,       // beyond the tolerance
     kPartial,      // a picture lacks part of the scene; where this changes nothing, they are within the tolerance
     kInformative,  // the pictures show different models and are meant to differ, so there is no tolerance
-};
-
-// The tolerance of a pair, for pixels away from edges and for the part of each difference that exceeds the allowed difference
-// (allowances.h): no channel is off by more than max, and the share of differing pixels is below differing_share.
-struct Tolerance {
-    double max = 1 / 255.0;          // a correct value may be rounded up or down
-    double differing_share = 0.001;  // float and double rarely round to different sides
 };
 
 struct Pair {

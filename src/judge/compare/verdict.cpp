@@ -6,10 +6,7 @@
 namespace twinlight::compare {
 
 Verdict judge(const ImageDifference& difference, const Tolerance& tolerance) {
-    const RegionDifference& judged = difference.beyond_allowed;
-    const bool within =
-        judged.max <= tolerance.max && (judged.differing == 0 || judged.differing_share() < tolerance.differing_share);
-    return within ? Verdict::kWithin : Verdict::kBeyond;
+    return is_within(difference, tolerance) ? Verdict::kWithin : Verdict::kBeyond;
 }
 
 Verdict judge(const Comparison& comparison, const Pair& pair) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "judge/explain/derivation_light.h"
@@ -145,7 +146,7 @@ std::string almost_one_depth(const Frame& frame, const std::vector<PixelFragment
     // Drivers compute depths in floats and store them in 24 bits. What is drawn twice has exactly one depth (appendix A).
     constexpr double kRounding = 16.0 / (1 << 24);
     const std::vector<const Draw*> draws = frame.draws();
-    const auto shown = std::ranges::find_if(fragments.rbegin(), fragments.rend(), &PixelFragment::passes);
+    const auto shown = std::find_if(fragments.rbegin(), fragments.rend(), std::mem_fn(&PixelFragment::passes));
     if (shown == fragments.rend() || !draws[shown->draw]->raster.depth_test) return "";
     std::set<std::size_t> numbers;
     for (const PixelFragment& fragment : fragments) {

@@ -29,18 +29,16 @@ struct SurfaceForm {
     friend auto operator<=>(const SurfaceForm&, const SurfaceForm&) = default;  // NOLINT
 };
 
+// The dialect of a program's text. The later two lack parts of OpenGL 2.1, which the program does instead: see Form.
 enum class Glsl : std::uint8_t { k130, k330, k300es };
 
 // Shaders to keep (kept/kept_files.h): their uniforms are GL's state with GL's names, without the prefix gl_.
 struct KeptForm {
-    Glsl version = Glsl::k330;
     std::vector<int> lights;           // for each light of the effects: its number in GL
     int light_count = kMaxLights;      // the length of the array LightSource
     std::vector<int> clip_planes;      // the numbers of the enabled ones
     std::array<bool, 4> eye_planes{};  // of generated texture coordinates: GL_EYE_LINEAR
     bool rescales_generated = false;   // GL_RESCALE_NORMAL, for those generated from the normal
-    bool sizes_points = false;         // the shader sets glPointSize's size, which OpenGL ES lacks
-    Enum alpha_func = kGL_ALWAYS;      // core GL and WebGL lack the alpha test
 
     friend auto operator<=>(const KeptForm&, const KeptForm&) = default;  // NOLINT
 };
@@ -68,6 +66,9 @@ struct Form {
     // shader goes through them in a loop, over arrays of these lengths.
     std::vector<int> loops;
     SurfaceForm surface{};
+    Glsl dialect = Glsl::k130;
+    Enum alpha_func = kGL_ALWAYS;  // core GL and OpenGL ES lack the alpha test
+    bool sizes_points = false;     // sets glPointSize's size, which OpenGL ES lacks
     std::optional<KeptForm> kept{};
 
     friend auto operator<=>(const Form&, const Form&) = default;  // NOLINT

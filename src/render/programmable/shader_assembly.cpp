@@ -52,17 +52,29 @@ class Assembler {
             uniforms += fmt::format(
                 "uniform vec4 u_clip_plane{}_object;  // glClipPlane (section 2.12), in object coordinates\n", i);
         if (!uniforms.empty()) uniforms += "\n";
-        return fmt::format(
-            "#version {}\n{}\n{}{}{}{}{}",
-            form_.kept ? kept_version(form_.kept->version, sampler_of(effects_.texture)) : lighting_.version,
-            purpose(stage), is_vertex ? attributes_text(body) : inputs_text(), uniforms,
-            is_vertex ? outputs_text() : "", functions, body);
+        return fmt::format("#version {}\n{}\n{}{}{}{}{}", version(), purpose(stage),
+                           is_vertex ? attributes_text(body) : inputs_text(), uniforms, is_vertex ? outputs_text() : "",
+                           functions, body);
     }
 
   private:
     bool has_ray() const { return form_.surface.kind != SurfaceKind::kNone; }
     bool is_phong() const { return effects_.shading == Shading::kPhong; }
     bool lights_in(Stage stage) const { return effects_.lighting && is_phong() == (stage == Stage::kFragment); }
+
+    // What follows #version. The precisions of OpenGL ES for floats, integers and most samplers are too low.
+    std::string version() const {
+        switch (form_.dialect) {
+            case Glsl::k130: return lighting_.version;
+            case Glsl::k330: return "330 core";
+            case Glsl::k300es: break;
+        }
+        std::set<std::string> types{sampler_of(effects_.texture)};
+        for (const UnitEffects& unit : effects_.units) types.insert(sampler_of(unit.texture));
+        std::string text = "300 es\nprecision highp float;\nprecision highp int;";
+        for (const std::string& type : types) text += fmt::format("\nprecision highp {};", type);
+        return text;
+    }
 
     const char* purpose(Stage stage) const {
         const bool lights_here = lights_in(stage);
@@ -103,7 +115,7 @@ class Assembler {
         int location = 0;
         for (const Attribute& attribute : attributes(effects_)) {
             const std::string name = form_.kept ? with_words(attribute.name, kept_names()) : attribute.name;
-            const bool is_located = form_.kept && form_.kept->version != Glsl::k130;
+            const bool is_located = form_.dialect != Glsl::k130;
             const std::string layout = is_located ? fmt::format("layout(location = {}) ", location++) : "";
             all.push_back({name, fmt::format("{}in {} {};\n", layout, attribute.type, name)});
         }
@@ -188,7 +200,7 @@ class Assembler {
     }
 
     // OpenGL ES has no clip planes: the fragment shader discards what they clip.
-    bool discards_clipped() const { return form_.kept && form_.kept->version == Glsl::k300es; }
+    bool discards_clipped() const { return form_.dialect == Glsl::k300es && !has_ray(); }
     // Negative where the plane clips (section 2.12).
     std::string clip_distance(int i) const {
         if (form_.kept)
@@ -507,10 +519,27 @@ class Assembler {
         return "";
     }
 
+    // Section 4.1.4.
+    std::string alpha_test() const {
+        const auto passes = [&]() -> const char* {
+            switch (form_.alpha_func) {
+                case kGL_LESS: return "<";
+                case kGL_EQUAL: return "==";
+                case kGL_LEQUAL: return "<=";
+                case kGL_GREATER: return ">";
+                case kGL_NOTEQUAL: return "!=";
+                case kGL_GEQUAL: return ">=";
+                default: return "";
+            }
+        }();
+        if (form_.alpha_func == kGL_ALWAYS) return "";
+        if (form_.alpha_func == kGL_NEVER) return "    discard;  // GL_NEVER (section 4.1.4)\n";
+        return fmt::format("    if (!(color.a {} u_alpha_ref)) discard;  // the alpha test (section 4.1.4)\n", passes);
+    }
+
     // Section 3.3.
     std::string point_size() const {
-        if (form_.kept && form_.kept->sizes_points)
-            return "    gl_PointSize = PointSize;  // glPointSize (section 3.3)\n";
+        if (form_.sizes_points) return "    gl_PointSize = u_point_size;  // glPointSize (section 3.3)\n";
         if (!effects_.attenuated_points) return "";
         const std::string eye = "u_point_eye_from_object * position";
         const std::string place =
@@ -529,7 +558,10 @@ class Assembler {
     }
     static std::string sampler_of(const TextureEffects& texture) {
         if (texture.cube) return "samplerCube";
-        return texture.one_dimensional ? "sampler1D" : texture.three_dimensional ? "sampler3D" : "sampler2D";
+        return std::string(texture.one_dimensional     ? "sampler1D"
+                           : texture.three_dimensional ? "sampler3D"
+                                                       : "sampler2D") +
+               (texture.compares ? "Shadow" : "");
     }
     // of_ray: the coordinates are those of an exact surface's point.
     static Words texture_words(const TextureEffects& texture, bool of_ray) {
@@ -540,7 +572,7 @@ class Assembler {
                                    : one ? "gl_PointCoord.s"
                                          : "gl_PointCoord";  // section 3.3.1
         return {{"TEX_COORD", texture.sprite ? sprite : "v_tex_coord"},
-                {"SAMPLER", sampler_of(texture) + (compares ? "Shadow" : "")},
+                {"SAMPLER", sampler_of(texture)},
                 {"DIVIDED_TYPE", one_number ? "float"
                                  : has_r    ? "vec3"
                                             : "vec2"},
@@ -608,7 +640,7 @@ class Assembler {
                         {"point_size", point_size()},
                         {"clip_distances", has_ray() || discards_clipped() ? "" : clip_distances},
                         {"clip_discards", discards_clipped() ? clip_discards : ""},
-                        {"alpha_test", form_.kept ? kept_alpha_test(form_.kept->alpha_func) : ""},
+                        {"alpha_test", alpha_test()},
                         {"within_clip_planes", within_clip_planes},
                         {"texture_environment", texture_environment()},
                         {"texture_lookups", texture_lookups()},

@@ -57,7 +57,7 @@ bool are_same(std::span<const float> a, std::span<const float> b) {
 }
 
 std::strong_ordering operator<=>(const Uniforms& a, const Uniforms& b) {
-    if (const auto order = a.names_ <=> b.names_; order != 0) return order;
+    if (const int order = a.names_.compare(b.names_); order != 0) return order <=> 0;
     for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) {
         const auto &one = a[i].values, &other = b[i].values;
         if (const auto order = one.size() <=> other.size(); order != 0) return order;

@@ -51,7 +51,7 @@ class DumpLexer {
         const char* const start = position_;
         const char* const longest = start + kLongestToken;
         while (position_ < longest && is_word(*position_)) ++position_;
-        return {start, position_};
+        return {start, static_cast<std::size_t>(position_ - start)};
     }
     // Reads a decimal or hexadecimal number with its sign, but no word such as inf. Returns false if there is none.
     bool number(double& value);

@@ -42,7 +42,7 @@ Kind kind_of(const Draw& draw, const Plan& plan, Glsl version) {
     kind.form.rescale = plan.lighting.rescale_normal && kind.effects.needs_normal() && !kind.effects.normalize &&
                         kind.effects.shading != Shading::kPhong;
     KeptForm kept;
-    kept.version = version;
+    kind.form.dialect = version;
     for (const PlannedLight& light : plan.lights) {
         kept.lights.push_back(light.number);
         kept.light_count = std::max(kept.light_count, light.number + 1);
@@ -55,10 +55,10 @@ Kind kind_of(const Draw& draw, const Plan& plan, Glsl version) {
         kept.eye_planes[i] = texture.generated[i] == Generated::kLinear && one.mode == kGL_EYE_LINEAR;
     }
     kept.rescales_generated = texture.generated_normal == GeneratedNormal::kUnchanged && draw.lighting.rescale_normal;
-    if (draw.fragment.alpha_test) kept.alpha_func = draw.fragment.alpha_func;
+    if (draw.fragment.alpha_test) kind.form.alpha_func = draw.fragment.alpha_func;
     // OpenGL ES has no 1D textures: they become 2D textures of height 1.
     if (version == Glsl::k300es) kind.effects.texture.one_dimensional = false;
-    kept.sizes_points = version == Glsl::k300es && draw.mode == kGL_POINTS;
+    kind.form.sizes_points = version == Glsl::k300es && draw.mode == kGL_POINTS;
     kind.form.kept = std::move(kept);
     return kind;
 }
@@ -304,7 +304,7 @@ class Writer {
                                 c_.floats(*draw.raster.clip_planes_eye[static_cast<std::size_t>(number)])));
         if (draw.fragment.alpha_test)
             uniform("alpha", fmt::format("number(\"AlphaRef\", {});", c_.number(draw.fragment.alpha_ref)));
-        if (kind.form.kept->sizes_points)
+        if (kind.form.sizes_points)
             uniform("point size",
                     fmt::format("number(\"PointSize\", {});", c_.number(std::max(std::round(point_size(draw)), 1.0))));
         if (effects.has_fog()) {

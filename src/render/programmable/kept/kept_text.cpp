@@ -1,7 +1,5 @@
 #include "render/programmable/kept/kept_text.h"
 
-#include <fmt/format.h>
-
 namespace twinlight::programmable {
 
 const Words& kept_names() {
@@ -27,38 +25,13 @@ const Words& kept_names() {
                                  {"u_plane_q_eye", "EyePlaneQ[0]"},
                                  {"u_texture", "Texture0"},
                                  {"u_texture_env_color", "TextureEnvColor[0]"},
+                                 {"u_point_size", "PointSize"},
+                                 {"u_alpha_ref", "AlphaRef"},
                                  {"u_fog_color", "Fog.color.rgb"},
                                  {"u_fog_end", "Fog.end"},
                                  {"u_fog_scale", "Fog.scale"},
                                  {"u_fog_density", "Fog.density"}};
     return kNames;
-}
-
-std::string kept_version(Glsl version, const std::string& sampler) {
-    switch (version) {
-        case Glsl::k130: return "130";
-        case Glsl::k330: return "330 core";
-        case Glsl::k300es:
-            return fmt::format("300 es\nprecision highp float;\nprecision highp int;\nprecision highp {};", sampler);
-    }
-    return "";
-}
-
-std::string kept_alpha_test(Enum alpha_func) {
-    const auto passes = [alpha_func]() -> const char* {
-        switch (alpha_func) {
-            case kGL_LESS: return "<";
-            case kGL_EQUAL: return "==";
-            case kGL_LEQUAL: return "<=";
-            case kGL_GREATER: return ">";
-            case kGL_NOTEQUAL: return "!=";
-            case kGL_GEQUAL: return ">=";
-            default: return "";
-        }
-    }();
-    if (alpha_func == kGL_ALWAYS) return "";
-    if (alpha_func == kGL_NEVER) return "    discard;  // GL_NEVER (section 4.1.4)\n";
-    return fmt::format("    if (!(color.a {} AlphaRef)) discard;  // the alpha test (section 4.1.4)\n", passes);
 }
 
 }  // namespace twinlight::programmable

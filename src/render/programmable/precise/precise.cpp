@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
@@ -12,7 +10,6 @@
 #include <utility>
 
 #include "base/math/normal_matrix.h"
-#include "render/context/gl.h"
 #include "render/programmable/form.h"
 #include "render/programmable/lighting_names.h"
 #include "render/programmable/precise/mesa_floats.h"
@@ -119,14 +116,6 @@ void add_face(Uniforms& uniforms, const std::string& name, const LightingState& 
     });
 }
 
-// "4.50" of "4.50 (Compatibility Profile)".
-double glsl_version() {
-    const auto* text = reinterpret_cast<const char*>(glGetString(GL_SHADING_LANGUAGE_VERSION));  // NOLINT
-    double version = 0;
-    if (text) std::from_chars(text, text + std::strlen(text), version);
-    return version;
-}
-
 }  // namespace
 
 Options precise_options(Options options) {
@@ -141,14 +130,6 @@ Options precise_options(Options options) {
     options.budget = 0;
     options.lecture_variants = false;
     return options;
-}
-
-bool has_precise() { return glsl_version() >= 4.0; }
-
-void check_has_precise() {
-    if (!has_precise())
-        throw std::runtime_error(
-            fmt::format("--precise needs GLSL 4.00 (for `precise`); this driver has {:.2f}", glsl_version()));
 }
 
 bool floats_suffice(const Draw& draw, const Plan& plan) {

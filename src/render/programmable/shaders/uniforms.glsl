@@ -24,6 +24,8 @@ uniform vec3 u_point_attenuation;  // GL_POINT_DISTANCE_ATTENUATION, in that uni
 uniform vec3 u_point_sizes;  // glPointSize, GL_POINT_SIZE_MIN, GL_POINT_SIZE_MAX
 uniform SAMPLER u_texture;
 uniform vec4 u_texture_env_color;
+uniform float u_point_size;  // glPointSize (section 3.3)
+uniform float u_alpha_ref;  // glAlphaFunc (section 4.1.4)
 uniform vec4 u_eye_z_from_object;  // the modelview matrix's third row
 uniform vec4 u_eye_w_from_object;  // the modelview matrix's fourth row
 uniform vec3 u_fog_color;

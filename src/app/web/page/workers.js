@@ -1,0 +1,45 @@
+// Web Workers that share a queue of tasks.
+
+export class Workers {
+    constructor(count) {
+        this.queue = [];
+        this.waiting = new Map();  // by id
+        this.idle = Array.from({length: count}, () => this.started());
+        this.next = 0;
+    }
+
+    // A promise of the task's result. It never settles if forget() drops the task.
+    do(task) {
+        return new Promise((resolve, reject) => {
+            this.queue.push({task, resolve, reject});
+            this.start();
+        });
+    }
+
+    // Drops the tasks that have not begun. Those that have end, but nobody waits for them.
+    forget() {
+        this.queue = [];
+        this.waiting.clear();
+    }
+
+    started() {
+        const worker = new Worker("worker.js", {type: "module"});
+        worker.addEventListener("message", ({data: {id, result, error}}) => {
+            const entry = this.waiting.get(id);
+            this.waiting.delete(id);
+            this.idle.push(worker);
+            if (error !== undefined) entry?.reject(new Error(error));
+            else entry?.resolve(result);
+            this.start();
+        });
+        return worker;
+    }
+
+    start() {
+        while (this.queue.length > 0 && this.idle.length > 0) {
+            const {task, ...entry} = this.queue.shift(), id = this.next++;
+            this.waiting.set(id, entry);
+            this.idle.pop().postMessage({id, ...task});
+        }
+    }
+}

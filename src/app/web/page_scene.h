@@ -1,0 +1,84 @@
+// The scene of the page for browsers: the text in its editor, its errors and warnings, and the reference's pictures of it. Free of
+// GL and of JavaScript; module.cpp exports it to the page.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/web/webgl_frame.h"
+#include "base/image/difference.h"
+#include "render/look.h"
+#include "render/reference/reference_options.h"
+#include "render/reference/staged_frame.h"
+#include "scene/state/copied_texels.h"
+#include "scene/state/scene.h"
+
+namespace twinlight::web {
+
+// A page has 4 GiB at the most, and a browser may grant less. A text this long is no scene that somebody types.
+inline constexpr std::size_t kMaxPageBytes = 8u << 20;
+
+// JSON: {"scenes": [{"name", "text", "steps"}]}, the built-in scenes.
+std::string built_in_scenes();
+
+class PageScene {
+  public:
+    // Reads the text and carries out its commands. Returns JSON:
+    //   {"errors": [{"line", "column", "message"}], "note", "steps": ["Diffuse only"], "step", "width", "height"}
+    // Errors without a place in the text have line 0. The first step has number 1; 0: the scene has no steps. If there are errors, no
+    // scene is open. A program's own window size is used instead of `size`.
+    std::string open(std::string_view text, const std::string& name, const std::string& step, WindowSize size);
+    bool is_open() const { return scene_.has_value(); }
+    const Scene& scene() const { return *scene_; }
+
+    // JSON: {"warnings": [...]} as `twinlight lint --json` prints them.
+    std::string warnings() const;
+
+    // The rows y0 to y1, counted from the top, of the reference's picture: red, green, blue and alpha of each pixel, a byte each.
+    // What precedes the pixels is kept for further rows of the same picture.
+    std::span<const std::uint8_t> reference(const reference::Options& options, int y0, int y1);
+
+    // The frame for WebGL, shaded as `look` says. Copied pixels are the reference's. webgl_frame.h describes it.
+    WebglFrame webgl(const Look& look) const;
+
+    // Compares a picture by shaders, in the layout of reference(), with the whole of the reference's. Returns JSON:
+    //   {"within", "max", "at": [x, y], "beyond", "differing", "interior", "edge"}
+    // max: the largest difference away from edges in 255ths, and its place; beyond: the same beyond the allowed difference
+    // (docs/edges.md); differing: how many pixels differ beyond it; then the numbers of pixels away from edges and at them.
+    // subpixel_bits: of the browser's positions in the window (compare::allow_rounded_positions).
+    std::string judged(const Look& look, std::span<const std::uint8_t> shaders, int subpixel_bits);
+
+    // The lighting of a pixel, counted from the upper left corner, as `twinlight explain --pixel` prints it.
+    std::string explained(const Look& look, int x, int y) const;
+
+  private:
+    // Of the reference's picture.
+    struct Staged {
+        Staged(const Frame& frame, const reference::Options& options);
+
+        reference::Options options;
+        DrawableFrame frame;
+        reference::StagedFrame stages;
+        Image image;
+    };
+
+    // What a picture by shaders is compared with.
+    struct Right {
+        Look look;
+        int subpixel_bits = 0;
+        Image image, other_cut;  // the other cut is empty without quadrilaterals
+        AllowedDifference allowed;
+    };
+
+    std::optional<Scene> scene_;
+    std::unique_ptr<Staged> staged_;
+    std::optional<Right> right_;
+    std::vector<std::uint8_t> codes_;
+};
+
+}  // namespace twinlight::web

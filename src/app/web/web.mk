@@ -1,0 +1,62 @@
+# The page for browsers: `make web` writes build/web/page/. The Makefile includes this.
+#
+#   EMXX=em++   Emscripten's compiler: 3.1.6 of Debian 12 or later
+
+EMXX ?= em++
+WEB := $(BUILD)/web
+PAGE := $(WEB)/page
+
+# The module has the rooms and files that need neither GL nor processes.
+ROOMS_web := $(addprefix src/,base/image base/math base/text scene/command scene/mesh scene/scenes scene/shape scene/spectrum \
+    scene/state scene/trace lighting render/effect render/programmable render/programmable/kept render/programmable/precise render/reference judge/compare \
+    judge/explain judge/lint app/web)
+WITHOUT_web := $(wildcard src/lighting/points_avx*.cpp) $(filter-out %/tolerance.cpp,$(wildcard src/judge/compare/*.cpp)) \
+    $(addprefix src/render/programmable/,kept_meshes.cpp kept_programs.cpp programmable.cpp shader_program.cpp shader_text.cpp \
+        uploaded_mesh.cpp kept/kept_files.cpp precise/precise_support.cpp)
+sources_web = $(sort $(filter-out $(WITHOUT_web),$(wildcard $(1)/*.cpp)))
+OBJECTS_web := $(ROOMS_web:%=$(WEB)/objects/%.room.o) $(WEB)/objects/stb.o \
+    $(patsubst %,$(WEB)/objects/embedded/%.o,scenes scene_assets shaders)
+HEADERS_web := fmt glm nlohmann stb tiny_obj_loader.h
+
+# em++ has a library and a /usr/include of its own, so it sees only these of the system's headers.
+CXXFLAGS_web := -std=c++20 -O2 -ffp-contract=off -fexceptions -DFMT_HEADER_ONLY -Isrc -Isrc/app/web/compat \
+    -isystem $(WEB)/include -include src/app/web/compat/library.h \
+    -Wno-defaulted-function-deleted
+# (Debian's node finds Debian's acorn, which Emscripten needs, only there.)
+# One module for the page and its workers, without eval (for the page's Content-Security-Policy) and files. The stack is as large
+# as a program's, because the reader of scenes is recursive.
+LDFLAGS_web := -O2 -fexceptions -sMODULARIZE=1 -sEXPORT_ES6=1 -sENVIRONMENT=web,worker -sDYNAMIC_EXECUTION=0 -sFILESYSTEM=0 \
+    -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2147483648 -sTOTAL_STACK=8388608
+
+.PHONY: web
+web: deps  ## build the page for browsers into build/web/page 
+	@$(MAKE) $(PAGE)/module.js $(patsubst src/app/web/page/%,$(PAGE)/%,$(wildcard src/app/web/page/*)) $(PAGE)/package.json
+
+$(WEB)/flags: $(if $(subst |$(EMXX) $(CXXFLAGS_web) $(LDFLAGS_web)|,,|$(file <$(WEB)/flags)|),force)
+	@mkdir -p $(WEB)/include; ln -sf $(HEADERS_web:%=/usr/include/%) $(WEB)/include
+	@printf '%s\n' '$(EMXX) $(CXXFLAGS_web) $(LDFLAGS_web)' >$@
+
+$(OBJECTS_web): $(WEB)/flags
+define room_web
+$(WEB)/objects/$(1).room.cpp: $(call sources_web,$(1)) $(BUILD)/files
+	@mkdir -p $$(@D); printf '#include "%s"\n' $(call sources_web,$(1)) >$$@
+endef
+$(foreach name,$(ROOMS_web),$(eval $(call room_web,$(name))))
+$(WEB)/objects/%.room.o: $(WEB)/objects/%.room.cpp
+	@echo "compile $*/*.cpp for browsers"
+	@$(EMXX) $(CXXFLAGS_web) -iquote . -MMD -MP -c $< -o $@
+$(WEB)/objects/stb.o: src/app/web/compat/stb.cpp
+	@$(EMXX) $(CXXFLAGS_web) -w -c $< -o $@
+$(WEB)/objects/embedded/%.o: $(BUILD)/embedded/%.cpp
+	@mkdir -p $(@D); $(EMXX) $(CXXFLAGS_web) -MMD -MP -c $< -o $@
+
+$(PAGE)/module.js: $(OBJECTS_web)
+	@echo "link $@"
+	@mkdir -p $(@D); NODE_PATH=$${NODE_PATH:-/usr/share/nodejs} $(EMXX) $(LDFLAGS_web) $(OBJECTS_web) -o $@
+$(PAGE)/%: src/app/web/page/%
+	@mkdir -p $(@D); cp $< $@
+# For Node: these files are modules.
+$(PAGE)/package.json:
+	@mkdir -p $(@D); echo '{"type": "module"}' >$@
+
+-include $(OBJECTS_web:.o=.d)

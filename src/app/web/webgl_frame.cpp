@@ -1,0 +1,355 @@
+#include "app/web/webgl_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "render/programmable/draw_values.h"
+#include "render/programmable/kept/core_elements.h"
+#include "render/programmable/shader_assembly.h"
+#include "render/programmable/surface_values.h"
+#include "render/programmable/vertex_attributes.h"
+#include "render/reference/primitive_assembly.h"
+
+namespace twinlight::web {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using programmable::Form, programmable::Uniforms;
+
+Json box(const Viewport& v) { return {v.x, v.y, v.width, v.height}; }
+Json color_of(const glm::dvec4& c) { return {c.r, c.g, c.b, c.a}; }
+
+// OpenGL ES has no 1D textures: they become 2D textures of height 1.
+EffectSet without_1d(EffectSet effects) {
+    effects.texture.one_dimensional = false;
+    for (UnitEffects& unit : effects.units) unit.texture.one_dimensional = false;
+    return effects;
+}
+
+// ---- Polygons as edges and corners (3.5.4), which OpenGL ES lacks ----
+
+// Positive for triangles that are counter-clockwise in the window, also where w is negative.
+double turn(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c) {
+    return glm::determinant(glm::dmat3(a.x, a.y, a.w, b.x, b.y, b.w, c.x, c.y, c.w));
+}
+
+struct Part {
+    Enum mode = kGL_TRIANGLES;
+    std::vector<std::uint32_t> indices;
+};
+
+// The faces, edges and corners of polygons, without those that are culled. shows_back: whether any are of a back face.
+std::vector<Part> bordered(const Draw& draw, bool& shows_back) {
+    const RasterState& raster = draw.raster;
+    const glm::dmat4 clip_from_object = draw.clip_from_eye * draw.eye_from_object;
+    std::vector<glm::dvec4> clip;
+    clip.reserve(draw.vertices.size());
+    for (const Vertex& vertex : draw.vertices) clip.push_back(clip_from_object * vertex.position_object);
+    Part faces{kGL_TRIANGLES, {}}, edges{kGL_LINES, {}}, corners{kGL_POINTS, {}};
+    for (const reference::Primitive& primitive : assemble(draw, reference::QuadCut::kFirstToThird)) {
+        const auto& v = primitive.vertices;
+        const bool is_front = (turn(clip[v[0]], clip[v[1]], clip[v[2]]) > 0) == (raster.front_face == kGL_CCW);
+        const bool is_culled = raster.cull_enabled &&
+                               (raster.cull_face == kGL_FRONT_AND_BACK || (raster.cull_face == kGL_FRONT) == is_front);
+        if (is_culled) continue;
+        const Enum mode = is_front ? raster.polygon_mode_front : raster.polygon_mode_back;
+        shows_back = shows_back || (!is_front && mode != kGL_FILL);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t next = (i + 1) % 3;
+            if (mode == kGL_FILL) {
+                faces.indices.push_back(v[i]);
+            } else if (mode == kGL_LINE && primitive.boundary[i]) {
+                edges.indices.insert(edges.indices.end(), {v[i], v[next]});
+            } else if (mode == kGL_POINT && primitive.boundary[i]) {
+                corners.indices.push_back(v[i]);
+            }
+        }
+    }
+    std::vector<Part> parts;
+    for (Part* part : {&faces, &edges, &corners})
+        if (!part->indices.empty()) parts.push_back(std::move(*part));
+    return parts;
+}
+
+// Whether WebGL's textures of 8 bits hold these texels exactly.
+bool are_bytes(const Texture& texture) {
+    for (std::size_t face = 0; face < texture.face_count(); ++face)
+        for (const TextureImage& image : texture.face(face))
+            for (const glm::vec4& texel : image.texels)
+                for (int i = 0; i < 4; ++i)
+                    if (std::abs(texel[i] * 255 - std::round(texel[i] * 255)) > 1e-3F) return false;
+    return true;
+}
+
+class Writer {
+  public:
+    Writer(const Frame& frame, PlanOptions options) : frame_(frame), options_(options) { options_.reasons = false; }
+
+    WebglFrame written() {
+        const Draw* last = nullptr;
+        for (const auto& item : frame_.items) {
+            if (const Clear* clear = std::get_if<Clear>(&item)) {
+                add(*clear);
+            } else if (const Accumulate* accumulate = std::get_if<Accumulate>(&item)) {
+                add(*accumulate);
+            } else if (const Draw* draw = std::get_if<Draw>(&item); draw && draw->count() > 0) {
+                if (options_.shading != Shading::kExact || !draw->has_exact_surfaces()) {
+                    const Plan plan = plan_effects(*draw, options_);
+                    programmable::DrawProgram program = programmable::draw_program(*draw, plan, false);
+                    add(*draw, program.code, {program.numbers});
+                } else if (!last || !are_one_shape(*last, *draw)) {
+                    for (const auto& surface : programmable::surface_programs(*draw, options_))
+                        add(surface.draw, surface.code, surface.passes);
+                }
+                last = draw;
+            }
+        }
+        Json missing = Json::array();
+        for (const auto& [message, place] : missing_)
+            missing.push_back({{"line", place.line}, {"column", place.column}, {"message", message}});
+        const Json header = {{"width", frame_.width}, {"height", frame_.height}, {"programs", programs_},
+                             {"textures", textures_}, {"items", items_},         {"missing", missing}};
+        return {header.dump(-1, ' ', false, Json::error_handler_t::replace), std::move(words_)};
+    }
+
+  private:
+    // ---- Words ----
+
+    Json append(const std::vector<std::uint32_t>& words) {
+        const std::size_t first = words_.size();
+        words_.insert(words_.end(), words.begin(), words.end());
+        return {first, words.size()};
+    }
+    Json append(const std::vector<float>& values) {
+        const std::size_t first = words_.size();
+        words_.resize(first + values.size());
+        if (!values.empty()) std::memcpy(words_.data() + first, values.data(), 4 * values.size());
+        return {first, values.size()};
+    }
+
+    void miss(const Draw& draw, const char* what) { missing_.try_emplace(what, draw.place); }
+
+    // ---- Programs ----
+
+    std::size_t program_of(const EffectSet& effects, const Form& form) {
+        const auto found = std::ranges::find_if(
+            kinds_, [&](const auto& kind) { return kind.first == effects && kind.second == form; });
+        if (found != kinds_.end()) return static_cast<std::size_t>(found - kinds_.begin());
+        kinds_.emplace_back(effects, form);
+        const programmable::ShaderSource source = programmable::assemble(effects, form);
+        Json sizes = Json::array();
+        for (const programmable::Attribute& attribute : programmable::attributes(effects))
+            sizes.push_back(attribute.size);
+        programs_.push_back({{"vertex", source.vertex}, {"fragment", source.fragment}, {"attributes", sizes}});
+        return kinds_.size() - 1;
+    }
+
+    // ---- Textures ----
+
+    std::size_t texture_of(const std::shared_ptr<const Texture>& texture) {
+        const auto [at, is_new] = texture_numbers_.try_emplace(texture.get(), textures_.size());
+        if (is_new) textures_.push_back(json_of(*texture));
+        return at->second;
+    }
+    Json json_of(const Texture& texture) {
+        const bool compares = texture.compares(), are_8_bits = are_bytes(texture);
+        const char* const format = compares ? "depth" : are_8_bits ? "rgba8" : "rgba32f";
+        Json images = Json::array();
+        for (std::size_t face = 0; face < texture.face_count(); ++face)
+            for (std::size_t level = 0; level < texture.face(face).size(); ++level) {
+                const TextureImage& image = texture.face(face)[level];
+                if (image.texels.empty()) continue;
+                images.push_back({face, level, image.width, image.height, image.depth, words_.size()});
+                for (const glm::vec4& texel : image.texels) append_texel(texel, compares, are_8_bits);
+            }
+        const auto wrap = [&](Enum mode) -> Enum {
+            return mode == kGL_CLAMP || mode == kGL_CLAMP_TO_BORDER ? Enum{kGL_CLAMP_TO_EDGE} : mode;
+        };
+        Json parameters = {{kGL_TEXTURE_MIN_FILTER, texture.min_filter},
+                           {kGL_TEXTURE_MAG_FILTER, texture.mag_filter},
+                           {kGL_TEXTURE_WRAP_S, wrap(texture.wrap_s)},
+                           {kGL_TEXTURE_WRAP_T, texture.is_flat() ? Enum{kGL_CLAMP_TO_EDGE} : wrap(texture.wrap_t)},
+                           {kGL_TEXTURE_WRAP_R, wrap(texture.wrap_r)},
+                           {kGL_TEXTURE_MAX_LEVEL, texture.levels.size() - 1},
+                           {kGL_TEXTURE_MIN_LOD, texture.min_lod},
+                           {kGL_TEXTURE_MAX_LOD, texture.max_lod}};
+        if (compares) {
+            parameters.push_back({kGL_TEXTURE_COMPARE_MODE, texture.compare_mode});
+            parameters.push_back({kGL_TEXTURE_COMPARE_FUNC, texture.compare_func});
+        }
+        return {{"target", texture.is_flat() ? Enum{kGL_TEXTURE_2D} : texture.target},
+                {"format", format},
+                {"images", images},
+                {"levels", texture.levels.size()},
+                {"anisotropy", texture.max_anisotropy},
+                {"parameters", parameters}};
+    }
+    void append_texel(const glm::vec4& texel, bool compares, bool are_8_bits) {
+        if (compares) {
+            words_.push_back(static_cast<std::uint32_t>(std::llround(texel.r * 4294967295.0)));
+        } else if (are_8_bits) {
+            std::uint32_t word = 0;
+            for (int i = 0; i < 4; ++i)
+                word |= static_cast<std::uint32_t>(std::lround(255 * std::clamp(texel[i], 0.0F, 1.0F))) << (8 * i);
+            words_.push_back(word);
+        } else {
+            append(std::vector<float>{texel.r, texel.g, texel.b, texel.a});
+        }
+    }
+
+    void miss_of_texture(const Draw& draw, const TextureUnit& unit) {
+        const Texture& texture = *unit.texture;
+        const auto shows_border = [&](Enum mode) {
+            return mode == kGL_CLAMP_TO_BORDER || (mode == kGL_CLAMP && texture.filters_linearly());
+        };
+        if (shows_border(texture.wrap_s) || (!texture.is_flat() && shows_border(texture.wrap_t)) ||
+            (texture.is_volume() && shows_border(texture.wrap_r)))
+            miss(draw, "the border colour of textures is replaced by their last texels");
+        if (unit.lod_bias != 0) miss(draw, "GL_TEXTURE_LOD_BIAS is left out");
+    }
+
+    // ---- Items ----
+
+    static void add_scissor(Json& item, const Scissor& scissor, const std::array<bool, 4>& mask) {
+        if (scissor.enabled) item["scissor"] = box(scissor.box);
+        item["colorMask"] = mask;
+    }
+
+    void add(const Clear& clear) {
+        Json item = {{"clear", true}};
+        add_scissor(item, clear.scissor, clear.color_mask);
+        if (clear.color) item["color"] = color_of(clear.clear_color);
+        if (clear.depth) item["depth"] = clear.clear_depth;
+        if (clear.stencil) item["stencil"] = {clear.clear_stencil, clear.stencil_mask};
+        if (clear.accumulation) item["accumulation"] = color_of(clear.clear_accumulation);
+        items_.push_back(std::move(item));
+    }
+
+    void add(const Accumulate& accumulate) {
+        Json item = {{"accumulate", accumulate.op}, {"value", accumulate.value}};
+        add_scissor(item, accumulate.scissor, accumulate.color_mask);
+        items_.push_back(std::move(item));
+    }
+
+    void add(const Draw& draw, const programmable::Code& code, const std::vector<Uniforms>& passes) {
+        const EffectSet effects = without_1d(code.effects);
+        Form form = code.form;
+        form.dialect = programmable::Glsl::k300es;
+        if (draw.fragment.alpha_test) form.alpha_func = draw.fragment.alpha_func;
+        form.sizes_points = draw.draws_points() && !effects.attenuated_points;
+        Json item = {{"program", program_of(effects, form)}};
+        const glm::dvec3 origin_object = code.origin_object.value_or(glm::dvec3(0));
+        item["vertices"] = append(programmable::vertex_array(draw, effects, {}, origin_object));
+        item["parts"] = parts_of(draw, effects);
+        const RasterState& raster = draw.raster;
+        for (const Uniforms& pass : passes) {
+            Json uniforms = Json::object();
+            for (std::size_t i = 0; i < pass.size(); ++i) uniforms[std::string(pass[i].name)] = pass[i].values;
+            if (form.alpha_func != kGL_ALWAYS) uniforms["u_alpha_ref"] = {static_cast<float>(draw.fragment.alpha_ref)};
+            if (form.sizes_points)
+                uniforms["u_point_size"] = {
+                    std::max(1.0, std::round(raster.point_parameters.derived_size(raster.point_size, 0)))};
+            item["passes"].push_back(std::move(uniforms));
+        }
+        item["textures"] = Json::array();
+        if (effects.has_texture()) {
+            item["textures"].push_back({0, "u_texture", texture_of(draw.texture.texture)});
+            miss_of_texture(draw, draw.texture);
+        }
+        for (const UnitEffects& unit : effects.units)
+            draw.for_each_unit([&](std::size_t number, const TextureUnit& state) {
+                if (number != unit.number) return;
+                item["textures"].push_back({number, "u_texture" + std::to_string(number), texture_of(state.texture)});
+                miss_of_texture(draw, state);
+            });
+        add_raster(item, draw);
+        add_fragment(item, draw);
+        items_.push_back(std::move(item));
+    }
+
+    Json parts_of(const Draw& draw, const EffectSet& effects) {
+        std::vector<Part> parts;
+        if (draw.draws_borders()) {
+            bool shows_back = false;
+            parts = bordered(draw, shows_back);
+            if (shows_back && effects.two_side) miss(draw, "edges and corners of back faces have the front's colours");
+            if (effects.shading == Shading::kFlat)
+                miss(draw, "edges of flat polygons have the colours of their own ends");
+            if (draw.raster.polygon_offset.line || draw.raster.polygon_offset.point)
+                miss(draw, "GL_POLYGON_OFFSET_LINE and GL_POLYGON_OFFSET_POINT are left out");
+        } else {
+            auto [mode, indices] = programmable::core_elements(draw, effects.shading == Shading::kFlat);
+            parts.push_back({mode, std::move(indices)});
+        }
+        Json list = Json::array();
+        for (const Part& part : parts) {
+            const Json place = append(part.indices);
+            list.push_back({part.mode, place[0], place[1]});
+        }
+        return list;
+    }
+
+    void add_raster(Json& item, const Draw& draw) {
+        const RasterState& raster = draw.raster;
+        item["viewport"] = box(raster.viewport);
+        item["depthRange"] = {raster.depth_near, raster.depth_far};
+        item["frontFace"] = raster.front_face;
+        // Of edges and corners, the culled ones are not there.
+        if (raster.cull_enabled && !draw.draws_borders()) item["cull"] = raster.cull_face;
+        if (raster.polygon_offset.fill) item["offset"] = {raster.polygon_offset.factor, raster.polygon_offset.units};
+        if (raster.depth_test) item["depthFunc"] = raster.depth_func;
+        item["depthMask"] = raster.depth_mask;
+        if (draw.draws_lines() && raster.line_width >= 1.5) miss(draw, "lines are 1 pixel wide");
+        if (draw.draws_lines() && raster.line_stipple) miss(draw, "glLineStipple is left out");
+        if (draws_polygons(draw.mode) && raster.polygon_stipple) miss(draw, "glPolygonStipple is left out");
+        if ((draw.draws_lines() && raster.line_smooth) || (draw.draws_points() && raster.point_smooth))
+            miss(draw, "GL_LINE_SMOOTH and GL_POINT_SMOOTH are left out");
+        if (draw.draws_sprites() && raster.point_parameters.sprite_coord_origin == kGL_LOWER_LEFT)
+            miss(draw, "point sprites begin at the upper left, not at the lower left");
+    }
+
+    void add_fragment(Json& item, const Draw& draw) {
+        const FragmentState& fragment = draw.fragment;
+        add_scissor(item, fragment.scissor, fragment.color_mask);
+        if (fragment.stencil) {
+            const StencilFace &front = fragment.stencil->front, &back = fragment.stencil->back;
+            item["stencil"] = Json::array();
+            for (const StencilFace* face : {&front, &back})
+                item["stencil"].push_back({face->func, std::clamp(face->ref, 0, kMaxStencil), face->mask & kMaxStencil,
+                                           face->fail, face->depth_fail, face->depth_pass,
+                                           face->write_mask & kMaxStencil});
+            // WebGL 2 specification, section 4.1.
+            const auto differ = [&](auto member) { return front.*member != back.*member; };
+            if (differ(&StencilFace::ref) || differ(&StencilFace::mask) || differ(&StencilFace::write_mask))
+                miss(draw, "the back's stencil reference and masks are the front's");
+        }
+        if (fragment.logic_op) miss(draw, "glLogicOp is left out");
+        if (!fragment.blend) return;
+        item["blend"] = {
+            {"factors", {fragment.blend_src, fragment.blend_dst, fragment.blend_src_alpha, fragment.blend_dst_alpha}},
+            {"equations", {fragment.blend_equation, fragment.blend_equation_alpha}},
+            {"color", color_of(fragment.blend_color)}};
+    }
+
+    const Frame& frame_;
+    PlanOptions options_;
+    std::vector<std::uint32_t> words_;
+    std::vector<std::pair<EffectSet, Form>> kinds_;
+    Json programs_ = Json::array(), textures_ = Json::array(), items_ = Json::array();
+    std::map<const Texture*, std::size_t> texture_numbers_;
+    std::map<std::string, Place> missing_;  // the first place of each
+};
+
+}  // namespace
+
+WebglFrame webgl_frame(const Frame& frame, const PlanOptions& options) { return Writer(frame, options).written(); }
+
+}  // namespace twinlight::web

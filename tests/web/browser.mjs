@@ -1,0 +1,99 @@
+// A page in a Chromium without a window, driven by the protocol of its developer tools through a pipe, as Node alone can.
+import {spawn} from "node:child_process";
+import fs from "node:fs";
+import http from "node:http";
+import os from "node:os";
+import path from "node:path";
+
+const TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".json": "application/json"};
+
+// A static host for one folder, as any other.
+function served(folder) {
+    const server = http.createServer((request, response) => {
+        const name = new URL(request.url, "http://localhost").pathname;
+        const file = path.join(folder, name === "/" ? "index.html" : path.normalize(name));
+        fs.readFile(file, (error, bytes) => {
+            response.writeHead(error ? 404 : 200, {"Content-Type": TYPES[path.extname(file)] ?? "application/octet-stream"});
+            response.end(error ? "" : bytes);
+        });
+    });
+    return new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(server)));
+}
+
+export class Browser {
+    static async open(program, folder) {
+        const browser = new Browser();
+        browser.server = await served(folder);
+        browser.profile = fs.mkdtempSync(path.join(os.tmpdir(), "twinlight-"));
+        browser.process = spawn(program, ["--headless", "--no-sandbox", "--no-first-run", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+            "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", `--user-data-dir=${browser.profile}`, "--remote-debugging-pipe", "--js-flags=--expose-gc"],
+            {stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"]});
+        browser.waiting = new Map();
+        browser.complaints = [];
+        browser.requests = [];
+        browser.next = 0;
+        let rest = "";
+        browser.process.stdio[4].setEncoding("utf8").on("data", (text) => {
+            const parts = (rest + text).split("\0");
+            rest = parts.pop();
+            parts.forEach((part) => browser.receive(JSON.parse(part)));
+        });
+        const {targetInfos} = await browser.send("Target.getTargets");
+        const {targetId} = targetInfos.find(({type}) => type === "page");
+        browser.session = (await browser.send("Target.attachToTarget", {targetId, flatten: true})).sessionId;
+        for (const domain of ["Runtime", "Log", "Page", "Network"]) await browser.send(domain + ".enable");
+        return browser;
+    }
+
+    send(method, params = {}) {
+        const id = this.next++;
+        this.process.stdio[3].write(JSON.stringify({id, method, params, sessionId: this.session}) + "\0");
+        return new Promise((resolve, reject) => this.waiting.set(id, {resolve, reject}));
+    }
+    receive({id, method, params, result, error}) {
+        if (id !== undefined) {
+            const {resolve, reject} = this.waiting.get(id);
+            this.waiting.delete(id);
+            return error ? reject(new Error(error.message)) : resolve(result);
+        }
+        if (method === "Runtime.exceptionThrown") this.complaints.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
+        if (method === "Runtime.consoleAPICalled") this.complaints.push(params.args.map((arg) => arg.value ?? arg.description).join(" "));
+        if (method === "Log.entryAdded") this.complaints.push(params.entry.text);
+        if (method === "Network.requestWillBeSent") this.requests.push(params.request.url);
+    }
+
+    async visit(place = "") {
+        await this.send("Page.navigate", {url: `http://127.0.0.1:${this.server.address().port}/${place}`});
+    }
+    // The value of an expression in the page, awaited.
+    async value(expression) {
+        const {result, exceptionDetails} = await this.send("Runtime.evaluate", {expression, awaitPromise: true, returnByValue: true});
+        if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
+        return result.value;
+    }
+    // Waits until the expression is true.
+    async until(expression, seconds = 30) {
+        for (const end = Date.now() + 1000 * seconds; !(await this.value(`Boolean(${expression})`));) {
+            if (Date.now() > end) throw new Error("never true: " + expression);
+            await new Promise((resolve) => setTimeout(resolve, 20));
+        }
+    }
+    async screenshot(file) {
+        fs.writeFileSync(file, Buffer.from((await this.send("Page.captureScreenshot")).data, "base64"));
+    }
+    size(width, height, dark = false) {
+        return Promise.all([
+            this.send("Emulation.setDeviceMetricsOverride", {width, height, deviceScaleFactor: 1, mobile: false}),
+            this.send("Emulation.setEmulatedMedia", {features: [{name: "prefers-color-scheme", value: dark ? "dark" : "light"}]}),
+        ]);
+    }
+
+    async close() {
+        const ended = new Promise((resolve) => this.process.on("exit", resolve));
+        this.process.kill();
+        await ended;
+        this.server.closeAllConnections();
+        this.server.close();
+        fs.rmSync(this.profile, {recursive: true, force: true, maxRetries: 5});
+    }
+}

@@ -1,0 +1,86 @@
+// What the page draws, without a browser.
+#include "app/web/webgl_frame.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/web/page_scene.h"
+#include "judge/compare/tolerance.h"
+
+namespace twinlight::web {
+
+namespace {
+
+using Json = nlohmann::json;
+
+Json header_of(const std::string& text) {
+    PageScene scene;
+    const Json answer = Json::parse(scene.open(text, "scene", "", {64, 64}));
+    EXPECT_EQ(answer["errors"], Json::array());
+    return Json::parse(scene.webgl({}).header);
+}
+
+std::string only_program(const Json& header, const char* stage) {
+    EXPECT_EQ(header["programs"].size(), 1u);
+    return header["programs"][0][stage];
+}
+
+TEST(WebglFrame, HasProgramsInGlslEs) {
+    const Json header = header_of("glEnable(GL_ALPHA_TEST); glAlphaFunc(GL_GREATER, 0.5); glRectf(-1, -1, 1, 1);");
+    for (const char* stage : {"vertex", "fragment"})
+        EXPECT_TRUE(only_program(header, stage).starts_with("#version 300 es\nprecision highp float;")) << stage;
+    EXPECT_NE(only_program(header, "fragment").find("if (!(color.a > u_alpha_ref)) discard;"), std::string::npos);
+    EXPECT_EQ(header["items"][0]["passes"][0]["u_alpha_ref"], (Json{0.5}));
+    EXPECT_EQ(header["missing"], Json::array());
+}
+
+TEST(WebglFrame, DrawsQuadrilateralsAsTriangles) {
+    const Json parts = header_of("glRectf(-1, -1, 1, 1);")["items"][0]["parts"];
+    ASSERT_EQ(parts.size(), 1u);
+    EXPECT_EQ(parts[0][0], kGL_TRIANGLES);
+    EXPECT_EQ(parts[0][2], 6);
+}
+
+TEST(WebglFrame, DrawsBordersWithoutTheDiagonal) {
+    const Json parts =
+        header_of("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glRectf(-0.5, -0.5, 0.5, 0.5);")["items"][0]["parts"];
+    ASSERT_EQ(parts.size(), 1u);
+    EXPECT_EQ(parts[0][0], kGL_LINES);
+    EXPECT_EQ(parts[0][2], 8);
+}
+
+TEST(WebglFrame, NamesWhatWebglLacks) {
+    const Json missing =
+        header_of("glLineWidth(3);\nglBegin(GL_LINES); glVertex2f(0, 0); glVertex2f(1, 1); glEnd();")["missing"];
+    ASSERT_EQ(missing.size(), 1u);
+    EXPECT_EQ(missing[0]["line"], 2);
+    EXPECT_EQ(missing[0]["message"], "lines are 1 pixel wide");
+}
+
+TEST(PageScene, ShowsErrorsAtTheirPlaces) {
+    PageScene scene;
+    const Json answer = Json::parse(scene.open("glRectf(0, 0, 1, 1);\n  glFoo();\n", "scene", "", {64, 64}));
+    ASSERT_EQ(answer["errors"].size(), 1u);
+    EXPECT_EQ(answer["errors"][0]["line"], 2);
+    EXPECT_EQ(answer["errors"][0]["column"], 3);
+    EXPECT_FALSE(scene.is_open());
+}
+
+// A ramp of 0.1 a pixel: half of 1/16 pixel moves a colour by 0.1 / 32.
+TEST(Tolerance, AllowsWhatRoundedPositionsChange) {
+    Image ramp(4, 1);
+    for (int x = 0; x < 4; ++x) ramp.at(x, 0) = {0.1F * static_cast<float>(x), 0, 0, 1};
+    AllowedDifference allowed{PixelMask(4), Image(4, 1)};
+    allowed.edge[3] = true;
+    compare::allow_rounded_positions(allowed, ramp, 4);
+    for (int x = 0; x < 3; ++x) {
+        EXPECT_FLOAT_EQ(allowed.channels.at(x, 0)[0], 0.1F / 32);
+        EXPECT_EQ(allowed.channels.at(x, 0)[1], 0);
+    }
+}
+
+}  // namespace
+
+}  // namespace twinlight::web
