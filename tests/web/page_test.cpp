@@ -67,7 +67,7 @@ TEST(WebPage, DrawsEveryScene) {
 
     EXPECT_EQ(page["verdict"], "Shaders and reference are equal away from edges.");
     EXPECT_LE(page["tooWide"], 0) << "at 360 pixels";
-    EXPECT_NE(page["explanation"].get<std::string>().find("GL_LIGHT0"), std::string::npos) << page["explanation"];
+    EXPECT_NE(page["explanation"].get<std::string>().find("GL_LIGHT"), std::string::npos) << page["explanation"];
     EXPECT_TRUE(page["error"].get<std::string>().starts_with("3:1: error: ")) << page["error"];
     EXPECT_EQ(page["markup"], 0);
     EXPECT_EQ(page["mended"], (Json{255, 0, 0, 255}));

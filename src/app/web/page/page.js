@@ -85,7 +85,9 @@ async function draw() {
     const mine = ++revision;
     workers.forget();
     const scene = {text: at("text").value, name, step: at("steps").value, width: WIDTH, height: HEIGHT};
-    const answer = twinlight.open(scene);
+    let answer = twinlight.open(scene);
+    // The text may have lost its steps.
+    if (answer.errors.length > 0 && scene.step) answer = twinlight.open({...scene, step: ""});
     at("messages").replaceChildren();
     for (const {line, column, message: text} of answer.errors) message("error", {line, column, text});
     if (answer.note) message("note", {line: 0, text: answer.note});
@@ -96,6 +98,7 @@ async function draw() {
         return;
     }
     setSteps(answer);
+    scene.step = at("steps").value;
     const shading = at("shading").value;
     let pixels = null;
     at("verdict").textContent = "The reference is drawing ...";
