@@ -24,14 +24,13 @@ constexpr const char* kPage = "build/web/page";
 // Pictures that differ with SwiftShader though the page names nothing that they lack.
 const std::map<std::string, const char*>& known_differences() {
     static const std::map<std::string, const char*> known = {
-        {"shadow-beyond-far", "ANGLE keeps 24-bit depths as floats there, so that r is not clamped to [0, 1]"},
-        {"nan-vertex", "a position that is no number: the vertex is dropped"},
-        {"nan-vertex-infinite", "a position that is no number: the vertex is dropped"},
-        {"flat-points-clipped", "points in a clip plane; not explained further"},
-        {"clipping-near-light-inside", "not explained"},
-        {"lab 5", "a few pixels; not explained"},
-        {"solid-texture 2", "a few pixels; not explained"},
-        {"tex-gen 3", "a few pixels; not explained"},
+        {"shadow-beyond-far", "r is not clamped to [0, 1], probably because ANGLE keeps 24-bit depths as floats"},
+        {"nan-vertex", "SwiftShader draws a triangle though a vertex has w = 0; ours becomes (0, 0, 0, 0)"},
+        {"nan-vertex-infinite", "the same"},
+        {"clipping-near-light-inside",
+         "SwiftShader loses the colour of vertices with w = 0 (with w = 1e-6 it does not)"},
+        {"flat-points-clipped", "SwiftShader draws a part of a point whose vertex is clipped away"},
+        {"lab 5", "a pixel on the border of the spot's cone, where light begins within the rasteriser's rounding"},
     };
     return known;
 }
