@@ -1,5 +1,5 @@
-// Textures and pixel rectangles that were copied from the picture (3.8.2, 4.3.3), or drawn by framebuffer objects. Each renderer copies from its own pictures, so
-// what it draws wrong shows in its copies too.
+// Textures and pixel rectangles that were copied from the picture (3.8.2, 4.3.3), or drawn by framebuffer objects. Each renderer
+// copies from its own pictures, so what it draws wrong shows in its copies too.
 #pragma once
 
 #include <functional>
