@@ -196,10 +196,7 @@ class Writer {
         if (compares) {
             words_.push_back(static_cast<std::uint32_t>(std::llround(texel.r * 4294967295.0)));
         } else if (are_8_bits) {
-            std::uint32_t word = 0;
-            for (int i = 0; i < 4; ++i)
-                word |= static_cast<std::uint32_t>(std::lround(255 * std::clamp(texel[i], 0.0F, 1.0F))) << (8 * i);
-            words_.push_back(word);
+            words_.push_back(programmable::texel_word(texel));
         } else {
             append(std::vector<float>{texel.r, texel.g, texel.b, texel.a});
         }
@@ -249,14 +246,12 @@ class Writer {
         const glm::dvec3 origin_object = code.origin_object.value_or(glm::dvec3(0));
         item["vertices"] = append(programmable::vertex_array(draw, effects, {}, origin_object));
         item["parts"] = parts_of(draw, effects);
-        const RasterState& raster = draw.raster;
         for (const Uniforms& pass : passes) {
             Json uniforms = Json::object();
             for (std::size_t i = 0; i < pass.size(); ++i) uniforms[std::string(pass[i].name)] = pass[i].values;
             if (form.alpha_func != kGL_ALWAYS) uniforms["u_alpha_ref"] = {static_cast<float>(draw.fragment.alpha_ref)};
             if (form.sizes_points)
-                uniforms["u_point_size"] = {
-                    std::max(1.0, std::round(raster.point_parameters.derived_size(raster.point_size, 0)))};
+                uniforms["u_point_size"] = {std::max(1.0, std::round(programmable::point_size(draw)))};
             item["passes"].push_back(std::move(uniforms));
         }
         item["textures"] = Json::array();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 #include "scene/command/command_set.h"
@@ -15,6 +16,7 @@ namespace twinlight {
 
 namespace {
 
+constexpr std::initializer_list<Enum> kFramebufferTargets{kGL_FRAMEBUFFER, kGL_DRAW_FRAMEBUFFER, kGL_READ_FRAMEBUFFER};
 constexpr CommandSet kDraws = CommandSet::of({"begin", "rect", "draw_arrays", "eval_mesh", "clear", "bitmap",
                                               "draw_pixels", "copy_pixels", "shape", "mesh_file", "quadric_shape"});
 constexpr CommandSet kReads = CommandSet::of({"copy_tex_image", "copy_tex_sub_image", "copy_pixels"});
@@ -51,6 +53,14 @@ bool is_drawn_exactly(Enum internal) {
 }
 bool has_alpha(Enum internal) { return internal_format(internal)->base_format == kGL_RGBA; }
 
+constexpr std::uint32_t kIncomplete = 0;        // the name of a deleted image that could not be drawn into
+constexpr int kAnySize = kMaxRenderbufferSize;  // of an image that is not known
+
+// What a target of framebuffer commands means (OpenGL 3.0, section 4.4.1): GL_FRAMEBUFFER is the one for drawing.
+std::uint32_t bound_to(const Framebuffers& framebuffers, Enum target) {
+    return target == kGL_READ_FRAMEBUFFER ? framebuffers.read : framebuffers.draw;
+}
+
 std::string size_text(int width, int height) { return fmt::format("{} x {}", width, height); }
 
 }  // namespace
@@ -70,7 +80,7 @@ void State::gen_renderbuffers(const Command& c) {
 // RULING: names that were never generated create an object, as in EXT_framebuffer_object. OpenGL 3.0 has GL_INVALID_OPERATION.
 void State::bind_framebuffer(const Command& c) {
     const Enum target = c.enumerant(0);
-    if (!known(c, target, {kGL_FRAMEBUFFER, kGL_DRAW_FRAMEBUFFER, kGL_READ_FRAMEBUFFER})) return;
+    if (!known(c, target, kFramebufferTargets)) return;
     const std::uint32_t name = c.enumerant(1);
     if (name != 0 && !framebuffers_.named[name]) framebuffers_.named[name].emplace();
     if (target != kGL_READ_FRAMEBUFFER) framebuffers_.draw = name;
@@ -104,8 +114,6 @@ void State::delete_renderbuffers(const Command& c) {
         if (framebuffers_.renderbuffer == name) framebuffers_.renderbuffer = 0;
     }
 }
-
-constexpr std::uint32_t kIncomplete = 0;  // the name of a deleted image that could not be drawn into
 
 // A deleted image leaves the bound objects. Others keep it.
 void State::detach(Enum type, std::uint32_t name) {
@@ -149,7 +157,7 @@ void State::renderbuffer_storage(const Command& c) {
 // The attachments that a command changes: two for GL_DEPTH_STENCIL_ATTACHMENT. Raises the error and returns none if it is wrong.
 std::vector<Attachment*> State::attachments(const Command& c) {
     const Enum target = c.enumerant(0), attachment = c.enumerant(1);
-    const std::uint32_t name = target == kGL_READ_FRAMEBUFFER ? framebuffers_.read : framebuffers_.draw;
+    const std::uint32_t name = bound_to(framebuffers_, target);
     if (name == 0) {
         raise(kGL_INVALID_OPERATION, c, "{}: no framebuffer object is bound; call glBindFramebuffer first", c.name());
         return {};
@@ -167,7 +175,7 @@ std::vector<Attachment*> State::attachments(const Command& c) {
 }
 
 void State::framebuffer_texture(const Command& c) {
-    if (!known(c, c.enumerant(0), {kGL_FRAMEBUFFER, kGL_DRAW_FRAMEBUFFER, kGL_READ_FRAMEBUFFER})) return;
+    if (!known(c, c.enumerant(0), kFramebufferTargets)) return;
     const Enum target = c.enumerant(2);
     const std::uint32_t name = c.enumerant(3);
     Attachment attachment;
@@ -201,9 +209,7 @@ void State::framebuffer_texture(const Command& c) {
 }
 
 void State::framebuffer_renderbuffer(const Command& c) {
-    if (!known(c, c.enumerant(0), {kGL_FRAMEBUFFER, kGL_DRAW_FRAMEBUFFER, kGL_READ_FRAMEBUFFER}) ||
-        !known(c, c.enumerant(2), {kGL_RENDERBUFFER}))
-        return;
+    if (!known(c, c.enumerant(0), kFramebufferTargets) || !known(c, c.enumerant(2), {kGL_RENDERBUFFER})) return;
     const std::uint32_t name = c.enumerant(3);
     const auto found = framebuffers_.renderbuffers.find(name);
     if (name != 0 && (found == framebuffers_.renderbuffers.end() || !found->second))
@@ -211,12 +217,6 @@ void State::framebuffer_renderbuffer(const Command& c) {
     for (Attachment* one : attachments(c))
         *one = name == 0 ? Attachment{} : Attachment{.type = kGL_RENDERBUFFER, .name = name};
 }
-
-namespace {
-
-constexpr int kAnySize = kMaxRenderbufferSize;  // of an image that is not known
-
-}  // namespace
 
 std::optional<State::AttachedImage> State::attached_image(const Attachment& attachment) const {
     if (attachment.is_deleted && attachment.name == kIncomplete) return std::nullopt;
@@ -253,7 +253,7 @@ Enum State::status_of(const FramebufferObject& object) const {
 }
 
 Enum State::framebuffer_status(Enum target) const {
-    const std::uint32_t name = target == kGL_READ_FRAMEBUFFER ? framebuffers_.read : framebuffers_.draw;
+    const std::uint32_t name = bound_to(framebuffers_, target);
     return name == 0 ? kGL_FRAMEBUFFER_COMPLETE : status_of(*framebuffers_.named.at(name));
 }
 
@@ -313,6 +313,17 @@ Draw image_draw(std::shared_ptr<const Texture> texture, int width, int height, c
             draw.vertices.edit().push_back(
                 {.position_object = {2 * x - 1, 2 * y - 1, 0, 1}, .tex_coord = {x * s, y * t, 0, 1}});
     return draw;
+}
+
+// All of an object's picture, as a part of a texture's image.
+ImagePart whole_part(const std::shared_ptr<const ObjectPicture>& picture, CopiedBuffer buffer) {
+    return {.width = picture->width,
+            .height = picture->height,
+            .copied = std::make_shared<const CopiedPixels>(CopiedPixels{.buffer = buffer,
+                                                                        .width = picture->width,
+                                                                        .height = picture->height,
+                                                                        .depth = picture->depth,
+                                                                        .drawn = picture})};
 }
 
 // Whether a Draw without depths replaces all colours of a picture: a rectangle over all of it.
@@ -442,12 +453,7 @@ std::shared_ptr<const Texture> State::attached_texture(const Command& c, const A
     const auto count = static_cast<std::size_t>(buffer.width) * static_cast<std::size_t>(buffer.height);
     if (!has_room(c, count * sizeof(glm::vec4))) return nullptr;
     TextureImage image{.width = buffer.width, .height = buffer.height, .texels = std::vector<glm::vec4>(count)};
-    add_part(image, {.width = buffer.drawn->width,
-                     .height = buffer.drawn->height,
-                     .copied = std::make_shared<const CopiedPixels>(CopiedPixels{.width = buffer.drawn->width,
-                                                                                 .height = buffer.drawn->height,
-                                                                                 .depth = buffer.drawn->depth,
-                                                                                 .drawn = buffer.drawn})});
+    add_part(image, whole_part(buffer.drawn, CopiedBuffer::kColors));
     texture.levels.push_back(std::move(image));
     return std::make_shared<const Texture>(std::move(texture));
 }
@@ -524,14 +530,7 @@ void State::end_object_picture(const Command& c) {
             texture = std::make_shared<Texture>(*texture);
         }
         copies_pixels_ = true;
-        add_part(texture->levels.front(),
-                 {.width = picture->width,
-                  .height = picture->height,
-                  .copied = std::make_shared<const CopiedPixels>(CopiedPixels{.buffer = buffer,
-                                                                              .width = picture->width,
-                                                                              .height = picture->height,
-                                                                              .depth = picture->depth,
-                                                                              .drawn = picture})});
+        add_part(texture->levels.front(), whole_part(picture, buffer));
     };
     if (open.has_color) give(*object.color(object.draw_buffer), CopiedBuffer::kColors);
     if (open.has_depth) give(object.depth, CopiedBuffer::kDepths);

@@ -1,5 +1,7 @@
 #include "render/programmable/kept/core_elements.h"
 
+#include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 namespace twinlight::programmable {
@@ -26,6 +28,15 @@ std::pair<Enum, std::vector<std::uint32_t>> core_elements(const Draw& draw, bool
         return {draw.mode, indices};
     }
     return {kGL_TRIANGLES, indices};
+}
+
+double point_size(const Draw& draw) { return draw.raster.point_parameters.derived_size(draw.raster.point_size, 0); }
+
+std::uint32_t texel_word(const glm::vec4& texel) {
+    std::uint32_t word = 0;
+    for (int c = 0; c < 4; ++c)
+        word |= static_cast<std::uint32_t>(std::lround(255 * std::clamp(texel[c], 0.0F, 1.0F))) << (8 * c);
+    return word;
 }
 
 }  // namespace twinlight::programmable

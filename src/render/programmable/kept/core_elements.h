@@ -1,7 +1,8 @@
-// The elements of a Draw in the primitives of core GL.
+// The elements, point sizes and texels of Draws as exported files and the page for browsers take them.
 #pragma once
 
 #include <cstdint>
+#include <glm/vec4.hpp>
 #include <utility>
 #include <vector>
 
@@ -13,5 +14,11 @@ namespace twinlight::programmable {
 // vertex of a triangle gives a flat colour; it is the vertex that gives the colour of the quadrilateral or polygon
 // (table 2.12). Unless `flat`, quadrilaterals are cut from the first corner to the third, as llvmpipe does.
 std::pair<Enum, std::vector<std::uint32_t>> core_elements(const Draw& draw, bool flat);
+
+// glPointSize's size in pixels, without attenuation (3.3).
+double point_size(const Draw& draw);
+
+// Red in the lowest byte, alpha in the highest: the bytes of GL_RGBA and GL_UNSIGNED_BYTE.
+std::uint32_t texel_word(const glm::vec4& texel);
 
 }  // namespace twinlight::programmable

@@ -24,7 +24,6 @@ namespace twinlight::programmable {
 namespace {
 
 // That of each point, because it does not depend on the distance.
-double point_size(const Draw& draw) { return draw.raster.point_parameters.derived_size(draw.raster.point_size, 0); }
 
 constexpr int kMostKeptLights = 16;  // MOST_LIGHTS of loader.c; OpenGL promises room for this many uniforms
 
@@ -128,12 +127,7 @@ class Writer {
     }
     static std::vector<std::uint32_t> texels_of(const TextureImage& image) {
         std::vector<std::uint32_t> words;
-        for (const glm::vec4& texel : image.texels) {
-            std::uint32_t word = 0;
-            for (int c = 0; c < 4; ++c)
-                word |= static_cast<std::uint32_t>(std::lround(255 * std::clamp(texel[c], 0.0F, 1.0F))) << (8 * c);
-            words.push_back(word);
-        }
+        for (const glm::vec4& texel : image.texels) words.push_back(texel_word(texel));
         return words;
     }
 
