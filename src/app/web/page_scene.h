@@ -57,7 +57,7 @@ class PageScene {
     std::string explained(const Look& look, int x, int y) const;
 
   private:
-    // Of the reference's picture.
+    // What all rows of a reference picture share.
     struct Staged {
         Staged(const Frame& frame, const reference::Options& options);
 

@@ -24,7 +24,8 @@ void allow_ties(AllowedDifference& allowed, const Image& reference);
 // 3.5.1 leaves open how exact a rasteriser's positions are. One that rounds them to 2^-bits of a pixel moves each vertex by half of
 // that at the most, across and up. What it interpolates at a pixel is then the right value of a place that is as near: places
 // between vertices move by a mean of the vertices' ways. So the allowed difference grows by the change of the colour on that way,
-// for which the change to the neighbouring pixels counts, if possible to those of the same surface. llvmpipe has 8 bits, some browsers have 4.
+// for which the change to the neighbouring pixels counts, if possible to those of the same surface. llvmpipe has 8 bits, some
+// browsers have 4.
 void allow_rounded_positions(AllowedDifference& allowed, const Image& reference, int bits);
 
 }  // namespace twinlight::compare

@@ -265,7 +265,7 @@ Command Driver::translated(const Command& command) {
         const std::size_t first = command.first(i), end = first + command.count(i);
         for (std::size_t n = first; n < end; ++n) {
             const auto name = static_cast<std::uint32_t>(command.number(n));
-            // 4.4.1 of OpenGL 3.0: the window's framebuffer is deleted as little as one without a name.
+            // OpenGL 3.0, section 4.4.1: glDeleteFramebuffers ignores 0, so 0 must not become the window's name.
             const bool is_binding = parameters[i].extent == Extent::kValue;
             std::uint32_t driver_name = name == 0 && !is_binding ? 0 : name_of(*type, name);
             // 3.8.12, 2.9: binding a name that was never generated creates an object.

@@ -58,7 +58,7 @@ class Driver {
     // Ends a picture of a recording: what was accumulated is lost.
     void drop_accumulated() { accumulated_.reset(); }
 
-    // The driver's name for an object of the scene; 0 if there is none. Framebuffer 0 is the window's.
+    // Returns the driver's name for an object of the scene, or 0 if the driver has no such object. Framebuffer 0 is the window.
     std::uint32_t name_of(ObjectType type, std::uint32_t name) const;
 
   private:

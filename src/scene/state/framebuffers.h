@@ -32,7 +32,7 @@ struct FramebufferObject {
     Attachment depth{}, stencil{};
     Enum draw_buffer = kGL_COLOR_ATTACHMENT0, read_buffer = kGL_COLOR_ATTACHMENT0;  // or GL_NONE, another attachment
 
-    // The attachment that a buffer names; null if there is none.
+    // Returns the attachment that glDrawBuffer or glReadBuffer chose, or null if nothing is attached there.
     const Attachment* color(Enum buffer) const {
         if (buffer == kGL_NONE) return nullptr;
         const Attachment& attachment = colors.at(buffer - kGL_COLOR_ATTACHMENT0);
