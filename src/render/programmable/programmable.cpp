@@ -59,23 +59,24 @@ class Preparation {
   public:
     // Hands each item to `take`. kept: null if the frame shares no meshes with other frames. plans: gets the plan that
     // is best for each Draw by itself; null if nobody needs these.
-    Preparation(const Frame& frame, Options options, KeptMeshes* kept, std::vector<PlannedDraw>* plans,
+    Preparation(const Frame& frame, const Options& options, KeptMeshes* kept, std::vector<PlannedDraw>* plans,
                 const std::function<void(Item&&)>& take)
-        : take_(take), plans_(plans), shares_programs_(!plans && has_many_draws(frame)) {
-        if (options.precise) {
-            options = precise_options(options);
-            check_has_precise();
-        }
+        : take_(take),
+          plans_(plans),
+          options_(options.precise ? precise_options(options) : options),
+          kept_(kept),
+          shares_programs_(!plans && has_many_draws(frame)) {
+        if (options_.precise) check_has_precise();
         const Draw* last = nullptr;
         int number = 0;
         for (const auto& item : frame.items) {
             if (const Clear* clear = std::get_if<Clear>(&item)) {
-                end_all(options, kept);
+                end_all();
                 take_(*clear);
                 continue;
             }
             if (const Accumulate* accumulate = std::get_if<Accumulate>(&item)) {
-                end_all(options, kept);
+                end_all();
                 take_(*accumulate);
                 continue;
             }
@@ -85,18 +86,17 @@ class Preparation {
             if (draw.count() == 0) continue;
             const Numbered numbered{number, !last || !are_one_shape(*last, draw)};
             last = &draw;
-            if (options.shading == Shading::kExact && draw.has_exact_surfaces()) {
-                end_all(options, kept);
-                if (numbered.begins_shape)
-                    add_surfaces(draw, options, numbered);  // the first part draws the whole shape
+            if (options_.shading == Shading::kExact && draw.has_exact_surfaces()) {
+                end_all();
+                if (numbered.begins_shape) add_surfaces(draw, numbered);  // the first part draws the whole shape
             } else {
-                if (!continues_run(draw)) end_run(options, kept);
+                if (!continues_run(draw)) end_run();
                 run_.push_back(&draw);
                 run_numbers_.push_back(numbered);
                 run_vertices_ += std::max(draw.vertices.size(), draw.indices.size());
             }
         }
-        end_all(options, kept);
+        end_all();
     }
 
   private:
@@ -113,75 +113,82 @@ class Preparation {
     }
 
     // Adds the Draws of `run_`.
-    void end_run(const Options& options, KeptMeshes* kept) {
+    void end_run() {
         if (run_.empty()) return;
-        const bool is_placed = kept && shares_programs_ && !options.precise && !options.for_any_pose &&
-                               !(options.shading >= Shading::kPhong) && may_be_placed(run_);
+        const bool is_placed = may_place() && may_be_placed(run_);
         if (!placed_.empty() && !(is_placed && have_one_state_when_placed(*placed_.front(), *run_.front())))
-            end_placed(options, *kept);
-        if (is_placed)
+            end_placed();
+        if (is_placed) {
             placed_.insert(placed_.end(), run_.begin(), run_.end());
-        else if (kept)
-            add_as_one(options, *kept);
-        else
-            add_one_by_one(options);
+            placed_numbers_.insert(placed_numbers_.end(), run_numbers_.begin(), run_numbers_.end());
+        } else {
+            add(run_, run_numbers_);
+        }
         run_.clear();
         run_numbers_.clear();
         run_vertices_ = 0;
     }
 
-    void end_all(const Options& options, KeptMeshes* kept) {
-        end_run(options, kept);
-        if (!placed_.empty()) end_placed(options, *kept);
+    void end_all() {
+        end_run();
+        if (!placed_.empty()) end_placed();
+    }
+
+    bool may_place() const {
+        return shares_programs_ && options_.tier == Tier::kAuto && !options_.precise && !options_.patches &&
+               !options_.for_any_pose && !(options_.shading >= Shading::kPhong);
     }
 
     // Adds the Draws of `placed_`, without keeping their vertices: most of them move.
-    void end_placed(const Options& options, KeptMeshes& kept) {
+    void end_placed() {
         const JoinedDraws all = placed_together(placed_);
         const Draw* const draw = &all.draw;
-        Plan plan = plan_for({&draw, 1}, options, vertex_facts(*draw));
+        Plan plan = plan_for({&draw, 1}, vertex_facts(*draw));
         std::optional<DrawProgram> program;
-        if (!has_wide_range(*draw, plan)) program = draw_program(*draw, plan, options.precise);
+        if (!has_wide_range(*draw, plan)) program = draw_program(*draw, plan, options_.precise);
         if (program && !program->code.form.homogeneous) {
             take_(PreparedDraw(*draw, std::move(*program),
                                [&](const EffectSet& effects, const glm::dvec3& origin_object) {
                                    return std::make_shared<const UploadedMesh>(all, effects, origin_object);
                                }));
         } else {
-            for (const Draw*& one : placed_) add_kept({&one, 1}, {}, options, kept);
+            for (std::size_t i = 0; i < placed_.size(); ++i)
+                add(DrawRun(placed_).subspan(i, 1), std::span(placed_numbers_).subspan(i, 1));
         }
         placed_.clear();
+        placed_numbers_.clear();
     }
 
     // Changing the program costs more time than lighting some vertices. So small Draws of a large frame are planned
     // by state only, and those that differ only in where things are get the same program.
-    Plan plan_for(DrawRun draws, const Options& options, const VertexFacts& facts) const {
+    Plan plan_for(DrawRun draws, const VertexFacts& facts) const {
         const Draw& draw = *draws.front();
         constexpr std::size_t kFewVertices = 1024;
         const bool may_share =
-            shares_programs_ && count_vertices(draws) <= kFewVertices && !(options.shading >= Shading::kPhong);
-        if (!may_share || options.for_any_pose) return plan_effects(draw, options, facts);
-        PlanOptions by_state = options;
+            shares_programs_ && count_vertices(draws) <= kFewVertices && !(options_.shading >= Shading::kPhong);
+        if (!may_share || options_.for_any_pose) return plan_effects(draw, options_, facts);
+        PlanOptions by_state = options_;
         by_state.for_any_pose = true;
         return plan_effects(draw, by_state, facts);
     }
 
-    // With one plan for all, unless numbers are too large or small for that (wide_range.h).
-    void add_as_one(const Options& options, KeptMeshes& kept) {
-        if (add_kept(run_, run_numbers_.front(), options, kept)) return;
-        for (std::size_t i = 0; i < run_.size(); ++i)
-            add_kept(DrawRun(run_).subspan(i, 1), run_numbers_[i], options, kept);
+    // draws: with one state.
+    void add(DrawRun draws, std::span<const Numbered> numbers) {
+        if (!kept_) return add_one_by_one(draws, numbers);
+        if (add_kept(draws, numbers.front())) return;
+        for (std::size_t i = 0; i < draws.size(); ++i) add_kept(draws.subspan(i, 1), numbers[i]);
     }
 
-    bool add_kept(DrawRun draws, const Numbered& numbered, const Options& options, KeptMeshes& kept) {
+    // With one plan for all. Adds nothing and returns false if numbers are too large or small for that (wide_range.h).
+    bool add_kept(DrawRun draws, const Numbered& numbered) {
         const Draw& draw = *draws.front();
-        const auto known = kept.known(draws);
-        Plan plan = plan_for(draws, options, known->facts);
+        const auto known = kept_->known(draws);
+        Plan plan = plan_for(draws, known->facts);
         if (draws.size() > 1 && has_wide_range(draws, plan)) return false;
-        DrawProgram program = draw_program(draw, plan, options.precise);
+        DrawProgram program = draw_program(draw, plan, options_.precise);
         if (draws.size() > 1 && program.code.form.homogeneous) return false;
         take_(PreparedDraw(draw, std::move(program), [&](const EffectSet& effects, const glm::dvec3& origin_object) {
-            return kept.mesh(*known, draws, effects, origin_object);
+            return kept_->mesh(*known, draws, effects, origin_object);
         }));
         keep(std::move(plan), draw, numbered);
         return true;
@@ -189,20 +196,20 @@ class Preparation {
 
     // With a plan for each. Those that have the same program and numbers are still uploaded and drawn as one, which
     // changes no bit of the picture.
-    void add_one_by_one(const Options& options) {
+    void add_one_by_one(DrawRun draws, std::span<const Numbered> numbers) {
         std::optional<DrawProgram> program;
         std::size_t first = 0;
-        for (std::size_t i = 0; i < run_.size(); ++i) {
-            Plan plan = plan_for(DrawRun(run_).subspan(i, 1), options, vertex_facts(*run_[i]));
-            DrawProgram next = draw_program(*run_[i], plan, options.precise);
-            keep(std::move(plan), *run_[i], run_numbers_[i]);
+        for (std::size_t i = 0; i < draws.size(); ++i) {
+            Plan plan = plan_for(draws.subspan(i, 1), vertex_facts(*draws[i]));
+            DrawProgram next = draw_program(*draws[i], plan, options_.precise);
+            keep(std::move(plan), *draws[i], numbers[i]);
             if (program && !are_one_program(*program, next)) {
-                add_with_program(DrawRun(run_).subspan(first, i - first), std::move(*program), options);
+                add_with_program(draws.subspan(first, i - first), std::move(*program));
                 first = i;
             }
             program = std::move(next);
         }
-        add_with_program(DrawRun(run_).subspan(first), std::move(*program), options);
+        add_with_program(draws.subspan(first), std::move(*program));
     }
 
     static bool are_one_program(const DrawProgram& a, const DrawProgram& b) {
@@ -210,17 +217,17 @@ class Preparation {
                a.code.origin_object == b.code.origin_object && a.numbers == b.numbers;
     }
 
-    void add_with_program(DrawRun draws, DrawProgram program, const Options& options) {
+    void add_with_program(DrawRun draws, DrawProgram program) {
         const Draw& draw = *draws.front();
         take_(PreparedDraw(draw, std::move(program), [&](const EffectSet& effects, const glm::dvec3& origin_object) {
             return draws.size() > 1
                        ? std::make_shared<const UploadedMesh>(joined(draws), effects, origin_object)
-                       : std::make_shared<const UploadedMesh>(draw, effects, options.patches, origin_object);
+                       : std::make_shared<const UploadedMesh>(draw, effects, options_.patches, origin_object);
         }));
     }
 
-    void add_surfaces(const Draw& draw, const Options& options, const Numbered& numbered) {
-        for (SurfaceProgram& surface : surface_programs(draw, options)) {
+    void add_surfaces(const Draw& draw, const Numbered& numbered) {
+        for (SurfaceProgram& surface : surface_programs(draw, options_)) {
             const auto rectangle =
                 std::make_shared<const UploadedMesh>(surface.draw, surface.code.effects, false, glm::dvec3(0));
             for (const Uniforms& pass : surface.passes) take_(PreparedDraw(surface, pass, rectangle));
@@ -248,6 +255,8 @@ class Preparation {
 
     const std::function<void(Item&&)>& take_;
     std::vector<PlannedDraw>* const plans_;
+    const Options options_;
+    KeptMeshes* const kept_;
     const bool shares_programs_;
 
     // Draws that will be drawn as one.
@@ -255,6 +264,7 @@ class Preparation {
     std::vector<Numbered> run_numbers_;
     std::size_t run_vertices_ = 0;
     std::vector<const Draw*> placed_;  // small Draws after each other that will be placed and drawn as one
+    std::vector<Numbered> placed_numbers_;
 };
 
 // Copies pixels (3.8.2) of pictures that the renderer draws.
