@@ -147,7 +147,9 @@ class Planner {
         plan_materials();
         plan_.constant_ambient = rgb(state().light_model.ambient);
         const LightsToPlan lights{
-            .bounds = draw_bounds(draw_, vertices_, state(), facts().shading == Shading::kPhong),
+            .bounds = options_.for_any_pose
+                          ? DrawBounds{}
+                          : draw_bounds(draw_, vertices_, state(), facts().shading == Shading::kPhong),
             .faces = {face_range(&Materials::front, facts().front), face_range(&Materials::back, facts().back)},
             .primary = facts().needs_primary_rgb(),
             .for_any_pose = options_.for_any_pose,
@@ -319,6 +321,8 @@ class Planner {
 
     // 2.14.6: a colour needs no clamp if the sum of its terms' bounds lies in [0,1].
     void plan_clamp(const LightsToPlan& lights, const ColorRange& of_lights) {
+        facts().clamp = true;
+        if (options_.for_any_pose) return;
         double low = 0, high = 0;
         for (std::size_t i = 0; i < (facts().two_side ? 2 : 1); ++i) {
             const FaceRange& face = lights.faces[i];
@@ -334,7 +338,7 @@ class Planner {
         // Separate colours are clamped one by one: a negative highlight becomes 0, whatever the primary colour is.
         if (state().light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR)
             for (int c = 0; c < 3; ++c) low = std::min(low, of_lights.low[c]);
-        facts().clamp = options_.for_any_pose || !(low >= 0 && high <= 1);
+        facts().clamp = !(low >= 0 && high <= 1);
         if (!facts().clamp && plan_.has_reasons)
             plan_.leave_out("clamping",
                             fmt::format("the sum of all terms is at most {:.3g}, and no term is negative", high));

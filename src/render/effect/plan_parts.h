@@ -9,7 +9,7 @@
 namespace twinlight {
 
 struct LightsToPlan {
-    DrawBounds bounds;
+    DrawBounds bounds;               // unused for any pose
     std::array<FaceRange, 2> faces;  // effective materials; the back's counts only with effects.two_side
     bool primary = true;             // false if the texture replaces the primary colour's red, green and blue
     bool for_any_pose = false;       // PlanOptions::for_any_pose

@@ -135,28 +135,30 @@ class Preparation {
     }
 
     bool may_place() const {
-        return shares_programs_ && options_.tier == Tier::kAuto && !options_.precise && !options_.patches &&
-               !options_.for_any_pose && !(options_.shading >= Shading::kPhong);
+        return shares_programs_ && options_.tier != Tier::kBaked && !options_.precise && !options_.for_any_pose &&
+               !(options_.shading >= Shading::kPhong);
     }
 
     // Adds the Draws of `placed_`, without keeping their vertices: most of them move.
     void end_placed() {
-        const JoinedDraws all = placed_together(placed_);
-        const Draw* const draw = &all.draw;
-        Plan plan = plan_for({&draw, 1}, vertex_facts(*draw));
-        std::optional<DrawProgram> program;
-        if (!has_wide_range(*draw, plan)) program = draw_program(*draw, plan, options_.precise);
-        if (program && !program->code.form.homogeneous) {
-            take_(PreparedDraw(*draw, std::move(*program),
-                               [&](const EffectSet& effects, const glm::dvec3& origin_object) {
-                                   return std::make_shared<const UploadedMesh>(all, effects, origin_object);
-                               }));
-        } else {
+        if (!add_joined(placed_together(placed_)))
             for (std::size_t i = 0; i < placed_.size(); ++i)
                 add(DrawRun(placed_).subspan(i, 1), std::span(placed_numbers_).subspan(i, 1));
-        }
         placed_.clear();
         placed_numbers_.clear();
+    }
+
+    // With one plan for all. Adds nothing and returns false if numbers are too large or small for that (wide_range.h).
+    bool add_joined(const JoinedDraws& all) {
+        const Draw* const draw = &all.draw;
+        const Plan plan = plan_for({&draw, 1}, vertex_facts(*draw));
+        if (has_wide_range(*draw, plan)) return false;
+        DrawProgram program = draw_program(*draw, plan, options_.precise);
+        if (program.code.form.homogeneous) return false;
+        take_(PreparedDraw(*draw, std::move(program), [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+            return std::make_shared<const UploadedMesh>(all, effects, origin_object);
+        }));
+        return true;
     }
 
     // Changing the program costs more time than lighting some vertices. So small Draws of a large frame are planned
@@ -174,12 +176,16 @@ class Preparation {
 
     // draws: with one state.
     void add(DrawRun draws, std::span<const Numbered> numbers) {
-        if (!kept_) return add_one_by_one(draws, numbers);
+        if (!kept_) {
+            const bool may_join = draws.size() > 1 && shares_programs_ && options_.tier != Tier::kBaked;
+            if (may_join && !options_.precise && add_joined(joined(draws))) return;
+            return add_one_by_one(draws, numbers);
+        }
         if (add_kept(draws, numbers.front())) return;
         for (std::size_t i = 0; i < draws.size(); ++i) add_kept(draws.subspan(i, 1), numbers[i]);
     }
 
-    // With one plan for all. Adds nothing and returns false if numbers are too large or small for that (wide_range.h).
+    // As add_joined(), but also of one Draw.
     bool add_kept(DrawRun draws, const Numbered& numbered) {
         const Draw& draw = *draws.front();
         const auto known = kept_->known(draws);

@@ -61,7 +61,7 @@ double reach_xyz(const glm::dmat4& matrix, const glm::dvec4& reach) {
 }
 double reach_w(const glm::dmat4& matrix, const glm::dvec4& reach) { return reach_of_row(3, matrix, reach); }
 
-double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::exp2(std::floor(std::log2(x))) : 1; }
+double power_of_two(double x) { return x > 0 && std::isfinite(x) ? std::ldexp(1, std::ilogb(x)) : 1; }
 
 double homogeneous_scale(double longest, double w) {
     constexpr double kLargest = 0x1p40;
