@@ -40,26 +40,6 @@ void open(Session& session, std::shared_ptr<const CommandList> scene, std::optio
 
 WindowSize natural_size(const CommandList& commands) { return commands.window.value_or(WindowSize{}); }
 
-CommandList scaled(const CommandList& commands, WindowSize from, WindowSize to) {
-    CommandList result = commands;
-    if (from == to) return result;
-    const double across = static_cast<double>(to.width) / from.width;
-    const double up = static_cast<double>(to.height) / from.height;
-    for (Command& command : result.commands) {
-        if (command.id != CommandId::glViewport && command.id != CommandId::glScissor) continue;
-        // Both borders are rounded, so that viewports that touch still touch.
-        const auto scale = [&command](std::size_t start, std::size_t length, double factor) {
-            const double first = std::round(command.arguments[start] * factor);
-            const double last = std::round((command.arguments[start] + command.arguments[length]) * factor);
-            command.arguments[start] = first;
-            if (command.arguments[length] > 0) command.arguments[length] = std::max(last - first, 1.0);
-        };
-        scale(0, 2, across);
-        scale(1, 3, up);
-    }
-    return result;
-}
-
 bool refresh(Session& session, int width, int height) {
     if (session.made_from == session.history.revision() && session.width == width && session.height == height)
         return false;

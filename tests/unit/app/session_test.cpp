@@ -94,6 +94,30 @@ TEST(SessionScaled, ViewportsThatTouchStillTouch) {
     EXPECT_EQ(left[3], 320);
 }
 
+// The viewports of a built-in scene at 1280 x 800: x, y, width, height.
+std::vector<std::vector<double>> viewports_at_1280x800(const std::string& name) {
+    std::vector<std::vector<double>> viewports;
+    for (const Command& command : scaled(*load_commands(name), {640, 480}, {1280, 800}).commands)
+        if (command.id == CommandId::glViewport) viewports.push_back(command.arguments);
+    return viewports;
+}
+
+TEST(SessionScaled, ImagesKeepTheirSize) {
+    using Boxes = std::vector<std::vector<double>>;
+    EXPECT_EQ(viewports_at_1280x800("monitor"), (Boxes{{0, 0, 256, 192}, {0, 0, 1280, 800}}));
+    EXPECT_EQ(viewports_at_1280x800("shadow-map").front(), (std::vector<double>{0, 0, 256, 256}));
+    EXPECT_EQ(viewports_at_1280x800("environment").front(), (std::vector<double>{0, 0, 64, 64}));
+}
+
+TEST(SessionScaled, CopiedPixelsFollowTheWindow) {
+    const auto given = scene("glWindowPos2i(340, 200); glCopyPixels(141, 322, 40, 30, GL_COLOR);" + kPoint);
+    const CommandList larger = scaled(*given, {640, 480}, {1280, 960});
+    EXPECT_EQ(larger.commands[0].arguments[0], 680);
+    EXPECT_EQ(larger.commands[0].arguments[1], 400);
+    EXPECT_EQ(std::vector<double>(larger.commands[1].arguments.begin(), larger.commands[1].arguments.begin() + 4),
+              (std::vector<double>{282, 644, 80, 60}));
+}
+
 TEST(SessionScaled, TheNaturalSizeChangesNothing) {
     const auto given = scene("glViewport(3, 5, 100, 50); glScissor(1, 2, 3, 4);" + kPoint);
     EXPECT_EQ(scaled(*given, {640, 480}, {640, 480}).commands, given->commands);
