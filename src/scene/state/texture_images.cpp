@@ -106,12 +106,10 @@ bool State::check_depths(const Command& c, Enum texture, Enum base_format, Enum 
               are_depths ? "depths" : "colours", has_depths ? "depths" : "colours");
         return false;
     }
-    if (has_depths && texture == kGL_TEXTURE_3D) {
-        raise(kGL_INVALID_OPERATION, c, "{} of depths; a texture of three dimensions can only have colours", c.name());
-        return false;
-    }
-    if (!has_depths || texture != kGL_TEXTURE_CUBE_MAP) return true;
-    note_lasting(fmt::format("{} of depths for a cube map", c.name()), c.place);  // GL 3.0
+    // OpenGL 3.0 allows depths in cube maps, so drivers do.
+    if (!has_depths || (texture != kGL_TEXTURE_3D && texture != kGL_TEXTURE_CUBE_MAP)) return true;
+    raise(kGL_INVALID_OPERATION, c, "{} of depths; {} can only have colours", c.name(),
+          texture == kGL_TEXTURE_3D ? "a texture of three dimensions" : "a cube map");
     return false;
 }
 
