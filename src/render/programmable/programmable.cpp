@@ -89,6 +89,9 @@ class Preparation {
                 end_all(options, kept);
                 if (numbered.begins_shape)
                     add_surfaces(draw, options, numbered);  // the first part draws the whole shape
+            } else if (draw.pixels && draw.pixels->has_stencils) {
+                end_all(options, kept);
+                add_stencils(draw, options, kept, numbered);
             } else {
                 if (!continues_run(draw)) end_run(options, kept);
                 run_.push_back(&draw);
@@ -225,6 +228,16 @@ class Preparation {
                 std::make_shared<const UploadedMesh>(surface.draw, surface.code.effects, false, glm::dvec3(0));
             for (const Uniforms& pass : surface.passes) take_(PreparedDraw(surface, pass, rectangle));
             keep(std::move(surface.plan), draw, numbered);
+        }
+    }
+
+    void add_stencils(const Draw& draw, const Options& options, KeptMeshes* kept, Numbered numbered) {
+        for (const Draw& one : by_stencil_value(draw)) {
+            run_.push_back(&one);
+            run_numbers_.push_back(numbered);
+            run_vertices_ += one.vertices.size();
+            end_all(options, kept);
+            numbered.begins_shape = false;
         }
     }
 

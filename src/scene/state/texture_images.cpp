@@ -73,8 +73,8 @@ void State::pixel_store(const Command& c) {
 // 3.6.4: checks that the format and the type are known and can be used together.
 bool State::check_pixel_type(const Command& c, const PixelSource& source) {
     const bool is_drawn = c.id == CommandId::glDrawPixels;
-    if (source.type == kGL_BITMAP || source.format == kGL_COLOR_INDEX ||
-        (source.format == kGL_DEPTH_COMPONENT && is_drawn)) {
+    const bool is_stencil = is_drawn && source.format == kGL_STENCIL_INDEX;
+    if (source.type == kGL_BITMAP || source.format == kGL_COLOR_INDEX) {
         if (is_drawn)  // changes only this picture
             note_unsupported(fmt::format("glDrawPixels({})", enum_name(source.format)), c.place);
         else
@@ -82,12 +82,12 @@ bool State::check_pixel_type(const Command& c, const PixelSource& source) {
                          c.place);
         return false;
     }
-    if (!components_of(source.format)) {
+    if (!is_stencil && !components_of(source.format)) {
         raise(kGL_INVALID_ENUM, c, "{} is given the format {}; expected GL_RGB, GL_RGBA, GL_LUMINANCE, ...", c.name(),
               enum_name(source.format));
         return false;
     }
-    if (pixel_bytes(source.format, source.type)) return true;
+    if (pixel_bytes(is_stencil ? Enum{kGL_RED} : source.format, source.type)) return true;
     const bool is_type = pixel_bytes(kGL_RGB, source.type) || pixel_bytes(kGL_RGBA, source.type);
     if (is_type)
         raise(kGL_INVALID_OPERATION, c, "the type {} cannot be used with the format {}", enum_name(source.type),

@@ -125,9 +125,10 @@ class Writer {
         if (!values.empty()) std::memcpy(words.data(), values.data(), 4 * values.size());
         return words;
     }
+    // 8-bit colours, or depths as whole numbers of 32 bits.
     static std::vector<std::uint32_t> texels_of(const TextureImage& image) {
-        std::vector<std::uint32_t> words;
         const bool are_depths = image.base_format == kGL_DEPTH_COMPONENT;
+        std::vector<std::uint32_t> words;
         for (const glm::vec4& texel : image.texels)
             words.push_back(are_depths ? static_cast<std::uint32_t>(std::llround(texel.r * 4294967295.0))
                                        : texel_word(texel));
@@ -155,6 +156,8 @@ class Writer {
             const Draw* draw = std::get_if<Draw>(&item);
             if (const Clear* clear = std::get_if<Clear>(&item))
                 write_clear(*clear);
+            else if (draw && draw->pixels && draw->pixels->has_stencils)
+                for (const Draw& one : by_stencil_value(*draw)) write_draw(one);
             else if (draw && draw->count() > 0)
                 write_draw(*draw);
         }
