@@ -231,12 +231,12 @@ TEST_F(LabelsTest, PixelsAreTransferred) {
     EXPECT_EQ(channel_code(found[2]), 153);
 }
 
-TEST_F(LabelsTest, PixelsOfDepthsAreNamed) {
+TEST_F(LabelsTest, PixelsOfColorIndicesAreNamed) {
     const Scene scene = scene_of(
         "glRectf(-1, -1, 1, 1); glWindowPos2i(0, 0);\n"
-        "glDrawPixels(1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, (GLfloat[]){0.5});\n");
+        "glDrawPixels(1, 1, GL_COLOR_INDEX, GL_FLOAT, (GLfloat[]){0.5});\n");
     ASSERT_EQ(scene.frame.unsupported.size(), 1U);
-    EXPECT_EQ(scene.frame.unsupported[0].name, "glDrawPixels(GL_DEPTH_COMPONENT)");
+    EXPECT_EQ(scene.frame.unsupported[0].name, "glDrawPixels(GL_COLOR_INDEX)");
 }
 
 // ---- What drivers may find otherwise ----

@@ -159,10 +159,121 @@ TEST_F(PixelCopiesTest, OfTooManyInARowAreRefusedByName) {
     EXPECT_EQ(frame.draws().size(), 50u);
 }
 
-TEST_F(PixelCopiesTest, OfStencilValuesAreRefusedByName) {
-    const Frame frame = scene_of(kSquares + "glRectf(0, 0, 1, 1); glCopyPixels(0, 0, 1, 1, GL_STENCIL);\n").frame;
-    ASSERT_EQ(frame.unsupported.size(), 1u);
-    EXPECT_EQ(frame.unsupported[0].name, "glCopyPixels(GL_STENCIL)");
+// The stencil value 5 in the lower left square of 4 x 4 pixels, 6 to the right of it, elsewhere 0; and what shows a value.
+const std::string kStencils =
+    "glEnable(GL_SCISSOR_TEST);\n"
+    "glScissor(0, 0, 4, 4); glClearStencil(5); glClear(GL_STENCIL_BUFFER_BIT);\n"
+    "glScissor(4, 0, 4, 4); glClearStencil(6); glClear(GL_STENCIL_BUFFER_BIT);\n"
+    "glDisable(GL_SCISSOR_TEST);\n";
+std::string has(int value) {
+    return fmt::format(
+        "glDisable(GL_SCISSOR_TEST); glDisable(GL_DEPTH_TEST); glEnable(GL_STENCIL_TEST);\n"
+        "glStencilFunc(GL_EQUAL, {}, 255); glColor3f(1, 1, 1); glRectf(-1, -1, 1, 1);\n",
+        value);
+}
+const std::array kWhite{255, 255, 255, 255}, kNothing{0, 0, 0, 0};
+
+TEST_F(PixelCopiesTest, MayBeStencilValues) {
+    const std::string copy = kStencils + "glWindowPos2i(8, 8); glCopyPixels(2, 0, 4, 4, GL_STENCIL);\n";
+    EXPECT_EQ(codes(copy + has(5), 9, 9), kWhite);
+    EXPECT_EQ(codes(copy + has(5), 10, 9), kNothing);
+    EXPECT_EQ(codes(copy + has(6), 11, 11), kWhite);
+    EXPECT_EQ(codes(copy + has(0), 12, 11), kWhite);
+    // They may lie over their own place.
+    const std::string zoomed =
+        kStencils + "glPixelZoom(2, -3); glWindowPos2i(0, 12); glCopyPixels(0, 0, 8, 4, GL_STENCIL);\n";
+    EXPECT_EQ(codes(zoomed + has(5), 7, 0), kWhite);
+    EXPECT_EQ(codes(zoomed + has(6), 8, 11), kWhite);
+    EXPECT_EQ(codes(zoomed + has(0), 8, 12), kWhite);
+}
+
+// 4.3.1: nothing but the scissor test and the stencil mask applies to them.
+TEST_F(PixelCopiesTest, OfStencilValuesPassOnlyTheScissorAndTheMask) {
+    const std::string copy = "glWindowPos2i(8, 8); glCopyPixels(0, 0, 8, 4, GL_STENCIL);\n";
+    EXPECT_EQ(codes(kStencils +
+                        "glEnable(GL_STENCIL_TEST); glStencilFunc(GL_NEVER, 0, 0); glEnable(GL_DEPTH_TEST); "
+                        "glDepthFunc(GL_NEVER); glColorMask(0, 0, 0, 0);\n" +
+                        copy + "glColorMask(1, 1, 1, 1);\n" + has(5),
+                    9, 9),
+              kWhite);
+    EXPECT_EQ(codes(kStencils + "glEnable(GL_SCISSOR_TEST); glScissor(9, 0, 4, 16);\n" + copy + has(0), 8, 9), kWhite);
+    EXPECT_EQ(codes(kStencils + "glStencilMaskSeparate(GL_FRONT, 6);\n" + copy + has(4), 9, 9), kWhite);
+    EXPECT_EQ(codes(kStencils + "glStencilMaskSeparate(GL_BACK, 6);\n" + copy + has(5), 9, 9), kWhite);
+}
+
+// 3.6.5. A known bug of the driver: it writes the values as they are.
+TEST_F(PixelCopiesTest, OfStencilValuesAreTransferred) {
+    const std::string copy = "glWindowPos2i(8, 8); glCopyPixels(0, 0, 8, 4, GL_STENCIL);\n";
+    const auto is_at = [&](const std::string& transfer, int value) {
+        return reference_codes(kStencils + transfer + copy + has(value), 9, 9) == kWhite;
+    };
+    EXPECT_TRUE(is_at("glPixelTransferi(GL_INDEX_SHIFT, 3); glPixelTransferi(GL_INDEX_OFFSET, 1);\n", 41));
+    EXPECT_TRUE(is_at("glPixelTransferi(GL_INDEX_SHIFT, 6);\n", 64));  // the lowest 8 bits of 320
+    EXPECT_TRUE(is_at("glPixelTransferi(GL_INDEX_SHIFT, -1);\n", 2));
+    EXPECT_TRUE(is_at("glPixelTransferi(GL_INDEX_OFFSET, -6);\n", 255));
+    EXPECT_TRUE(
+        is_at("glPixelTransferi(GL_MAP_STENCIL, 1); glPixelMapuiv(GL_PIXEL_MAP_S_TO_S, 4, (GLuint[]){9, 8, 7, "
+              "6});\n",
+              8));
+}
+
+// GL 3.0, section 4.3.1: only the scissor test and both masks apply.
+TEST_F(PixelCopiesTest, MayBeDepthsAndStencilValues) {
+    const std::string copy = kStencils + kDepths +
+                             "glDepthFunc(GL_ALWAYS); glWindowPos2i(8, 8);\n"
+                             "glCopyPixels(0, 0, 8, 4, GL_DEPTH_STENCIL); glColorMask(1, 1, 1, 1);\n";
+    EXPECT_EQ(codes(copy + kBetween, 9, 9), kNothing);
+    EXPECT_EQ(codes(copy + kBetween, 9, 13), kWhite);
+    EXPECT_EQ(codes(copy + has(5), 9, 9), kWhite);
+}
+
+TEST_F(PixelCopiesTest, OfWhatAFramebufferObjectLacksAreErrors) {
+    const std::string object =
+        "glBindFramebuffer(GL_FRAMEBUFFER, 1); glBindRenderbuffer(GL_RENDERBUFFER, 1);\n"
+        "glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, 8, 8);\n"
+        "glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 1);\n";
+    for (const std::string type : {"GL_STENCIL", "GL_DEPTH_STENCIL"}) {
+        try {
+            scene_of(object + "glCopyPixels(0, 0, 1, 1, " + type + ");\n");
+            ADD_FAILURE() << type;
+        } catch (const std::exception& error) {
+            EXPECT_NE(std::string(error.what()).find("has no stencil buffer"), std::string::npos) << error.what();
+        }
+    }
+}
+
+TEST_F(PixelCopiesTest, DrawnFromMemoryMayBeStencilValuesOrDepths) {
+    const std::string stencils =
+        "glPixelZoom(4, 4); glWindowPos2i(4, 4);\n"
+        "glDrawPixels(2, 2, GL_STENCIL_INDEX, GL_INT, (GLint[]){1, 2, 259, -1});\n";
+    EXPECT_EQ(codes(stencils + has(1), 4, 4), kWhite);
+    EXPECT_EQ(codes(stencils + has(2), 11, 7), kWhite);
+    EXPECT_EQ(codes(stencils + has(3), 4, 8), kWhite);
+    EXPECT_EQ(codes(stencils + has(255), 11, 11), kWhite);
+    EXPECT_EQ(codes(stencils + has(0), 12, 11), kWhite);
+    const std::string depths =
+        "glEnable(GL_DEPTH_TEST); glDepthFunc(GL_ALWAYS); glColorMask(0, 0, 0, 0); glPixelZoom(4, 4);\n"
+        "glWindowPos2i(4, 4); glDrawPixels(2, 1, GL_DEPTH_COMPONENT, GL_FLOAT, (GLfloat[]){0.25, 0.75});\n";
+    EXPECT_EQ(codes(depths + kBetween, 4, 4), kNothing);
+    EXPECT_EQ(codes(depths + kBetween, 8, 4), kWhite);
+}
+
+// Where another renderer may have another stencil value, its copy may be any.
+TEST_F(PixelCopiesTest, OfStencilValuesAtEdgesAreEdges) {
+    const Scene scene = scene_of(
+        "glEnable(GL_STENCIL_TEST); glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE); glStencilFunc(GL_ALWAYS, 3, 255);\n"
+        "glColorMask(0, 0, 0, 0); glBegin(GL_TRIANGLES); glVertex2f(-1, -1); glVertex2f(0, -1); glVertex2f(-1, 0); "
+        "glEnd(); glColorMask(1, 1, 1, 1); glWindowPos2i(8, 8); glCopyPixels(0, 0, 8, 8, GL_STENCIL);\n"
+        "glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);\n" +
+        has(3));
+    const AllowedDifference allowed = reference::allowed_difference(scene.frame, {});
+    const auto is_edge = [&](int x, int y) {
+        return allowed.edge[static_cast<std::size_t>((kSide - 1 - y) * kSide + x)] != 0;
+    };
+    EXPECT_TRUE(is_edge(11, 12));
+    EXPECT_FALSE(is_edge(9, 12));
+    EXPECT_FALSE(is_edge(14, 15));
+    EXPECT_EQ(codes(scene, 9, 12, ""), kWhite);
 }
 
 // Only the rectangle grows with the picture; labels and pixel rectangles keep their size.

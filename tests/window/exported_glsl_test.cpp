@@ -241,6 +241,18 @@ TEST_F(ExportedGlsl, DrawsWhatTheReferenceDraws) {
     check("commands", {});
 }
 
+// The depths that the scene copies are in scene.bin.
+TEST_F(ExportedGlsl, DrawsTexturesOfDepths) {
+    const std::string scene = folder_ / "shadows.gl";
+    write_file_atomically(scene,
+                          run_program("twinlight", {"export", "shadow-map", "--step", "2", "--as", "scene"}).out);
+    const Image expected = rendered(scene, {"--with", "reference"});
+    for (const char* version : {"330", "130", "300es"}) {
+        SCOPED_TRACE(version);
+        expect_close(scene, drawn(compiled(scene, {"--glsl", version})), expected);
+    }
+}
+
 // The camera turns around the scene's middle, and GL_LIGHT0 moves in the coordinates of the scene's own camera, far
 // enough that it shines on other faces and from behind.
 TEST_F(ExportedGlsl, StaysRightWhenLightsAndTheCameraMove) {

@@ -165,6 +165,13 @@ TEST_F(ExportedPage, DrawsWhatTheReferenceDrawsAndAnswersKeysAndTheMouse) {
     EXPECT_NE(page_.find("this scene does not use: GL_TEXTURE_LOD_BIAS, a depth range"), std::string::npos);
 }
 
+TEST_F(ExportedPage, DrawsTexturesOfDepths) {
+    const std::string scene = folder_ / "scene.gl";
+    write_file_atomically(scene,
+                          run_program("twinlight", {"export", "shadow-map", "--step", "2", "--as", "scene"}).out);
+    expect_close(scene, picture_of(used(scene)), {});
+}
+
 TEST_F(ExportedPage, DrawsTexturesOfThreeDimensions) {
     const std::string scene = folder_ / "scene.gl";
     write_file_atomically(scene, R"(

@@ -1,14 +1,17 @@
 // twinlight export: prints a scene as a C program, as GLSL, as a page, or as a scene file, or writes shaders to keep.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <utility>
 
 #include "app/cli/command_line.h"
 #include "base/image/file.h"
 #include "render/programmable/kept/kept_files.h"
 #include "render/programmable/programmable.h"
+#include "render/reference/copied_pixels.h"
 #include "scene/command/text.h"
 #include "scene/shape/written_out.h"
 
@@ -43,6 +46,16 @@ CommandList commands_of(const Scene& scene) {
                         scene.name(), kMostExported));
     });
     return commands;
+}
+
+// The scene with texels in place of copies of its picture, as the reference draws them, unless glCopyPixels draws some.
+Scene with_texels(Scene scene, const programmable::Options& options) {
+    const auto copies = [](const Draw* draw) { return draw->pixels && draw->pixels->copied; };
+    if (scene.frame.copies_pixels && std::ranges::none_of(scene.frame.draws(), copies)) {
+        Frame whole = *reference::drawable(scene.frame, {options});
+        scene.frame = std::move(whole);
+    }
+    return scene;
 }
 
 using Export = std::function<std::string(const Scene&, const programmable::Options&)>;
@@ -96,11 +109,14 @@ void check_usage(const ExportArguments& arguments) {
 int run_export(const ExportArguments& arguments) {
     check_usage(arguments);
     // Loading runs the whole scene, so that a scene with an error is not exported.
-    const Scene scene = load_scene(arguments.scene, {}, arguments.part, arguments.step, arguments.memory);
+    Scene scene = load_scene(arguments.scene, {}, arguments.part, arguments.step, arguments.memory);
     programmable::Options options{{{.shading = arguments.shading}}};
     options.precise = arguments.precise;
     const bool to_file = !arguments.output.empty();
-    if (arguments.form == "html" || (arguments.form == "glsl" && to_file)) check_can_be_kept(scene, options);
+    if (arguments.form == "html" || (arguments.form == "glsl" && to_file)) {
+        scene = with_texels(std::move(scene), options);
+        check_can_be_kept(scene, options);
+    }
     if (arguments.form == "glsl" && to_file) {
         write_kept(scene, options, arguments);
         return kFine;

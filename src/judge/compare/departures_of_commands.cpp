@@ -270,6 +270,20 @@ CommandRule maps_drawn_pixels() {
                 }));
 }
 
+CommandRule transfers_stencil_values() {
+    return both(any_command([](const Command& command) {
+                    return command.name().starts_with("glPixelTransfer") &&
+                           (command.enumerant(0) == kGL_MAP_STENCIL || command.enumerant(0) == kGL_INDEX_SHIFT ||
+                            command.enumerant(0) == kGL_INDEX_OFFSET) &&
+                           command.number(1) != 0;
+                }),
+                any_command([](const Command& command) {
+                    return (command.id == Id::glDrawPixels && command.enumerant(2) == kGL_STENCIL_INDEX) ||
+                           (command.id == Id::glCopyPixels &&
+                            (command.enumerant(4) == kGL_STENCIL || command.enumerant(4) == kGL_DEPTH_STENCIL));
+                }));
+}
+
 CommandRule shades_evaluated_meshes_flat() {
     return both(any_command([](const Command& command) {
                     return command.id == Id::glShadeModel && command.enumerant(0) == kGL_FLAT;

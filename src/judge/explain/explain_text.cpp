@@ -74,6 +74,26 @@ std::string fragment_head(const PixelFragment& fragment, const Draw& draw, bool 
            fmt::format(": {}, depth {:.6f}", face_words(fragment.face), fragment.depth);
 }
 
+// Where a Draw without lighting has its colour from.
+std::string unlit_text(const Scene& scene, const Draw& draw) {
+    constexpr const char* kRasterPosition =
+        "  GL_LIGHTING is disabled: the colour is the raster position's, glColor's at that time (2.13)\n";
+    if (!draw.pixels) return "  GL_LIGHTING is disabled: the colour is glColor's, and no light matters\n";
+    if (draw.pixels->has_stencils) return "  a stencil value is written, and no colour (4.3.1)\n";
+    if (draw.pixels->copied)
+        return draw.pixels->copied->source.pixels->buffer == CopiedBuffer::kColors
+                   ? "  glCopyPixels: the colour is that of a pixel of the picture before it (4.3.3)\n"
+                   : kRasterPosition;
+    bool has_own_colors = false;
+    scene.recording->for_each([&](const Step& step) {
+        const bool draws = step.kind == Step::Kind::kCommand && step.command.id == CommandId::glDrawPixels;
+        has_own_colors = has_own_colors || (draws && step.command.place == draw.place &&
+                                            step.command.enumerant(2) != kGL_DEPTH_COMPONENT);
+        return !has_own_colors;
+    });
+    return has_own_colors ? "  glDrawPixels: the colour is the pixel's own (3.6.4)\n" : kRasterPosition;
+}
+
 std::string fragment_text(const PixelFragment& fragment, const Scene& scene, const Draw& draw, bool lecture_variants,
                           const TextOptions& options) {
     std::string text =
@@ -94,7 +114,7 @@ std::string fragment_text(const PixelFragment& fragment, const Scene& scene, con
             text += " (or --all)\n";
         }
     } else {
-        text += "  GL_LIGHTING is disabled: the colour is glColor's, and no light matters\n";
+        text += unlit_text(scene, draw);
     }
     for (const Line& line : after_lighting_lines(fragment.steps, draw, fragment.corners.empty()))
         text += (line.kind == Line::Kind::kHeadingOfColors ? "\n" : "") + text_of(line, options.in_color);

@@ -31,6 +31,7 @@ class Builder {
           anisotropy_(seed.structure + 8),
           labels_(~seed.values + 2),
           pixel_copies_(~seed.values + 3),
+          stencil_pixels_(~seed.values + 4),
           depths_(seed.structure + 9),
           volumes_(seed.structure + 10),
           objects_(seed.structure + 11),
@@ -93,6 +94,8 @@ class Builder {
             text_ += label(labels_, departure_);
         if (is_of_pixel_copies(departure_) || (departure_.empty() && pixel_copies_.chance(0.05)))
             text_ += pixel_copy(pixel_copies_, departure_);
+        if (is_of_stencil_pixels(departure_) || (departure_.empty() && stencil_pixels_.chance(0.05)))
+            text_ += stencil_pixels(stencil_pixels_, departure_);
         if (shows("depths in one dimension") || (departure_.empty() && depths_.chance(0.1))) depths();
         if (departure_.empty() && objects_.chance(0.1)) object();
         if (has_quadric_) add("gluDeleteQuadric(quadric);");
@@ -906,7 +909,7 @@ class Builder {
     double repeat_ = 1;
     bool projective_ = false, materials_ = false, has_quadric_ = false;
     Random structure_, generated_, random_, levels_, units_, unit_values_, fragments_, more_, more_values_, stipples_,
-        copies_, cubes_, points_, anisotropy_, labels_, pixel_copies_, depths_, volumes_, objects_;
+        copies_, cubes_, points_, anisotropy_, labels_, pixel_copies_, stencil_pixels_, depths_, volumes_, objects_;
     bool secondary_ = false, fog_coords_ = false;  // vertices have secondary colours, fog coordinates
     bool sprites_ = false;                         // everything is points
     std::vector<int> further_units_;               // the numbers of those with a texture

@@ -11,7 +11,8 @@ namespace twinlight::fuzz {
 namespace {
 
 constexpr std::string_view kWithoutZoom = "glCopyPixels without zoom", kDepthColors = "the colour of copied depths",
-                           kDepthTransfer = "glPixelTransfer of copied depths";
+                           kDepthTransfer = "glPixelTransfer of copied depths",
+                           kStencilTransfer = "glPixelTransfer of stencil values";
 
 class PixelCopy {
   public:
@@ -110,6 +111,43 @@ class PixelCopy {
             color(), -1.5 * near, -near, -near, 1.5 * near, -near, -near, random_.uniform(-1, 1) * far, far, -far);
     }
 
+  public:
+    // Stencil values, drawn or copied, and triangles that show them.
+    std::string stencil_text() {
+        add("glPushAttrib(GL_ENABLE_BIT | GL_POLYGON_BIT | GL_CURRENT_BIT | GL_STENCIL_BUFFER_BIT);");
+        state();
+        if (departure_.empty() && random_.chance(0.5)) add("glStencilMask({});", random_.below(256));
+        const bool has_scissor = departure_.empty() && random_.chance(0.3);
+        if (has_scissor)
+            add("glEnable(GL_SCISSOR_TEST); glScissor({}, {}, {}, {});", random_.below(32), random_.below(32),
+                8 + random_.below(40), 8 + random_.below(40));
+        if (shows(kStencilTransfer)) add("glPixelTransferi(GL_INDEX_OFFSET, {});", 1 + random_.below(3));
+        if (departure_.empty() && random_.chance(0.5))
+            add("glClearStencil({}); glClear(GL_STENCIL_BUFFER_BIT);", random_.below(4));
+        for (int i = departure_.empty() ? 1 + random_.below(3) : 1; i > 0; --i) {
+            position();
+            if (random_.chance(0.4))
+                add("glDrawPixels(2, 2, GL_STENCIL_INDEX, GL_UNSIGNED_INT, (GLuint[]){{{}, {}, {}, {}}});",
+                    random_.below(4), random_.below(4), random_.below(300), random_.below(4));
+            else
+                copy(random_.chance(0.2) ? "GL_DEPTH_STENCIL" : "GL_STENCIL");
+        }
+        add("glPixelTransferi(GL_INDEX_OFFSET, 0); glPixelZoom(1, 1); glStencilMask(255); glDisable(GL_SCISSOR_TEST);");
+        add("glDisable(GL_FOG); glDisable(GL_LIGHTING); glDisable(GL_CULL_FACE); glDisable(GL_DEPTH_TEST); "
+            "glDisable(GL_ALPHA_TEST); glDisable(GL_BLEND); "
+            "glEnable(GL_STENCIL_TEST); glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP); glPolygonMode(GL_FRONT_AND_BACK, "
+            "GL_FILL);");
+        add("glMatrixMode(GL_PROJECTION); glPushMatrix(); glLoadIdentity(); glMatrixMode(GL_MODELVIEW); "
+            "glPushMatrix(); glLoadIdentity();");
+        for (int value = 1; value < 4; ++value)
+            add("glStencilFunc(GL_EQUAL, {}, 255); {} glBegin(GL_TRIANGLES); glVertex2f(-1, -1); glVertex2f(3, -1); "
+                "glVertex2f(-1, 3); glEnd();",
+                value, color());
+        add("glPopMatrix(); glMatrixMode(GL_PROJECTION); glPopMatrix(); glMatrixMode(GL_MODELVIEW); glPopAttrib();");
+        return std::move(text_);
+    }
+
+  private:
     Random& random_;
     std::string_view departure_;
     std::string text_;
@@ -119,6 +157,12 @@ class PixelCopy {
 
 bool is_of_pixel_copies(std::string_view departure) {
     return departure == kWithoutZoom || departure == kDepthColors || departure == kDepthTransfer;
+}
+
+bool is_of_stencil_pixels(std::string_view departure) { return departure == kStencilTransfer; }
+
+std::string stencil_pixels(Random& random, std::string_view departure) {
+    return PixelCopy(random, departure).stencil_text();
 }
 
 std::string pixel_copy(Random& random, std::string_view departure) { return PixelCopy(random, departure).text(); }

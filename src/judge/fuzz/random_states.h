@@ -44,6 +44,9 @@ bool is_of_labels(std::string_view departure);
 // The same for glCopyPixels.
 std::string pixel_copy(Random& random, std::string_view departure);
 bool is_of_pixel_copies(std::string_view departure);
+// The same for stencil values of glDrawPixels and glCopyPixels.
+std::string stencil_pixels(Random& random, std::string_view departure);
+bool is_of_stencil_pixels(std::string_view departure);
 
 // The same scene, rewritten with display lists, vertex arrays, attribute stacks and matrix stacks. The picture must not
 // change.

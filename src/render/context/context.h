@@ -33,5 +33,7 @@ std::string_view context_provider();  // what made the context: "OSMesa", "EGL",
 Image read_pixels(int width, int height);
 // The depth buffer in the same way, as red, green and blue.
 Image read_depths(int width, int height);
+// The stencil buffer in the same way, in 1/255.
+Image read_stencils(int width, int height);
 
 }  // namespace twinlight

@@ -37,4 +37,16 @@ Image read_depths(int width, int height) {
     return flipped(bottom_up);
 }
 
+Image read_stencils(int width, int height) {
+    Image bottom_up(width, height);
+    std::vector<GLubyte> values(bottom_up.pixels.size());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, width, height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, values.data());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const float value = static_cast<float>(values[i]) / 255.0F;
+        bottom_up.pixels[i] = {value, value, value, 1};
+    }
+    return flipped(bottom_up);
+}
+
 }  // namespace twinlight

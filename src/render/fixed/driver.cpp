@@ -143,7 +143,12 @@ void Driver::execute(const Command& command) {
             break;
         default: break;
     }
+    const bool scales_volume = command.id == CommandId::gluBuild3DMipmaps;
+    // GLU (9.0.2) writes an image that it scales with the padding of GL_PACK_ALIGNMENT, into memory that has none.
+    if (scales_volume) glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
+    if (scales_volume) glPixelStorei(GL_PACK_ALIGNMENT, 1);
     executor_.execute(translated(command));
+    if (scales_volume) glPopClientAttrib();
     end_bitmaps(command);
     if (command.id == CommandId::glEndList) empty_lists();
     arrays_may_differ_ |= command.sig().family == Family::kShape;  // shapes are sent by arrays

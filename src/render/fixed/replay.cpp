@@ -218,6 +218,7 @@ struct Replay::Impl {
 
     int width, height;
     DrawableFrame whole;
+    std::deque<Draw> stencil_draws;  // of one stencil value each
     std::deque<std::variant<Clear, PreparedDraw, Accumulate>> items;
     Textures textures{Clamping::kDriver};
 };
@@ -230,7 +231,11 @@ Replay::Replay(const Frame& frame, const ReplayOptions& options) {
             impl_->items.emplace_back(*clear);
         } else if (const Accumulate* accumulate = std::get_if<Accumulate>(&item)) {
             impl_->items.emplace_back(*accumulate);
-        } else if (const Draw* draw = std::get_if<Draw>(&item)) {
+        } else if (const Draw* draw = std::get_if<Draw>(&item); draw && draw->pixels && draw->pixels->has_stencils) {
+            for (Draw& one : by_stencil_value(*draw))
+                impl_->items.emplace_back(std::in_place_type<PreparedDraw>,
+                                          impl_->stencil_draws.emplace_back(std::move(one)), options);
+        } else if (draw) {
             impl_->items.emplace_back(std::in_place_type<PreparedDraw>, *draw, options);
         }
     }

@@ -89,6 +89,9 @@ class Preparation {
             if (options_.shading == Shading::kExact && draw.has_exact_surfaces()) {
                 end_all();
                 if (numbered.begins_shape) add_surfaces(draw, numbered);  // the first part draws the whole shape
+            } else if (draw.pixels && draw.pixels->has_stencils) {
+                end_all();
+                add_stencils(draw, numbered);
             } else {
                 if (!continues_run(draw)) end_run();
                 run_.push_back(&draw);
@@ -238,6 +241,14 @@ class Preparation {
                 std::make_shared<const UploadedMesh>(surface.draw, surface.code.effects, false, glm::dvec3(0));
             for (const Uniforms& pass : surface.passes) take_(PreparedDraw(surface, pass, rectangle));
             keep(std::move(surface.plan), draw, numbered);
+        }
+    }
+
+    void add_stencils(const Draw& draw, Numbered numbered) {
+        for (const Draw& one : by_stencil_value(draw)) {
+            const Draw* const of_value = &one;
+            add({&of_value, 1}, {&numbered, 1});
+            numbered.begins_shape = false;
         }
     }
 

@@ -160,6 +160,12 @@ class OpenPixels {
         if (of_stencil != Outcome::kFails && of_depth != Outcome::kFails) may_do(face.depth_pass);
         stored = *result;
     }
+    void open_stencil(std::size_t at) { stencil(at) = kAnyValue; }
+    // The stencil value; nothing: any.
+    std::optional<int> known_stencil(std::size_t at) const {
+        if (stencil_.empty()) return 0;
+        return stencil_[at] == kAnyValue ? std::nullopt : std::optional(stencil_[at]);
+    }
 
   protected:
     const StagedFrame& stages() const { return stages_; }
@@ -255,6 +261,7 @@ class IntervalBuffer : public FragmentLoop<OpenPixels> {
         bool edge = false;
         Rgba channels{};
     };
+    std::optional<int> known_stencil(int x, int y) const { return kept_.known_stencil(window_.index(x, y)); }
     Pixel pixel(int x, int y) {
         const std::size_t at = window_.index(x, y);
         const StepId id = step_[at];
@@ -350,19 +357,38 @@ void find_differences(StagedFrame stages, const Options& options, const PixelRec
                                   });
 }
 
-DepthBounds depth_bounds(StagedFrame stages, const Options& options, int width, int height) {
-    DepthBounds range{Image(width, height), Image(width, height)};
-    draw_in_bands<DepthIntervals>(stages, make_color_shaders(stages, options), {0, 0, width, height},
-                                  [&](const DepthIntervals& buffer, const PixelRect& band) {
-                                      for_each(band, [&](int x, int y) {
-                                          const Interval& depth = buffer.depth(x, y);
-                                          const auto low = static_cast<float>(depth.low),
-                                                     high = static_cast<float>(depth.high);
-                                          range.low.at(x, height - 1 - y) = {low, low, low, 1};
-                                          range.high.at(x, height - 1 - y) = {high, high, high, 1};
-                                      });
-                                  });
-    return range;
+namespace {
+
+// range_of(buffer, x, y) for each pixel.
+template <class Buffer, class RangeOf>
+BufferBounds bounds_of(StagedFrame stages, const Options& options, int width, int height, const RangeOf& range_of) {
+    BufferBounds bounds{Image(width, height), Image(width, height)};
+    draw_in_bands<Buffer>(stages, make_color_shaders(stages, options), {0, 0, width, height},
+                          [&](const Buffer& buffer, const PixelRect& band) {
+                              for_each(band, [&](int x, int y) {
+                                  const Interval range = range_of(buffer, x, y);
+                                  const auto low = static_cast<float>(range.low), high = static_cast<float>(range.high);
+                                  bounds.low.at(x, height - 1 - y) = {low, low, low, 1};
+                                  bounds.high.at(x, height - 1 - y) = {high, high, high, 1};
+                              });
+                          });
+    return bounds;
+}
+
+}  // namespace
+
+BufferBounds depth_bounds(StagedFrame stages, const Options& options, int width, int height) {
+    return bounds_of<DepthIntervals>(std::move(stages), options, width, height,
+                                     [](const DepthIntervals& buffer, int x, int y) { return buffer.depth(x, y); });
+}
+
+BufferBounds stencil_bounds(StagedFrame stages, const Options& options, int width, int height) {
+    return bounds_of<IntervalBuffer>(std::move(stages), options, width, height,
+                                     [](const IntervalBuffer& buffer, int x, int y) -> Interval {
+                                         const std::optional<int> value = buffer.known_stencil(x, y);
+                                         if (!value) return {0, 1};
+                                         return Interval(*value / static_cast<double>(kMaxStencil));
+                                     });
 }
 
 AllowedDifference allowed_difference(const Frame& frame, Options options) {

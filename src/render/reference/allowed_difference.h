@@ -18,11 +18,12 @@ enum class Joining : std::uint8_t {
 void find_differences(StagedFrame stages, const Options& options, const PixelRect& within, OpenDifference& difference,
                       Joining joining);
 
-// The depths that correct renderers may leave in the depth buffer, as red, green and blue, with one cut of quadrilaterals. Of
-// meshes.
-struct DepthBounds {
+// What correct renderers may leave in the depth buffer, or in the stencil buffer in 1/255, as red, green and blue, with one cut of
+// quadrilaterals. Of meshes. A stencil value is certain, or may be any.
+struct BufferBounds {
     Image low, high;
 };
-DepthBounds depth_bounds(StagedFrame stages, const Options& options, int width, int height);
+BufferBounds depth_bounds(StagedFrame stages, const Options& options, int width, int height);
+BufferBounds stencil_bounds(StagedFrame stages, const Options& options, int width, int height);
 
 }  // namespace twinlight::reference

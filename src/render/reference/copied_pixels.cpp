@@ -31,20 +31,22 @@ CopySource source_with_range(const Frame& frame, Options options) {
     return source;
 }
 
-CopySource depths(const Frame& frame, const Options& options) {
-    return {.picture = draw_depths(run_stages(frame, options), options, frame.width, frame.height)};
+CopySource values(const Frame& frame, const Options& options, CopiedBuffer buffer) {
+    const auto draw = buffer == CopiedBuffer::kDepths ? draw_depths : draw_stencils;
+    return {.picture = draw(run_stages(frame, options), options, frame.width, frame.height)};
 }
 
-CopySource depths_with_range(const Frame& frame, Options options) {
-    CopySource source = depths(frame, options);
+CopySource values_with_range(const Frame& frame, Options options, CopiedBuffer buffer) {
+    CopySource source = values(frame, options, buffer);
     options.in_clip_plane = InClipPlane::kPerhaps;
     const auto range = [&](QuadCut cut) {
         options.quad_cut = cut;
-        return depth_bounds(run_stages(frame, options), options, frame.width, frame.height);
+        const auto find = buffer == CopiedBuffer::kDepths ? depth_bounds : stencil_bounds;
+        return find(run_stages(frame, options), options, frame.width, frame.height);
     };
     auto [low, high] = range(QuadCut::kFirstToThird);
     if (has_quadrilaterals(frame)) {
-        const DepthBounds other = range(QuadCut::kSecondToFourth);
+        const BufferBounds other = range(QuadCut::kSecondToFourth);
         for (std::size_t i = 0; i < low.pixels.size(); ++i)
             for (std::size_t c = 0; c < 3; ++c) {
                 low.pixels[i][c] = std::min(low.pixels[i][c], other.low.pixels[i][c]);
@@ -60,15 +62,15 @@ CopySource depths_with_range(const Frame& frame, Options options) {
 
 DrawableFrame drawable(const Frame& frame, const Options& options) {
     return {frame, [&options](const Frame& picture, CopiedBuffer buffer) {
-                return buffer == CopiedBuffer::kDepths ? depths(picture, options)
-                                                       : CopySource{.picture = render(picture, options)};
+                return buffer == CopiedBuffer::kColors ? CopySource{.picture = render(picture, options)}
+                                                       : values(picture, options, buffer);
             }};
 }
 
 DrawableFrame drawable_with_ranges(const Frame& frame, const Options& options) {
     return {frame, [&options](const Frame& picture, CopiedBuffer buffer) {
-                return buffer == CopiedBuffer::kDepths ? depths_with_range(picture, options)
-                                                       : source_with_range(picture, options);
+                return buffer == CopiedBuffer::kColors ? source_with_range(picture, options)
+                                                       : values_with_range(picture, options, buffer);
             }};
 }
 

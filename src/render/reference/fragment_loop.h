@@ -30,6 +30,7 @@ namespace twinlight::reference {
 //   clear_stencil(clear, at)
 //   stencil_outcome(face, at)                 of the test against the stored value
 //   set_stencil(face, covers, stencil, depth, at)  after the outcomes of coverage and both tests
+//   open_stencil(at)                          any value may be written
 //   is_open(at), open(at), settle(at)         whether the colour is open; marks it as open; as certain
 template <class Kept>
 class FragmentLoop {
@@ -78,6 +79,7 @@ class FragmentLoop {
     void piece(StepId first_id, const Watch& watch) {
         const Piece& piece = stages_.piece(first_id);
         const Draw& draw = stages_.draw_of(piece);
+        if (draw.pixels && draw.pixels->has_stencils) return stencil_value(first_id, watch);
         const RasterState& raster = draw.raster;
         const FragmentState& state = draw.fragment;
         const bool writes = writes_color(state);
@@ -137,6 +139,24 @@ class FragmentLoop {
                                     const Fragment fragment{&stages_.piece(id), pixel_centre(x, y), point};
                                     watch(fragment, draw_fragment(id, fragment, x, y, seen));
                                 });
+    }
+
+    // 4.3.1: a stencil value of a pixel rectangle, which no test but the scissor's stops.
+    template <class Watch>
+    void stencil_value(StepId id, const Watch& watch) {
+        const Piece& piece = stages_.piece(id);
+        const Draw& draw = stages_.draw_of(piece);
+        StencilFace face = draw.fragment.stencil->front;
+        face.ref = draw.pixels->stencils[piece.primitive.vertices[0]];
+        const auto set = [&](StepId, int x, int y, Outcome covers, const RayPoint*) {
+            const std::size_t at = window_.index(x, y);
+            if (covers == Outcome::kOpen)
+                kept_.open_stencil(at);
+            else
+                kept_.set_stencil(face, covers, Outcome::kPasses, Outcome::kPasses, at);
+            watch(Fragment{&piece, pixel_centre(x, y)}, covers);
+        };
+        kept_.for_each_fragment(id, scissored(draw.fragment.scissor, window_), set);
     }
 
     // What the stipples leave of an outcome: of lines (3.4.2), of filled polygons (3.5.2).

@@ -1,5 +1,7 @@
 #include "render/reference/framebuffer.h"
 
+#include <utility>
+
 namespace twinlight::reference {
 
 std::optional<StepId> Framebuffer::step(int x, int y) const {
@@ -34,16 +36,33 @@ std::vector<Channels<double>> Framebuffer::colors() {
     return colors;
 }
 
-Image draw_depths(StagedFrame stages, const Options& options, int width, int height) {
+namespace {
+
+// value_of(framebuffer, x, y) as red, green and blue.
+template <class ValueOf>
+Image draw_values(StagedFrame stages, const Options& options, int width, int height, const ValueOf& value_of) {
     Image image(width, height);
     draw_in_bands<Framebuffer>(stages, make_color_shaders(stages, options), {0, 0, width, height},
                                [&](const Framebuffer& framebuffer, const PixelRect& band) {
                                    for_each(band, [&](int x, int y) {
-                                       const auto depth = static_cast<float>(framebuffer.depth(x, y));
-                                       image.at(x, height - 1 - y) = {depth, depth, depth, 1};
+                                       const auto value = static_cast<float>(value_of(framebuffer, x, y));
+                                       image.at(x, height - 1 - y) = {value, value, value, 1};
                                    });
                                });
     return image;
+}
+
+}  // namespace
+
+Image draw_depths(StagedFrame stages, const Options& options, int width, int height) {
+    return draw_values(std::move(stages), options, width, height,
+                       [](const Framebuffer& framebuffer, int x, int y) { return framebuffer.depth(x, y); });
+}
+
+Image draw_stencils(StagedFrame stages, const Options& options, int width, int height) {
+    return draw_values(std::move(stages), options, width, height, [](const Framebuffer& framebuffer, int x, int y) {
+        return framebuffer.stencil(x, y) / static_cast<double>(kMaxStencil);
+    });
 }
 
 void draw_pixels(StagedFrame stages, const Options& options, const PixelRect& within, Image& image) {

@@ -44,7 +44,9 @@ class DrawnPixels {
                                                              : face.depth_pass;
         stencil(at) = byte(stencil_after(face, operation, stencil(at)));
     }
+    void open_stencil(std::size_t) {}
     double depth(std::size_t at) const { return depth_[at]; }
+    std::uint8_t stencil(std::size_t at) const { return stencil_.empty() ? std::uint8_t{0} : stencil_[at]; }
     static bool is_open(std::size_t) { return false; }
     void open(std::size_t) {}
     void settle(std::size_t) {}
@@ -75,13 +77,15 @@ class Framebuffer : public FragmentLoop<DrawnPixels> {
     std::vector<Channels<double>> colors();
 
     double depth(int x, int y) const { return kept_.depth(window_.index(x, y)); }
+    int stencil(int x, int y) const { return kept_.stencil(window_.index(x, y)); }
 
     // The step whose colour the pixel has; nothing if colours were blended.
     std::optional<StepId> step(int x, int y) const;
 };
 
-// The depth buffer after the last step, as red, green and blue.
+// The depth buffer after the last step, or the stencil buffer in 1/255, as red, green and blue.
 Image draw_depths(StagedFrame stages, const Options& options, int width, int height);
+Image draw_stencils(StagedFrame stages, const Options& options, int width, int height);
 
 // Draws the pixels `within`, y up, of a picture; others keep their colours.
 void draw_pixels(StagedFrame stages, const Options& options, const PixelRect& within, Image& image);

@@ -135,8 +135,10 @@ bool are_same(const Texture& a, const Texture& b) {
 Image drawn_to_copy(const Frame& picture, CopiedBuffer buffer, const std::function<void()>& draw) {
     const auto drawn = [&] {
         draw();
-        const bool are_depths = buffer == CopiedBuffer::kDepths;
-        return are_depths ? read_depths(picture.width, picture.height) : read_pixels(picture.width, picture.height);
+        const auto read = buffer == CopiedBuffer::kColors   ? read_pixels
+                          : buffer == CopiedBuffer::kDepths ? read_depths
+                                                            : read_stencils;
+        return read(picture.width, picture.height);
     };
     if (!picture.is_object) return drawn();
     const RenderTarget target(picture.width, picture.height, ColorBuffer::kUnorm8);

@@ -155,6 +155,9 @@ Answer of_pixel_transfer(const Attributes& a, const PixelMaps& maps, Enum pname)
     const PixelTransfer& transfer = a.pixel_transfer;
     switch (pname) {
         case kGL_MAP_COLOR: return one(transfer.map_color);
+        case kGL_MAP_STENCIL: return one(a.stencil_transfer.map);
+        case kGL_INDEX_SHIFT: return one(a.stencil_transfer.shift);
+        case kGL_INDEX_OFFSET: return one(a.stencil_transfer.offset);
         case kGL_RED_SCALE: return one(transfer.scale.r);
         case kGL_GREEN_SCALE: return one(transfer.scale.g);
         case kGL_BLUE_SCALE: return one(transfer.scale.b);

@@ -132,6 +132,7 @@ void restore(Attributes& now, const Attributes& saved, Enum mask) {
     }
     if (bit(kGL_PIXEL_MODE_BIT)) {
         now.pixel_transfer = saved.pixel_transfer;
+        now.stencil_transfer = saved.stencil_transfer;
         now.pixel_zoom = saved.pixel_zoom;
     }
     if (bit(kGL_SCISSOR_BIT)) now.fragment.scissor = saved.fragment.scissor;

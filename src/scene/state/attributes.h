@@ -175,7 +175,12 @@ struct PixelTransfer {
     friend bool operator==(const PixelTransfer&, const PixelTransfer&) = default;
 };
 using PixelMaps = std::array<std::vector<double>, 4>;  // from red to red, ...
-inline constexpr int kMaxPixelMap = 256;               // GL_MAX_PIXEL_MAP_TABLE: at least 32 (table 6.32); 256 in Mesa
+// What glDrawPixels and glCopyPixels do with stencil values (3.6.3, 3.6.5).
+struct StencilTransfer {
+    int shift = 0, offset = 0;
+    bool map = false;  // by the table of GL_PIXEL_MAP_S_TO_S
+};
+inline constexpr int kMaxPixelMap = 256;  // GL_MAX_PIXEL_MAP_TABLE: at least 32 (table 6.32); 256 in Mesa
 
 struct ClipPlane {  // 2.12
     bool enabled = false;
@@ -211,6 +216,7 @@ struct Attributes {
     Vertex current;  // colour, normal, texture coordinates of unit 0, edge flag
     RasterPosition raster_position;
     PixelTransfer pixel_transfer;
+    StencilTransfer stencil_transfer;
     glm::dvec2 pixel_zoom{1, 1};
     glm::dvec3 secondary_color{0};                                                           // the current one
     double fog_coord = 0;                                                                    // the current one

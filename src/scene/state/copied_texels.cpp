@@ -54,7 +54,7 @@ std::vector<Rgba> cut(const Image& image, const CopiedPixels& copy, const Viewpo
     return pixels;
 }
 
-// 4.3.3: gives a Draw the colours or the depths that it copies. A place that takes any colour, from an edge of the picture, is in
+// 4.3.3: gives a Draw the colours, depths or stencil values that it copies. A place that takes any colour, from an edge of the picture, is in
 // doubt like one at an edge.
 void fill_pixels(Draw& draw, const CopySource& from) {
     WindowPixels pixels = *draw.pixels;
@@ -86,6 +86,14 @@ void fill_pixels(Draw& draw, const CopySource& from) {
                 pixels.color_ranges[i][0][c] = *least;
                 pixels.color_ranges[i][1][c] = *most;
             }
+        }
+    } else if (pixels.has_stencils) {
+        pixels.stencils.clear();
+        for (std::size_t i = 0; i < count; ++i) {
+            pixels.stencils.push_back(
+                groups->stencils[static_cast<std::size_t>(channel_code(taken(from.picture, i, 0)[0]))]);
+            if (has_range && taken(from.low, i, 0) != taken(from.high, i, 1))
+                pixels.doubtful.push_back(pixels.places[i]);
         }
     } else {
         const auto transferred = [&](const Rgba& depth) {
@@ -295,5 +303,20 @@ class Copier {
 }  // namespace
 
 Frame with_copied_texels(const Frame& frame, const DrawSource& draw) { return Copier(frame, draw).result(); }
+
+std::vector<Draw> by_stencil_value(const Draw& draw) {
+    std::map<int, std::vector<std::size_t>> vertices_of;
+    for (std::size_t i = 0; i < draw.pixels->stencils.size(); ++i) vertices_of[draw.pixels->stencils[i]].push_back(i);
+    std::vector<Draw> draws;
+    for (const auto& [value, numbers] : vertices_of) {
+        Draw& one = draws.emplace_back(draw);
+        one.fragment.stencil->front.ref = one.fragment.stencil->back.ref = value;
+        WindowPixels pixels{.depths = {0}};
+        for (const std::size_t i : numbers) pixels.places.push_back(draw.pixels->places[i]);
+        one.vertices = std::vector<Vertex>(numbers.size(), draw.vertices[0]);
+        one.pixels = std::make_shared<const WindowPixels>(std::move(pixels));
+    }
+    return draws;
+}
 
 }  // namespace twinlight

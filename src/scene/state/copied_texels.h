@@ -10,23 +10,23 @@
 
 namespace twinlight {
 
-// A picture to copy from. One of depths has them as red, green and blue.
+// A picture to copy from. One of depths, or of stencil values in 1/255, has them as red, green and blue.
 struct CopySource {
     Image picture;
     // What another renderer's picture may have; empty: the same picture.
     Image low{}, high{};
 };
 
-// Draws a Frame in which all copies are filled in, and returns its colours or its depths. The picture of a framebuffer object has
-// its own size, and is drawn apart from the window's.
+// Draws a Frame in which all copies are filled in, and returns its colours, depths or stencil values. The picture of a
+// framebuffer object has its own size, and is drawn apart from the window's.
 using DrawSource = std::function<CopySource(const Frame&, CopiedBuffer)>;
 
 // The frame with all copied texels in its textures and all copied pixels in its Draws, and without the commands that copied
 // texels. The Draws are the same, in the same order. RULING: pixels outside the window, which 3.8.2 and 4.3.2 leave undefined,
 // are black, with a depth of 0.
 //
-// `draw` is called once for the colours and once for the depths of each picture that they are copied from: the commands since
-// the last Clear that hides all before it; and once for each image that a framebuffer object drew.
+// `draw` is called once for each buffer of each picture that they are copied from: the commands since the last Clear that hides all
+// before it; and once for each image that a framebuffer object drew.
 Frame with_copied_texels(const Frame& frame, const DrawSource& draw);
 
 // The frame itself if it shows no copies; otherwise with_copied_texels().

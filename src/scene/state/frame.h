@@ -297,7 +297,7 @@ struct RasterState {
 // ---- Fragments: textures (3.8), fog (3.10), per-fragment operations (4.1) ----
 
 // What of a picture is copied.
-enum class CopiedBuffer : std::uint8_t { kColors, kDepths };
+enum class CopiedBuffer : std::uint8_t { kColors, kDepths, kStencil };
 
 struct ObjectPicture;
 
@@ -586,22 +586,28 @@ struct FurtherUnit {
     std::vector<glm::dvec4> tex_coords{};  // one for each of Draw::vertices
 };
 
-// Where glCopyPixels has the colours or the depths of a Draw's pixels from.
+// Where glCopyPixels has the colours, depths or stencil values of a Draw's pixels from.
 struct CopiedGroups {
     TakePixels source;               // just before the Draw
     std::vector<glm::ivec2> places;  // in the source, of each of the Draw's vertices
-    // Pixel transfer (3.6.5): what becomes of each 8-bit value of red, green, blue and alpha, in [0,1]; and of a depth.
+    // Pixel transfer (3.6.5): what becomes of each 8-bit value of red, green, blue and alpha, in [0,1]; of a depth; and of each
+    // stencil value.
     std::array<std::array<double, 256>, 4> colors{};
     double depth_scale = 1, depth_bias = 0;
+    std::array<std::uint8_t, kMaxStencil + 1> stencils{};
 };
 
 // The pixels of a bitmap or of a pixel rectangle, with (0, 0) in the lower left corner of the window. They are drawn at their
 // places whatever the Draw's matrices and viewport are.
 struct WindowPixels {
-    std::vector<glm::ivec2> places;  // of each of the Draw's vertices
-    std::vector<double> depths{0};   // of each of them, or one of all, in [0,1]
+    std::vector<glm::ivec2> places{};  // of each of the Draw's vertices
+    std::vector<double> depths{};      // of each of them, or one of all, in [0,1]
+    // 4.3.1: stencil values, which are written instead of colours and depths. Then the Draw has a stencil test that always writes,
+    // with any reference value: by_stencil_value(). Empty until they are copied.
+    bool has_stencils = false;
+    std::vector<std::uint8_t> stencils{};  // of each of the vertices
     // Where correct renderers may draw the Draw or not: rounding decides where the raster position is.
-    std::vector<glm::ivec2> doubtful;
+    std::vector<glm::ivec2> doubtful{};
     // What only pictures decide. A renderer draws with pixels that have none: with_copied_texels().
     std::shared_ptr<const CopiedGroups> copied{};
     // Only while the allowed difference is found, of each vertex: the least and the largest values that other renderers may have
@@ -767,6 +773,9 @@ struct ObjectPicture {
     std::size_t bytes = 0;
     int depth = 1;  // as CopiedPixels has it
 };
+
+// A Draw of stencil values as one Draw for each value, with that reference value.
+std::vector<Draw> by_stencil_value(const Draw& draw);
 
 // How many of the first items no later item can show, because a Clear or a glAccum at the end hides them.
 std::size_t hidden_items(std::span<const FrameItem> items);

@@ -546,10 +546,26 @@ std::size_t State::bytes_of_object_pictures() const {
     return bytes;
 }
 
+bool State::has_buffer(const Command& c, CopiedBuffer buffer) {
+    const bool is_read = c.id == CommandId::glCopyPixels;
+    for (const auto& [is_used, name] : {std::pair(true, framebuffers_.draw), {is_read, framebuffers_.read}}) {
+        if (!is_used || name == 0) continue;
+        const FramebufferObject& object = *framebuffers_.named.at(name);
+        const bool is_stencil = buffer == CopiedBuffer::kStencil;
+        if ((is_stencil ? object.stencil : object.depth).type != kGL_NONE) continue;
+        raise(kGL_INVALID_OPERATION, c, "{}: the bound framebuffer object has no {}", c.name(),
+              is_stencil ? "stencil buffer" : "depth buffer");
+        return false;
+    }
+    return true;
+}
+
 // What copies from the bound object show. Null if it has no such image; then raises the error.
 std::shared_ptr<const ObjectPicture> State::read_picture(const Command& c, CopiedBuffer buffer) {
     const FramebufferObject& object = *framebuffers_.named.at(framebuffers_.read);
-    const Attachment* attachment = buffer == CopiedBuffer::kColors ? object.color(object.read_buffer) : &object.depth;
+    const Attachment* attachment = buffer == CopiedBuffer::kColors   ? object.color(object.read_buffer)
+                                   : buffer == CopiedBuffer::kDepths ? &object.depth
+                                                                     : &object.stencil;
     if (!attachment || attachment->type == kGL_NONE) {
         raise(kGL_INVALID_OPERATION, c, "{}: the bound framebuffer object has no image to copy from", c.name());
         return nullptr;

@@ -2,7 +2,10 @@
 // the type of the pixels.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include "scene/shape/written_out.h"
 #include "scene/state/pixel_unpacking.h"
@@ -18,11 +21,12 @@ struct Pixels {
     std::vector<glm::dvec4> rgba{};
     double largest = 0;
 
-    const glm::dvec4& at(int x, int y, int z = 0) const {
+    std::size_t index(int x, int y, int z) const {
         const std::size_t row =
             static_cast<std::size_t>(z) * static_cast<std::size_t>(height) + static_cast<std::size_t>(y);
-        return rgba[row * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+        return row * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     }
+    const glm::dvec4& at(int x, int y, int z = 0) const { return rgba[index(x, y, z)]; }
     // A mean as the type stores it: adds `rounding` units, then rounds down.
     glm::dvec4 as_stored(const glm::dvec4& mean, double rounding) const {
         constexpr double kDust = 1e-6;  // sums of n / 255 may fall this far below a whole number
@@ -57,6 +61,112 @@ Pixels scaled(const Pixels& image, int width, int height) {
             result.rgba.push_back(result.as_stored(sum / (step_x * step_y), 0));
         }
     }
+    return result;
+}
+
+// How many bits red, green, blue and alpha have in a packed type; all 0 for other types. Of GL_BGRA red and blue have as many.
+std::array<int, 4> packed_bits(Enum type) {
+    switch (type) {
+        case kGL_UNSIGNED_BYTE_3_3_2:
+        case kGL_UNSIGNED_BYTE_2_3_3_REV: return {3, 3, 2, 0};
+        case kGL_UNSIGNED_SHORT_5_6_5:
+        case kGL_UNSIGNED_SHORT_5_6_5_REV: return {5, 6, 5, 0};
+        case kGL_UNSIGNED_SHORT_4_4_4_4:
+        case kGL_UNSIGNED_SHORT_4_4_4_4_REV: return {4, 4, 4, 4};
+        case kGL_UNSIGNED_SHORT_5_5_5_1:
+        case kGL_UNSIGNED_SHORT_1_5_5_5_REV: return {5, 5, 5, 1};
+        case kGL_UNSIGNED_INT_8_8_8_8:
+        case kGL_UNSIGNED_INT_8_8_8_8_REV: return {8, 8, 8, 8};
+        case kGL_UNSIGNED_INT_10_10_10_2:
+        case kGL_UNSIGNED_INT_2_10_10_10_REV: return {10, 10, 10, 2};
+        default: return {};
+    }
+}
+
+// fillImage3D(): a component as GLU scales it, in 16 bits. Those of signed types wrap.
+int in_16_bits(double value, Enum type) {
+    const auto whole = [](double number) { return static_cast<std::int64_t>(std::floor(number + 0.5)); };
+    const auto from_signed = [&](double largest) { return whole((value * largest - 1) / 2); };  // table 2.9
+    constexpr std::int64_t kAll = 65535;
+    switch (type) {
+        case kGL_UNSIGNED_BYTE:
+        case kGL_UNSIGNED_SHORT: return static_cast<int>(whole(value * kAll));
+        case kGL_UNSIGNED_INT: return static_cast<int>(whole(value * 4294967295.0) >> 16);
+        case kGL_BYTE: return static_cast<int>(from_signed(255) * 516 & kAll);
+        case kGL_SHORT: return static_cast<int>(from_signed(65535) * 2 & kAll);
+        case kGL_INT: return static_cast<int>(from_signed(4294967295.0) >> 15 & kAll);
+        default: return static_cast<int>(std::clamp(static_cast<float>(value), 0.0F, 1.0F) * 65535);
+    }
+}
+
+// emptyImage3D(): back to a component of the type.
+double from_16_bits(int value, Enum type, int packed_bits) {
+    switch (type) {
+        case kGL_UNSIGNED_BYTE: return (value >> 8) / 255.0;
+        case kGL_BYTE: return (2 * (value >> 9) + 1) / 255.0;
+        case kGL_SHORT: return (2 * (value >> 1) + 1) / 65535.0;
+        case kGL_INT: return (2 * std::floor(value * 65537.0 / 2) + 1) / 4294967295.0;
+        default: break;
+    }
+    const double number = value / 65535.0;
+    const double largest = std::exp2(packed_bits) - 1;
+    return packed_bits == 0 ? number : std::floor(number * largest + 0.5) / largest;
+}
+
+// The pixels under a new pixel along an axis, with their weights: scaleInternal3D(), in floats as there. An image that becomes larger
+// is filtered over one of its pixels, and goes on at its other end.
+std::vector<std::vector<std::pair<int, float>>> box_filters(int from, int to) {
+    std::vector<std::vector<std::pair<int, float>>> filters;
+    const float step = static_cast<float>(from) / static_cast<float>(to), half_step = step / 2;
+    for (int i = 0; i < to; ++i) {
+        const auto middle = static_cast<float>(static_cast<double>(step) * (i + 0.5));
+        const float high = from > to ? middle + half_step : static_cast<float>(static_cast<double>(middle) + 0.5),
+                    low = from > to ? middle - half_step : static_cast<float>(static_cast<double>(middle) - 0.5);
+        std::vector<std::pair<int, float>>& filter = filters.emplace_back();
+        auto cell = static_cast<int>(std::floor(low));
+        for (float at = low; at < high; at = static_cast<float>(cell)) {
+            const auto end = static_cast<float>(cell + 1);
+            filter.emplace_back((cell + from) % from, (high < end ? high : end) - at);
+            ++cell;
+        }
+    }
+    return filters;
+}
+
+// gluScaleImage3D().
+Pixels scaled_volume(const Pixels& image, int width, int height, int depth, Enum type,
+                     const std::array<int, 4>& packed_bits) {
+    Pixels result{.width = width, .height = height, .depth = depth, .largest = image.largest};
+    const bool is_signed = type == kGL_BYTE || type == kGL_SHORT || type == kGL_INT;
+    std::vector<std::array<int, 4>> codes;
+    codes.reserve(image.rgba.size());
+    for (const glm::dvec4& rgba : image.rgba) {
+        std::array<int, 4>& code = codes.emplace_back();
+        for (int i = 0; i < 4; ++i) code[static_cast<std::size_t>(i)] = in_16_bits(rgba[i], type);
+    }
+    const auto in_x = box_filters(image.width, width), in_y = box_filters(image.height, height),
+               in_z = box_filters(image.depth, depth);
+    for (const auto& along_z : in_z)
+        for (const auto& along_y : in_y)
+            for (const auto& along_x : in_x) {
+                std::array<float, 4> totals{};
+                float volume = 0;
+                for (const auto& [z, part_z] : along_z)
+                    for (const auto& [y, part_y] : along_y)
+                        for (const auto& [x, part_x] : along_x) {
+                            const float part = part_x * part_y * part_z;
+                            volume += part;
+                            const std::array<int, 4>& code = codes[image.index(x, y, z)];
+                            for (std::size_t i = 0; i < 4; ++i) totals[i] += static_cast<float>(code[i]) * part;
+                        }
+                glm::dvec4& rgba = result.rgba.emplace_back();
+                for (int i = 0; i < 4; ++i) {
+                    const auto channel = static_cast<std::size_t>(i);
+                    const auto mean = static_cast<int>((static_cast<double>(totals[channel]) + 0.5) / volume);
+                    const bool is_absent = is_signed && image.rgba[0][i] == 0;  // no signed number is 0
+                    rgba[i] = is_absent ? 0 : from_16_bits(mean, type, packed_bits[channel]);
+                }
+            }
     return result;
 }
 
@@ -130,14 +240,12 @@ void State::build_mipmaps(const Command& c) {
     if (source.format == kGL_DEPTH_COMPONENT || format->base_format == kGL_DEPTH_COMPONENT)
         return note_lasting(fmt::format("{} of depths", c.name()), c.place);
     if (!c.memory) return raise(kGL_INVALID_OPERATION, c, "{} is given NULL; it needs an array of pixels", c.name());
-    const int width = nearest_power(source.width), height = nearest_power(source.height);
-    const bool is_scaled =
-        width != source.width || height != source.height || nearest_power(source.depth) != source.depth;
-    if (source.is_volume && is_scaled)
-        return note_lasting(fmt::format("{} with a side that is not a power of 2", c.name()), c.place);
+    const int width = nearest_power(source.width), height = nearest_power(source.height),
+              depth = nearest_power(source.depth);
+    const bool is_scaled = width != source.width || height != source.height || depth != source.depth;
     // The images of this arithmetic need four times the memory.
-    const double largest =
-        std::max(static_cast<double>(width) * height, static_cast<double>(source.width) * source.height) * source.depth;
+    const double largest = std::max(static_cast<double>(width) * height * depth,
+                                    static_cast<double>(source.width) * source.height * source.depth);
     if (!has_texels(c, 4 * largest)) return;
     const auto rows = pixels(c, source);
     if (!rows) return;
@@ -152,7 +260,10 @@ void State::build_mipmaps(const Command& c) {
             rows->unpack(y, row, z);
             image.rgba.insert(image.rgba.end(), row.begin(), row.end());
         }
-    if (is_scaled) image = scaled(image, width, height);
+    if (is_scaled && source.is_volume)
+        image = scaled_volume(image, width, height, depth, source.type, packed_bits(source.type));
+    else if (is_scaled)
+        image = scaled(image, width, height);
     Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
     textures_.texels -= texels_of(*texture);

@@ -1,8 +1,9 @@
-// What is drawn at the current raster position: glBitmap (3.7), glDrawPixels of colours (3.6), glCopyPixels of colours and
-// depths (4.3.3). With glPixelZoom, glPixelTransfer and glPixelMap (3.6.3 to 3.6.5).
+// What is drawn at the current raster position: glBitmap (3.7), glDrawPixels (3.6) and glCopyPixels (4.3.3) of colours, depths
+// and stencil values. With glPixelZoom, glPixelTransfer and glPixelMap (3.6.3 to 3.6.5).
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -80,6 +81,26 @@ glm::dvec4 inside(glm::dvec4 color) {
     return color;
 }
 
+// 4.3.1: stencil values pass only the scissor test and the stencil mask.
+void write_only_stencil(Draw& draw, std::uint32_t write_mask) {
+    const StencilFace face{.depth_pass = kGL_REPLACE, .write_mask = write_mask};
+    draw.fragment = {.scissor = draw.fragment.scissor,
+                     .stencil = StencilTest{face, face},
+                     .color_mask = {false, false, false, false}};
+    draw.raster.depth_test = false;
+    draw.lighting = {};
+    draw.texture = {};
+    draw.further_units.clear();
+    draw.fog = {};
+}
+
+// GL 3.0, 4.3.1: so do depths that are copied together with stencil values. The depth mask applies.
+void write_only_depth(Draw& draw) {
+    draw.fragment = {.scissor = draw.fragment.scissor, .color_mask = {false, false, false, false}};
+    draw.raster.depth_test = true;
+    draw.raster.depth_func = kGL_ALWAYS;
+}
+
 bool is_in_window(int x, int y) { return x >= 0 && y >= 0 && x < kMostWindowPixels && y < kMostWindowPixels; }
 
 }  // namespace
@@ -96,6 +117,12 @@ void State::draw_at_raster_position(const Command& c, WindowPixels pixels, const
     if (pixels.places.empty() && pixels.doubtful.empty()) return;
     // A Draw has a vertex, even if all its pixels are in doubt.
     if (pixels.places.empty()) pixels.places.emplace_back(-1, -1);
+    const double depth = std::clamp(position.position_window.z, 0.0, 1.0);
+    if (pixels.depths.empty())
+        pixels.depths = {depth};
+    else
+        pixels.depths.resize(pixels.places.size(), depth);
+    if (pixels.has_stencils) pixels.stencils.resize(pixels.places.size());
     if (!has_room(c, bytes_of_draw() + vertex_bytes(kGL_POINTS, pixels.places.size() + pixels.doubtful.size()))) return;
     Draw draw = new_draw(kGL_POINTS, c.place);
     draw.state_number = 0;  // it has a state of its own
@@ -136,7 +163,9 @@ void State::draw_at_raster_position(const Command& c, WindowPixels pixels, const
         note_unsupported("glDisable(GL_LIGHTING) between glRasterPos and glBitmap, with separate specular colours",
                          c.place);
     }
-    pixels.depths = {std::clamp(position.position_window.z, 0.0, 1.0)};
+    if (pixels.has_stencils) write_only_stencil(draw, a_.stencil_test.front.write_mask);
+    if (c.id == CommandId::glCopyPixels && c.enumerant(4) == kGL_DEPTH_STENCIL && !pixels.has_stencils)
+        write_only_depth(draw);
     draw.pixels = std::make_shared<const WindowPixels>(std::move(pixels));
     show(std::move(draw));
 }
@@ -173,7 +202,7 @@ void State::bitmap(const Command& c) {
     position.position_window += glm::dvec4(c.number(4), c.number(5), 0, 0);
 }
 
-// 3.6. Only colours; the driver alone draws depths, stencil values and colour indices.
+// 3.6. The driver alone draws colour indices.
 void State::draw_pixels(const Command& c) {
     const PixelSource source{.width = static_cast<int>(c.number(0)),
                              .height = static_cast<int>(c.number(1)),
@@ -183,6 +212,9 @@ void State::draw_pixels(const Command& c) {
         return raise(kGL_INVALID_VALUE, c, "glDrawPixels is given the size {} x {}; it cannot be negative",
                      source.width, source.height);
     if (!check_pixel_type(c, source)) return;
+    const bool are_depths = source.format == kGL_DEPTH_COMPONENT;
+    if (are_depths && !has_buffer(c, CopiedBuffer::kDepths)) return;
+    if (source.format == kGL_STENCIL_INDEX) return draw_stencils(c, source);
     if (source.width == 0 || source.height == 0) return;
     if (!pixel_memory(c, bytes_read(source, pixel_store_))) return;
     const RasterPosition& position = a_.raster_position;
@@ -199,24 +231,62 @@ void State::draw_pixels(const Command& c) {
     int unpacked = -1;
     place_groups(columns, rows, drawn, [&](const glm::ivec2& group) {
         if (group.y != std::exchange(unpacked, group.y)) image->unpack(group.y, row);
-        colors.push_back(inside(row[static_cast<std::size_t>(group.x)]));
+        const glm::dvec4 color = inside(row[static_cast<std::size_t>(group.x)]);
+        if (are_depths)
+            drawn.depths.push_back(color.r);
+        else
+            colors.push_back(color);
     });
-    if (colors.empty()) colors.emplace_back(0);
+    if (colors.empty() && !are_depths) colors.emplace_back(0);
     draw_at_raster_position(c, std::move(drawn), colors);
 }
 
-// 4.3.3: the same for pixels of the picture. They replace the colours of the Draw's vertices, or the depths.
+// 4.3.1: glDrawPixels of stencil values.
+void State::draw_stencils(const Command& c, const PixelSource& given) {
+    if (!has_buffer(c, CopiedBuffer::kStencil)) return;
+    PixelSource source = given;
+    source.format = kGL_RED;  // also one value
+    if (source.width == 0 || source.height == 0) return;
+    const auto memory = pixel_memory(c, bytes_read(source, pixel_store_));
+    const RasterPosition& position = a_.raster_position;
+    if (!memory || (!position.is_valid && !position.is_doubtful)) return;
+    const std::vector<Covered> columns = covered(position, position.position_window.x, a_.pixel_zoom.x, source.width);
+    const std::vector<Covered> rows = covered(position, position.position_window.y, a_.pixel_zoom.y, source.height);
+    const double count = static_cast<double>(source.width) * source.height;
+    if (!has_time(c, static_cast<double>(columns.size()) * static_cast<double>(rows.size()) + count)) return;
+    if (!has_room(c, static_cast<std::size_t>(count) * sizeof(std::int64_t))) return;
+    const std::vector<std::int64_t> values = stencil_values(source, pixel_store_, *memory);
+    WindowPixels drawn{.has_stencils = true};
+    place_groups(columns, rows, drawn, [&](const glm::ivec2& group) {
+        const auto row = static_cast<std::size_t>(group.y) * static_cast<std::size_t>(source.width);
+        drawn.stencils.push_back(transferred_stencil(values[row + static_cast<std::size_t>(group.x)]));
+    });
+    draw_at_raster_position(c, std::move(drawn), {});
+}
+
+// 4.3.3: the same for pixels of the picture. They replace the colours of the Draw's vertices, the depths or the stencil values.
 void State::copy_pixels(const Command& c) {
+    const Enum type = c.enumerant(4);
+    if (c.number(2) < 0 || c.number(3) < 0)
+        return raise(kGL_INVALID_VALUE, c, "glCopyPixels is given the size {} x {}; it cannot be negative", c.number(2),
+                     c.number(3));
+    if (!known(c, type, {kGL_COLOR, kGL_DEPTH, kGL_STENCIL, kGL_DEPTH_STENCIL})) return;
+    const bool has_depths = type == kGL_DEPTH || type == kGL_DEPTH_STENCIL,
+               has_stencils = type == kGL_STENCIL || type == kGL_DEPTH_STENCIL;
+    if ((has_depths && !has_buffer(c, CopiedBuffer::kDepths)) ||
+        (has_stencils && !has_buffer(c, CopiedBuffer::kStencil)))
+        return;
+    const RasterPosition& position = a_.raster_position;
+    if ((!position.is_valid && !position.is_doubtful) || c.number(2) == 0 || c.number(3) == 0) return;
+    if (type == kGL_COLOR) copy_buffer(c, CopiedBuffer::kColors);
+    if (has_depths) copy_buffer(c, CopiedBuffer::kDepths);
+    if (has_stencils) copy_buffer(c, CopiedBuffer::kStencil);
+}
+
+void State::copy_buffer(const Command& c, CopiedBuffer buffer) {
     const Viewport from{static_cast<int>(c.number(0)), static_cast<int>(c.number(1)), static_cast<int>(c.number(2)),
                         static_cast<int>(c.number(3))};
-    const Enum type = c.enumerant(4);
-    if (from.width < 0 || from.height < 0)
-        return raise(kGL_INVALID_VALUE, c, "glCopyPixels is given the size {} x {}; it cannot be negative", from.width,
-                     from.height);
-    if (!known(c, type, {kGL_COLOR, kGL_DEPTH, kGL_STENCIL})) return;
     const RasterPosition& position = a_.raster_position;
-    if ((!position.is_valid && !position.is_doubtful) || from.width == 0 || from.height == 0) return;
-    if (type == kGL_STENCIL) return note_unsupported("glCopyPixels(GL_STENCIL)", c.place);
     const std::vector<Covered> columns = covered(position, position.position_window.x, a_.pixel_zoom.x, from.width);
     const std::vector<Covered> rows = covered(position, position.position_window.y, a_.pixel_zoom.y, from.height);
     const double count = static_cast<double>(columns.size()) * static_cast<double>(rows.size());
@@ -224,31 +294,40 @@ void State::copy_pixels(const Command& c) {
         return note_unsupported(fmt::format("glCopyPixels of more than {} pixels", kMostCopiedPixels), c.place);
     if (framebuffers_.draw != 0 && framebuffers_.read == 0)
         return note_lasting("glCopyPixels from the window into a framebuffer object", c.place);
-    const CopiedBuffer buffer = type == kGL_COLOR ? CopiedBuffer::kColors : CopiedBuffer::kDepths;
     CopiedGroups groups{.source = {.pixels = copied_pixels(c, buffer, from, count), .from = from},
                         .places = {},
                         .depth_scale = a_.pixel_transfer.depth_scale,
                         .depth_bias = a_.pixel_transfer.depth_bias};
     if (!groups.source.pixels) return;
-    WindowPixels drawn;
+    WindowPixels drawn{.has_stencils = buffer == CopiedBuffer::kStencil};
     place_groups(columns, rows, drawn, [&](const glm::ivec2& group) { groups.places.push_back(group); });
     if (groups.places.empty()) groups.places.emplace_back(0);
-    for (int code = 0; code < 256; ++code) {
-        const glm::dvec4 color = inside(transferred(glm::dvec4(code / 255.0), a_.pixel_transfer, &pixel_maps_));
-        for (int i = 0; i < 4; ++i)
-            groups.colors[static_cast<std::size_t>(i)][static_cast<std::size_t>(code)] = color[i];
+    for (std::size_t code = 0; code < 256; ++code) {
+        const glm::dvec4 color =
+            inside(transferred(glm::dvec4(static_cast<double>(code) / 255.0), a_.pixel_transfer, &pixel_maps_));
+        for (int i = 0; i < 4; ++i) groups.colors[static_cast<std::size_t>(i)][code] = color[i];
+        groups.stencils[code] = transferred_stencil(static_cast<std::int64_t>(code));
     }
     std::vector<glm::dvec4> colors;
-    if (type == kGL_COLOR) colors.assign(groups.places.size(), glm::dvec4(0));
+    if (buffer == CopiedBuffer::kColors) colors.assign(groups.places.size(), glm::dvec4(0));
     drawn.copied = std::make_shared<const CopiedGroups>(std::move(groups));
     draw_at_raster_position(c, std::move(drawn), colors);
+}
+
+// 3.6.5, "Arithmetic on components" of indices and "Stencil index lookup"; 4.3.1: the buffer has 8 bits.
+std::uint8_t State::transferred_stencil(std::int64_t value) const {
+    const StencilTransfer& transfer = a_.stencil_transfer;
+    value = transfer.shift < 0 ? value >> std::min(-transfer.shift, 63)
+                               : value * (std::int64_t{1} << std::min(transfer.shift, 8));  // 8 leave none of the bits
+    value = (value & kMaxStencil) + transfer.offset;
+    if (transfer.map) value = stencil_map_[static_cast<std::size_t>(value) & (stencil_map_.size() - 1)];
+    return static_cast<std::uint8_t>(value & kMaxStencil);
 }
 
 // ---- State ----
 
 void State::pixel_zoom(const Command& c) { a_.pixel_zoom = {c.number(0), c.number(1)}; }
 
-// What belongs to stencil values and indices has no effect on colours and depths.
 void State::pixel_transfer(const Command& c) {
     const Enum pname = c.enumerant(0);
     constexpr Enum kScales[] = {kGL_RED_SCALE, kGL_GREEN_SCALE, kGL_BLUE_SCALE, kGL_ALPHA_SCALE};
@@ -262,13 +341,17 @@ void State::pixel_transfer(const Command& c) {
     if (pname == kGL_MAP_COLOR) transfer.map_color = c.number(1) != 0;
     if (pname == kGL_DEPTH_SCALE) transfer.depth_scale = c.number(1);
     if (pname == kGL_DEPTH_BIAS) transfer.depth_bias = c.number(1);
+    const auto whole = [&] { return static_cast<int>(std::clamp(c.number(1), -0x1p31, 0x1p31 - 1)); };
+    if (pname == kGL_INDEX_SHIFT) a_.stencil_transfer.shift = whole();
+    if (pname == kGL_INDEX_OFFSET) a_.stencil_transfer.offset = whole();
+    if (pname == kGL_MAP_STENCIL) a_.stencil_transfer.map = c.number(1) != 0;
     for (int i = 0; i < 4; ++i) {
         if (pname == kScales[i]) transfer.scale[i] = c.number(1);
         if (pname == kBiases[i]) transfer.bias[i] = c.number(1);
     }
 }
 
-// 3.6.3. The tables for indices and stencil values are not kept.
+// 3.6.3. The tables for colour indices are not kept.
 void State::pixel_map(const Command& c) {
     const Enum map = c.enumerant(0);
     const double size = c.number(1);
@@ -279,6 +362,14 @@ void State::pixel_map(const Command& c) {
         return;
     if (size < 1 || size > kMaxPixelMap)
         return raise(kGL_INVALID_VALUE, c, "{} is given {} values; it takes 1 to {}", c.name(), size, kMaxPixelMap);
+    if (map < kGL_PIXEL_MAP_R_TO_R && !std::has_single_bit(static_cast<unsigned>(size)))
+        return raise(kGL_INVALID_VALUE, c, "{} is given {} values; the number of those for indices is a power of 2",
+                     c.name(), size);
+    if (map == kGL_PIXEL_MAP_S_TO_S) {
+        stencil_map_.clear();
+        for (const double value : c.values(2))
+            stencil_map_.push_back(static_cast<int>(std::fmod(std::round(value), 256)));
+    }
     if (map < kGL_PIXEL_MAP_R_TO_R) return;
     const Kind kind = c.sig().parameters[2].kind;
     const double largest = kind == Kind::kUint ? 4294967295.0 : kind == Kind::kUshort ? 65535 : 1;

@@ -260,9 +260,30 @@ std::vector<bool> bitmap_bits(int width, int height, std::span<const std::byte> 
     return bits;
 }
 
-std::optional<int> driver_only_pixel_bytes(Enum format, Enum type) {
-    if (format != kGL_COLOR_INDEX && format != kGL_STENCIL_INDEX) return std::nullopt;
-    return element_bytes(type);
+std::vector<std::int64_t> stencil_values(const PixelSource& source, const PixelStore& store,
+                                         std::span<const std::byte> bytes) {
+    std::vector<std::int64_t> values;
+    const auto size = static_cast<std::size_t>(*element_bytes(source.type));
+    const auto value_at = [&](const std::byte* at) -> std::int64_t {
+        const std::uint32_t raw = number_at(at, static_cast<int>(size), store.unpack_swap_bytes);
+        switch (source.type) {
+            case kGL_BYTE: return static_cast<std::int8_t>(raw);
+            case kGL_SHORT: return static_cast<std::int16_t>(raw);
+            case kGL_INT: return static_cast<std::int32_t>(raw);
+            case kGL_FLOAT: {
+                const auto number = static_cast<double>(std::bit_cast<float>(raw));
+                return std::abs(number) < 0x1p62 ? static_cast<std::int64_t>(std::floor(number)) : 0;
+            }
+            default: return raw;
+        }
+    };
+    for (int y = 0; y < source.height; ++y)
+        for (int x = 0; x < source.width; ++x) {
+            const auto row = static_cast<std::size_t>(store.unpack_skip_rows + y),
+                       column = static_cast<std::size_t>(store.unpack_skip_pixels + x);
+            values.push_back(value_at(bytes.data() + row * row_bytes(source, store) + column * size));
+        }
+    return values;
 }
 
 std::size_t bytes_read(const PixelSource& source, const PixelStore& store) {

@@ -48,8 +48,9 @@ struct PixelSource {
 std::size_t bitmap_bytes(int width, int height, const PixelStore& store);
 // The bits of a bitmap in memory of at least bitmap_bytes(), row by row from the bottom.
 std::vector<bool> bitmap_bits(int width, int height, std::span<const std::byte> bytes, const PixelStore& store);
-// The bytes of one pixel in the formats and types that only the driver supports: indices, stencil values.
-std::optional<int> driver_only_pixel_bytes(Enum format, Enum type);
+// The stencil values of an image in memory, row by row from the bottom: whole numbers, before any pixel transfer (3.6.4).
+std::vector<std::int64_t> stencil_values(const PixelSource& source, const PixelStore& store,
+                                         std::span<const std::byte> bytes);
 
 // The number of bytes that are read from the pointer on; 0 for an image without pixels; the largest std::size_t if it
 // is more than any memory has.

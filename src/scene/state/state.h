@@ -242,6 +242,11 @@ class State {
     std::shared_ptr<RasterVertex> raster_vertex() const;  // of the current values
     // Adds a Draw of pixels with the raster position's values. `colors`: of each place; none: the raster position's.
     void draw_at_raster_position(const Command& command, WindowPixels pixels, const std::vector<glm::dvec4>& colors);
+    void draw_stencils(const Command& command, const PixelSource& source);
+    void copy_buffer(const Command& command, CopiedBuffer buffer);
+    // 3.6.4, 4.3.3: whether the picture has depths, or stencil values, to draw and to read. If not, raises the error.
+    bool has_buffer(const Command& command, CopiedBuffer buffer);
+    std::uint8_t transferred_stencil(std::int64_t value) const;
     void generate_mipmaps(Texture& texture, std::size_t face) const;
     // What a command with images in one or two dimensions names. Raises GL_INVALID_ENUM and returns nullopt for a wrong
     // target; for one of a proxy only if not `allows_proxy`.
@@ -326,6 +331,7 @@ class State {
         parts_of_textures_;
     PixelStore pixel_store_;
     PixelMaps pixel_maps_{std::vector<double>{0}, {0}, {0}, {0}};
+    std::vector<int> stencil_map_{0};                            // GL_PIXEL_MAP_S_TO_S
     std::vector<std::optional<PixelStore>> saved_pixel_stores_;  // by glPushClientAttrib, one per level
     VertexArrays arrays_;
     Lists lists_;

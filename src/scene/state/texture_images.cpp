@@ -73,8 +73,8 @@ void State::pixel_store(const Command& c) {
 // 3.6.4: checks that the format and the type are known and can be used together.
 bool State::check_pixel_type(const Command& c, const PixelSource& source) {
     const bool is_drawn = c.id == CommandId::glDrawPixels;
-    if (source.type == kGL_BITMAP || source.format == kGL_COLOR_INDEX ||
-        (source.format == kGL_DEPTH_COMPONENT && is_drawn)) {
+    const bool is_stencil = is_drawn && source.format == kGL_STENCIL_INDEX;
+    if (source.type == kGL_BITMAP || source.format == kGL_COLOR_INDEX) {
         if (is_drawn)  // changes only this picture
             note_unsupported(fmt::format("glDrawPixels({})", enum_name(source.format)), c.place);
         else
@@ -82,12 +82,12 @@ bool State::check_pixel_type(const Command& c, const PixelSource& source) {
                          c.place);
         return false;
     }
-    if (!components_of(source.format)) {
+    if (!is_stencil && !components_of(source.format)) {
         raise(kGL_INVALID_ENUM, c, "{} is given the format {}; expected GL_RGB, GL_RGBA, GL_LUMINANCE, ...", c.name(),
               enum_name(source.format));
         return false;
     }
-    if (pixel_bytes(source.format, source.type)) return true;
+    if (pixel_bytes(is_stencil ? Enum{kGL_RED} : source.format, source.type)) return true;
     const bool is_type = pixel_bytes(kGL_RGB, source.type) || pixel_bytes(kGL_RGBA, source.type);
     if (is_type)
         raise(kGL_INVALID_OPERATION, c, "the type {} cannot be used with the format {}", enum_name(source.type),
@@ -106,12 +106,10 @@ bool State::check_depths(const Command& c, Enum texture, Enum base_format, Enum 
               are_depths ? "depths" : "colours", has_depths ? "depths" : "colours");
         return false;
     }
-    if (has_depths && texture == kGL_TEXTURE_3D) {
-        raise(kGL_INVALID_OPERATION, c, "{} of depths; a texture of three dimensions can only have colours", c.name());
-        return false;
-    }
-    if (!has_depths || texture != kGL_TEXTURE_CUBE_MAP) return true;
-    note_lasting(fmt::format("{} of depths for a cube map", c.name()), c.place);  // GL 3.0
+    // OpenGL 3.0 allows depths in cube maps, so drivers do.
+    if (!has_depths || (texture != kGL_TEXTURE_3D && texture != kGL_TEXTURE_CUBE_MAP)) return true;
+    raise(kGL_INVALID_OPERATION, c, "{} of depths; {} can only have colours", c.name(),
+          texture == kGL_TEXTURE_3D ? "a texture of three dimensions" : "a cube map");
     return false;
 }
 

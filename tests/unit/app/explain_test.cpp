@@ -322,6 +322,22 @@ TEST_F(Explain, ShowsALightBehindTheSurfaceAndASpotThatMisses) {
 
 // ---- Lines ----
 
+TEST_F(Explain, SaysWhereAPixelRectangleHasItsColorFrom) {
+    const auto of = [&](const std::string& command) {
+        return run(scene("glClear(GL_COLOR_BUFFER_BIT); glColor3f(1, 0, 0); glWindowPos2i(8, 8); glPixelZoom(9, 9);\n" +
+                         command),
+                   {"--pixel", "10,53"})
+            .out;
+    };
+    EXPECT_NE(of("glDrawPixels(1, 1, GL_RGB, GL_FLOAT, (GLfloat[]){0, 1, 0});\n").find("the pixel's own"),
+              std::string::npos);
+    EXPECT_NE(of("glCopyPixels(0, 0, 1, 1, GL_COLOR);\n").find("a pixel of the picture before it"), std::string::npos);
+    EXPECT_NE(of("glDrawPixels(1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, (GLfloat[]){0.5});\n").find("the raster position's"),
+              std::string::npos);
+    EXPECT_NE(of("glDrawPixels(1, 1, GL_STENCIL_INDEX, GL_INT, (GLint[]){1});\n").find("a stencil value is written"),
+              std::string::npos);
+}
+
 TEST_F(Explain, HasALineForEveryEffect) {
     const std::string without = text("");
     const auto expect_line = [&](const std::string& state, const std::string& line) {

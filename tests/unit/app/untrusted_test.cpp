@@ -37,10 +37,11 @@ TEST(UntrustedNames, DoNotReachTheTerminalRaw) {
         "a\x1b[31m\x7f\nb\xc2\x9b"
         "c";
     const std::string scene = folder / (odd + ".gl"), report = folder / (odd + "-report");
-    // glCopyPixels: a note names the place; GL_LIGHT1: a warning of the linter does.
-    write_file_atomically(scene,
-                          "glEnable(GL_LIGHTING); glEnable(GL_LIGHT1);\n" + kSphere +
-                              "glCopyPixels(0, 0, 1, 1, GL_STENCIL);\nGLint v[4]; glGetIntegerv(GL_VIEWPORT, v);\n");
+    // glDrawPixels: a note names the place; GL_LIGHT1: a warning of the linter does.
+    write_file_atomically(
+        scene,
+        "glEnable(GL_LIGHTING); glEnable(GL_LIGHT1);\n" + kSphere +
+            "glDrawPixels(1, 1, GL_COLOR_INDEX, GL_INT, (GLint[]){0});\nGLint v[4]; glGetIntegerv(GL_VIEWPORT, v);\n");
     const std::vector<std::vector<std::string>> commands = {
         {"compare", scene, "--size", "16x16", "-o", report},
         {"render", scene, "--with", "reference", "--size", "16x16", "-o", folder / (odd + ".png")},

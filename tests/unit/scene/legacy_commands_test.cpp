@@ -160,10 +160,14 @@ TEST(CopiedImages, HaveErrors) {
     EXPECT_EQ(code(image + "glCopyTexSubImage2D(GL_TEXTURE_2D, -1, 0, 0, 0, 0, 8, 4);"), kGL_INVALID_VALUE);
 }
 
-TEST(CopiedImages, OfDepthsAreNamedForCubeMaps) {
-    EXPECT_EQ(unsupported("glCopyTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X, 0, GL_DEPTH_COMPONENT, 0, 0, 4, 4, 0);\n" +
-                          std::string(kPoint)),
-              Names{"glCopyTexImage2D of depths for a cube map"});
+// 3.8.1: only textures of one and two dimensions have depths.
+TEST(CopiedImages, OfDepthsAreErrorsForCubeMaps) {
+    const auto code = [](const std::string& text) { return run(text).errors().at(0).code; };
+    EXPECT_EQ(code("glCopyTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X, 0, GL_DEPTH_COMPONENT, 0, 0, 4, 4, 0);"),
+              kGL_INVALID_OPERATION);
+    EXPECT_EQ(code("glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X, 0, GL_DEPTH_COMPONENT24, 1, 1, 0, GL_DEPTH_COMPONENT, "
+                   "GL_FLOAT, (GLfloat[]){0});"),
+              kGL_INVALID_OPERATION);
 }
 
 TEST(TextureParametersOfLaterVersions, AreNamedAndStayForTheNextPicture) {

@@ -125,9 +125,13 @@ class Writer {
         if (!values.empty()) std::memcpy(words.data(), values.data(), 4 * values.size());
         return words;
     }
+    // 8-bit colours, or depths as whole numbers of 32 bits.
     static std::vector<std::uint32_t> texels_of(const TextureImage& image) {
+        const bool are_depths = image.base_format == kGL_DEPTH_COMPONENT;
         std::vector<std::uint32_t> words;
-        for (const glm::vec4& texel : image.texels) words.push_back(texel_word(texel));
+        for (const glm::vec4& texel : image.texels)
+            words.push_back(are_depths ? static_cast<std::uint32_t>(std::llround(texel.r * 4294967295.0))
+                                       : texel_word(texel));
         return words;
     }
 
@@ -152,6 +156,8 @@ class Writer {
             const Draw* draw = std::get_if<Draw>(&item);
             if (const Clear* clear = std::get_if<Clear>(&item))
                 write_clear(*clear);
+            else if (draw && draw->pixels && draw->pixels->has_stencils)
+                for (const Draw& one : by_stencil_value(*draw)) write_draw(one);
             else if (draw && draw->count() > 0)
                 write_draw(*draw);
         }
@@ -400,7 +406,11 @@ class Writer {
             c_.member("wrap_t", wrap(texture.wrap_t)) + ", " + c_.member("wrap_r", wrap(texture.wrap_r)) +
             ",\n        " + c_.member("border_color", c_.list(c_.numbers(texture.border_texel()))) + ", " +
             c_.member("level_count", fmt::format("{}", count)) + ", " + c_.member("levels", c_.list(levels));
-        std::string load = fmt::format("    load_texture({}, {});\n", number, c_.structure("texture", members));
+        std::string of_depths;
+        if (texture.has_depths()) of_depths += ",\n        " + c_.member("has_depths", "1");
+        if (texture.compares()) of_depths += ", " + c_.member("compare_func", enum_name(texture.compare_func));
+        std::string load =
+            fmt::format("    load_texture({}, {});\n", number, c_.structure("texture", members + of_depths));
         const auto limit = [&](const char* parameter, double lod, double initial) {
             if (lod != initial)
                 load += fmt::format("    glTexParameterf({}, {}, {});\n", enum_name(target_of(texture)), parameter,
@@ -486,11 +496,10 @@ class Writer {
 
 std::string why_not_kept(const Frame& frame) {
     if (accumulates(frame)) return "it uses the accumulation buffer (glAccum), which core GL lacks";
-    if (frame.copies_pixels) return "it copies pixels of its picture (glCopyTexImage, glCopyPixels)";
+    if (frame.copies_pixels) return "it copies pixels of its picture (glCopyPixels)";
     for (const Draw* draw : frame.draws()) {
         if (!draw->further_units.empty()) return "it uses more than one texture unit (glActiveTexture)";
         if (draw->texture.texture && draw->texture.texture->is_cube()) return "it uses a cube map";
-        if (draw->texture.texture && draw->texture.texture->has_depths()) return "it uses a texture of depths";
         if (!draw->secondary_colors.empty()) return "it adds secondary colours without lighting (glSecondaryColor)";
         if (!draw->fog_coords.empty()) return "it uses fog coordinates (glFogCoord)";
         if (draw->combines_textures()) return "it combines textures with GL_COMBINE (glTexEnv)";

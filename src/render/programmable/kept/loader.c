@@ -91,16 +91,23 @@ void load_texture(int number, struct texture t) {
     glTexParameteri(t.target, GL_TEXTURE_WRAP_R, (GLint)t.wrap_r);
     glTexParameteri(t.target, GL_TEXTURE_MAX_LEVEL, t.level_count - 1);
     glTexParameterfv(t.target, GL_TEXTURE_BORDER_COLOR, t.border_color);
+    if (t.compare_func) {
+        glTexParameteri(t.target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);
+        glTexParameteri(t.target, GL_TEXTURE_COMPARE_FUNC, (GLint)t.compare_func);
+    }
+    const GLint format = t.has_depths ? GL_DEPTH_COMPONENT24 : GL_RGBA8;
+    const GLenum texel = t.has_depths ? GL_DEPTH_COMPONENT : GL_RGBA,
+                 type = t.has_depths ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE;
     for (int i = 0; i < t.level_count; ++i) {
         const struct image level = t.levels[i];
         const char* texels = data + 4L * level.first_texel;
         if (t.target == GL_TEXTURE_1D)
-            glTexImage1D(t.target, i, GL_RGBA8, level.width, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+            glTexImage1D(t.target, i, format, level.width, 0, texel, type, texels);
         else if (t.target == GL_TEXTURE_3D)
             glTexImage3D(t.target, i, GL_RGBA8, level.width, level.height, level.depth, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                          texels);
         else
-            glTexImage2D(t.target, i, GL_RGBA8, level.width, level.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+            glTexImage2D(t.target, i, format, level.width, level.height, 0, texel, type, texels);
     }
 }
 

@@ -12,7 +12,7 @@ struct attribute {
 
 struct image {
     int width, height, depth;
-    int first_texel;  // in 4 bytes of scene.bin: red, green, blue, alpha
+    int first_texel;  // in 4 bytes of scene.bin: red, green, blue, alpha; or a depth as a whole number
 };
 
 struct texture {
@@ -20,6 +20,8 @@ struct texture {
     float border_color[4];
     int level_count;
     struct image levels[16];
+    int has_depths;
+    GLenum compare_func;  // GL_TEXTURE_COMPARE_FUNC; 0: depths are not compared
 };
 
 struct material {

@@ -48,10 +48,17 @@ function load_texture(number, t) {
     gl.texParameteri(t.target, gl.TEXTURE_WRAP_T, t.wrap_t);
     gl.texParameteri(t.target, gl.TEXTURE_WRAP_R, t.wrap_r);
     gl.texParameteri(t.target, gl.TEXTURE_MAX_LEVEL, t.level_count - 1);
+    if (t.compare_func) {
+        gl.texParameteri(t.target, gl.TEXTURE_COMPARE_MODE, gl.COMPARE_REF_TO_TEXTURE);
+        gl.texParameteri(t.target, gl.TEXTURE_COMPARE_FUNC, t.compare_func);
+    }
     t.levels.forEach(([width, height, depth, first], level) => {
         const texels = data.subarray(4 * first, 4 * (first + width * height * depth));
         if (t.target === gl.TEXTURE_3D)
             gl.texImage3D(t.target, level, gl.RGBA8, width, height, depth, 0, gl.RGBA, gl.UNSIGNED_BYTE, texels);
+        else if (t.has_depths)
+            gl.texImage2D(t.target, level, gl.DEPTH_COMPONENT24, width, height, 0, gl.DEPTH_COMPONENT, gl.UNSIGNED_INT,
+                new Uint32Array(texels.slice().buffer));
         else
             gl.texImage2D(t.target, level, gl.RGBA8, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, texels);
     });
