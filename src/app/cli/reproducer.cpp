@@ -105,7 +105,7 @@ static void display(void) {{
 
 int main(int argc, char** argv) {{
     glutInit(&argc, argv);
-    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH);
+    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH | GLUT_STENCIL);
     glutInitWindowSize({0}, {0});
     glutCreateWindow(argv[0]);
     glutDisplayFunc(display);
