@@ -52,7 +52,8 @@ class LightsPlanner {
     }
 
   private:
-    const LightSource& source(std::size_t i) const { return plan_.lighting.lights[i]; }
+    // As a constant, so that the plan keeps sharing its lights with the Draw.
+    const LightSource& source(std::size_t i) const { return std::as_const(plan_).lighting.lights[i]; }
     bool is_specular_separate() const {
         return plan_.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
     }

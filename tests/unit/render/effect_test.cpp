@@ -57,6 +57,16 @@ TEST(Plan, LetsADirectionalLightsDirectionDependOnVerticesThatAreDirections) {
     EXPECT_EQ(facts(draw).lights.size(), 1u);
 }
 
+// Copying the lights for each plan would take longer than planning.
+TEST(Plan, SharesItsLightsWithTheDraw) {
+    const Draw draw = with_positional_light(with_specular_material());
+    for (const bool for_any_pose : {false, true}) {
+        const Plan plan = plan_effects(draw, {.for_any_pose = for_any_pose});
+        ASSERT_FALSE(plan.lights.empty());
+        EXPECT_EQ(&plan.lighting.lights.front(), &draw.lighting.lights.front());
+    }
+}
+
 TEST(Plan, SaysOfEachLightThatIsOffThatItIsNotEnabled) {
     EXPECT_EQ(reason(lit_triangle(), "GL_LIGHT7"), "it is not enabled");
     EXPECT_EQ(reason(lit_triangle(), "GL_LIGHT0"), "");
