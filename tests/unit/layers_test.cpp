@@ -60,7 +60,7 @@ const std::map<std::string, Table>& rooms() {
           {"lesson", {}},
           {"explain", {}},
           {"oracle", {}}}},
-        {"app", {{"cli", {}}, {"session", {}}, {"demo", {"session"}}, {"web", {}}}},
+        {"app", {{"cli", {}}, {"session", {}}, {"demo", {"session"}}, {"web", {"session"}}}},
     };
     return table;
 }

@@ -78,6 +78,34 @@ export class Browser {
             await new Promise((resolve) => setTimeout(resolve, 20));
         }
     }
+    // A key as a user presses it: "1", "ArrowLeft".
+    async key(key) {
+        const text = key.length === 1 ? {text: key} : {};
+        await this.send("Input.dispatchKeyEvent", {type: "keyDown", key, ...text});
+        await this.send("Input.dispatchKeyEvent", {type: "keyUp", key});
+    }
+    // Drags from the middle of an element by so many pixels, or clicks there.
+    async drag(id, dx = 0, dy = 0) {
+        const [x, y] = await this.middle(id);
+        const mouse = (type, x, y, buttons) => this.send("Input.dispatchMouseEvent", {type, x, y, button: "left", buttons, clickCount: 1});
+        await mouse("mousePressed", x, y, 1);
+        if (dx || dy) await mouse("mouseMoved", x + dx, y + dy, 1);
+        if (dx || dy) await this.value("new Promise(requestAnimationFrame)");
+        await mouse("mouseReleased", x + dx, y + dy, 0);
+    }
+    async wheel(id, deltaY) {
+        const [x, y] = await this.middle(id);
+        await this.send("Input.dispatchMouseEvent", {type: "mouseWheel", x, y, deltaX: 0, deltaY});
+    }
+    middle(id) {
+        return this.value(`(() => {
+            const element = document.getElementById(${JSON.stringify(id)});
+            element.scrollIntoView({block: "center"});
+            const box = element.getBoundingClientRect();
+            return [Math.round(box.x + box.width / 2), Math.round(box.y + box.height / 2)];
+        })()`);
+    }
+
     async screenshot(file) {
         fs.writeFileSync(file, Buffer.from((await this.send("Page.captureScreenshot")).data, "base64"));
     }

@@ -6,29 +6,126 @@ import {Browser} from "./browser.mjs";
 const [program, page, jobs] = process.argv.slice(2);
 const browser = await Browser.open(program, page);
 const text = (id) => browser.value(`document.getElementById("${id}").textContent`);
-// Types into the editor, and waits for the pictures or the errors.
-const typed = async (scene) => {
-    await browser.value(`delete document.body.dataset.drawn, document.getElementById("messages").replaceChildren(), document.getElementById("text").value = ${JSON.stringify(scene)},
-        document.getElementById("text").dispatchEvent(new Event("input")), 0`);
+const sceneText = () => browser.value(`document.getElementById("text").value`);
+
+// Does this, then waits for the pictures or the errors.
+async function drawn(action) {
+    await browser.value(`delete document.body.dataset.drawn, document.getElementById("messages").replaceChildren(), 0`);
+    await action();
     await browser.until(`document.body.dataset.drawn || document.querySelector("#messages .error")`);
-};
+}
+const typed = (scene) => drawn(() => browser.value(`document.getElementById("text").value = ${JSON.stringify(scene)},
+    document.getElementById("text").dispatchEvent(new Event("input")), 0`));
+async function opened(hash) {
+    await browser.visit("package.json");
+    await browser.visit(hash);
+    await browser.until("document.body?.dataset.drawn", 60);
+}
+const pixel = (id, x, y) =>
+    browser.value(`[...document.getElementById("${id}").getContext("2d").getImageData(${x}, ${y}, 1, 1).data]`);
+// From the beginning of a drawing to the reference's first picture, in milliseconds.
+const firstPicture = () => browser.value(`performance.getEntriesByName("first reference")[0].startTime - performance.getEntriesByName("begin")[0].startTime`);
+
+// The lines of b that a has not, and the other way round.
+function changed(a, b) {
+    const [before, after] = [a.split("\n"), b.split("\n")];
+    return [before.filter((line) => !after.includes(line)), after.filter((line) => !before.includes(line))];
+}
+
 const told = {};
+const checks = {
+    async opens() {
+        await browser.size(360, 800, true);
+        await browser.visit("#scene=spotlight");
+        await browser.until("document.body?.dataset.drawn", 60);
+        told.verdict = await text("verdict");
+        told.tooWide = await browser.value("document.documentElement.scrollWidth - document.documentElement.clientWidth");
+        await browser.value(`document.getElementById("probe").requestSubmit()`);
+        told.explanation = await text("explanation");
+        told.loaded = await browser.value(`performance.getEntriesByName("first reference")[0].startTime`);
+    },
+
+    async takesKeysAndDrags() {
+        const before = await sceneText();
+        const after = async (action) => {
+            const from = await sceneText();
+            await drawn(action);
+            return changed(from, await sceneText());
+        };
+        await browser.value(`document.getElementById("reference").focus()`);
+        told.light = await after(() => browser.key("8"));
+        told.said = await text("said");
+        await drawn(() => browser.key("z"));
+        told.undone = await sceneText() === before;
+        told.flat = await after(() => browser.key("f"));
+        told.arrow = await after(() => browser.key("ArrowLeft"));
+        told.drag = await after(() => browser.drag("shaders", 40, 0));
+        told.wheel = await after(() => browser.wheel("shaders", -100));
+        await browser.key("?");
+        told.keys = await browser.value(`[document.getElementById("keys").open, document.querySelector("#keys table").innerText]`);
+        await browser.value(`document.getElementById("x").value = 1`);
+        await browser.drag("reference");
+        told.clicked = await browser.value(`document.getElementById("x").valueAsNumber`);
+        // In the editor, keys are letters.
+        await browser.value(`document.getElementById("text").focus(), document.getElementById("text").setSelectionRange(0, 0), 0`);
+        const typing = await sceneText();
+        await drawn(() => browser.key("1"));
+        told.letter = await sceneText() === "1" + typing;
+    },
+
+    async showsErrors() {
+        await typed("glClear(GL_COLOR_BUFFER_BIT);\nglRectf(0, 0, 1, 1);\nglFoo(<img src=x>);\n");
+        told.error = await text("messages");
+        told.markup = await browser.value(`document.querySelectorAll("#messages img").length`);
+        await typed("glColor3f(1, 0, 0);\nglRectf(-1, -1, 1, 1);\n");
+        told.mended = await pixel("shaders", 320, 240);
+        told.first = await firstPicture();
+    },
+
+    async saves() {
+        told.forms = await browser.value(`[...document.getElementById("form").options].map(({value}) => value)`);
+        told.files = {};
+        for (const form of told.forms)
+            told.files[form] = await browser.value(`new Promise((resolve) => {
+                URL.createObjectURL = (blob) => (blob.type === "image/png" ? resolve(blob.type) : blob.text().then(resolve), "data:,");
+                document.getElementById("form").value = "${form}";
+                document.getElementById("save").click();
+            })`);
+        told.link = await browser.value(`(document.getElementById("link").click(), new Promise((resolve) => setTimeout(() => resolve(location.hash), 500)))`);
+    },
+
+    async showsMesaAndTheSlider() {
+        const isMesaHidden = () => browser.value(`document.getElementById("mesa").parentElement.hidden`);
+        told.mesa = [await isMesaHidden()];
+        await opened("#scene=spectral");
+        told.mesa.push(await isMesaHidden(), await pixel("mesa", 320, 240), await pixel("floats", 320, 240));
+        await browser.value(`document.getElementById("view").value = "slider", document.getElementById("left").value = "mesa",
+            document.getElementById("line").value = 30, document.getElementById("view").dispatchEvent(new Event("input")), 0`);
+        told.slider = await browser.value(`[...document.querySelectorAll("figure")].filter((figure) => getComputedStyle(figure).display !== "none")
+            .map((figure) => [figure.querySelector("canvas").id, getComputedStyle(figure).clipPath])`);
+    },
+
+    async teaches() {
+        await opened("#lesson=shininess");
+        const grade = async () => {
+            await browser.value(`document.getElementById("check").click()`);
+            await browser.until(`document.getElementById("result").className`);
+            return text("result");
+        };
+        told.lesson = await text("lesson");
+        told.wrong = await grade();
+        await typed((await sceneText()).replace("GL_SHININESS, 10", "GL_SHININESS, 100"));
+        told.outdated = await text("result");
+        told.solved = await grade();
+        await browser.value(`document.querySelector(".choices button").click()`);
+        told.prediction = await text("seen");
+    },
+};
+
 try {
     browser.complaints = [];
     browser.requests = [];
-    await browser.size(360, 800, true);
-    await browser.visit("#scene=spotlight");
-    await browser.until("document.body?.dataset.drawn", 60);
-    told.verdict = await text("verdict");
-    told.tooWide = await browser.value("document.documentElement.scrollWidth - document.documentElement.clientWidth");
-    await browser.value(`document.getElementById("probe").requestSubmit()`);
-    told.explanation = await text("explanation");
-    await typed("glClear(GL_COLOR_BUFFER_BIT);\nglRectf(0, 0, 1, 1);\nglFoo(<img src=x>);\n");
-    told.error = await text("messages");
-    told.markup = await browser.value(`document.querySelectorAll("#messages img").length`);
-    await typed("glColor3f(1, 0, 0);\nglRectf(-1, -1, 1, 1);\n");
-    told.mended = await browser.value(`[...document.getElementById("shaders").getContext("2d").getImageData(320, 240, 1, 1).data]`);
-    told.link = await browser.value(`(document.getElementById("link").click(), new Promise((resolve) => setTimeout(() => resolve(location.hash), 500)))`);
+    for (const check of Object.values(checks)) await check();
     told.requests = browser.requests.filter((url) => !url.startsWith("chrome:"));
     // Chromium notes that reading a picture back is slow.
     told.complaints = browser.complaints.filter((text) => !text.includes("GPU stall due to ReadPixels"));
@@ -39,14 +136,15 @@ try {
         const [{loadTwinlight}, {Renderer}] = await Promise.all([import("/twinlight.js"), import("/gl.js")]);
         const twinlight = await loadTwinlight(), renderer = new Renderer(), pictures = [];
         for (const job of ${fs.readFileSync(jobs, "utf8")}) {
-            const answer = twinlight.open(job);
-            if (answer.errors.length > 0) continue;
+            const {errors, width, height} = twinlight.open(job);
+            if (errors.length > 0) continue;
             for (const shading of job.shadings) {
                 const picture = {name: job.name, step: job.step, shading};
                 try {
                     const frame = twinlight.webglFrame(shading);
                     picture.missing = frame.header.missing.map(({message}) => message);
-                    picture.judged = twinlight.judge(shading, renderer.draw(frame), renderer.subpixelBits);
+                    const {floats} = twinlight.referenceRows({shading, y0: 0, y1: height, width});
+                    picture.judged = twinlight.judge(shading, renderer.draw(frame), floats, renderer.subpixelBits);
                 } catch (error) {
                     picture.error = String(error);
                 }
@@ -54,6 +152,28 @@ try {
             }
         }
         return pictures;
+    })()`);
+
+    // A hundred edits leave nothing behind.
+    told.leaks = await browser.value(`(async () => {
+        const [{loadTwinlight}, {Renderer}] = await Promise.all([import("/twinlight.js"), import("/gl.js")]);
+        const twinlight = await loadTwinlight(), renderer = new Renderer(), {gl} = renderer, alive = {};
+        for (const kind of ["Buffer", "Framebuffer", "Program", "Renderbuffer", "Shader", "Texture"]) {
+            alive[kind] = 0;
+            const [create, remove] = ["create" + kind, "delete" + kind].map((name) => gl[name].bind(gl));
+            gl["create" + kind] = (...given) => (++alive[kind], create(...given));
+            gl["delete" + kind] = (object) => (object && --alive[kind], remove(object));
+        }
+        const {text} = twinlight.builtIn().find(({name}) => name === "solid-texture"), after = [];
+        for (let edit = 0; edit < 100; ++edit) {
+            twinlight.open({text: text + "glRotatef(" + edit + ", 0, 1, 0);", name: "edit", width: 64, height: 48});
+            const pixels = renderer.draw(twinlight.webglFrame(edit % 2 ? "phong" : "scene"));
+            const {floats} = twinlight.referenceRows({shading: "scene", y0: 0, y1: 48, width: 64});
+            twinlight.judge("scene", pixels, floats, renderer.subpixelBits);
+            twinlight.press("8".charCodeAt(0));
+            if (edit === 19 || edit === 99) after.push({...alive, bytes: twinlight.memoryBytes()});
+        }
+        return after;
     })()`);
     console.log(JSON.stringify({page: told, pictures}));
 } finally {

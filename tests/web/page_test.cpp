@@ -9,6 +9,8 @@
 
 #include "../unit/run_program.h"
 #include "../window/browser.h"
+#include "app/session/keys.h"
+#include "app/web/page_scene.h"
 #include "base/image/file.h"
 #include "judge/check/case.h"
 #include "scene/scenes/load.h"
@@ -70,6 +72,40 @@ TEST(WebPage, DrawsEveryScene) {
     EXPECT_TRUE(page["error"].get<std::string>().starts_with("3:1: error: ")) << page["error"];
     EXPECT_EQ(page["markup"], 0);
     EXPECT_EQ(page["mended"], (Json{255, 0, 0, 255}));
+    EXPECT_LT(page["first"], 1000) << "milliseconds until the reference's first picture";
+
+    // Each key and move changes the text where it changes the scene.
+    EXPECT_EQ(page["light"], (Json{Json::array(), {"glEnable(GL_LIGHT7);"}}));
+    EXPECT_TRUE(page["said"].get<std::string>().starts_with("GL_LIGHT7 ")) << page["said"];
+    EXPECT_EQ(page["undone"], true);
+    EXPECT_EQ(page["flat"], (Json{Json::array(), {"glShadeModel(GL_FLAT);"}}));
+    for (const char* move : {"arrow", "drag", "wheel"}) {
+        const std::string line = page[move][1].empty() ? "" : page[move][1].back();
+        EXPECT_TRUE(line.starts_with("gluLookAt(")) << move << ": " << page[move];
+    }
+    EXPECT_EQ(page["keys"][0], true);
+    for (const session::Key& key : session::keys())
+        EXPECT_EQ(page["keys"][1].get<std::string>().find(key.what) != std::string::npos, key.in_page) << key.what;
+    EXPECT_EQ(page["letter"], true) << "a key in the editor is a letter";
+    EXPECT_NEAR(page["clicked"].get<double>(), 320, 2);
+
+    EXPECT_EQ(page["forms"], (Json{"gl", "c", "glsl", "html", "#shaders", "#reference", "#difference", "#floats"}));
+    PageScene scene;
+    scene.open(page["files"]["gl"].get<std::string>(), "spotlight", "", {});
+    for (const char* form : {"c", "glsl", "html"}) EXPECT_EQ(page["files"][form], scene.exported(form, {})) << form;
+    EXPECT_EQ(page["files"]["#reference"], "image/png");
+
+    EXPECT_EQ(page["mesa"][0], true) << "hidden for a text of your own";
+    EXPECT_EQ(page["mesa"][1], false);
+    EXPECT_EQ(page["mesa"][2], page["mesa"][3]);
+    EXPECT_EQ(page["slider"], (Json{{"reference", "inset(0px 0px 0px 30%)"}, {"mesa", "none"}}));
+
+    EXPECT_TRUE(page["wrong"].get<std::string>().starts_with("Not yet. The highlight covers 1 times")) << page["wrong"];
+    EXPECT_EQ(page["outdated"], "The scene has changed since this check.");
+    EXPECT_EQ(page["solved"], "Right.");
+    EXPECT_TRUE(page["prediction"].get<std::string>().starts_with("A is wrong; B is right.")) << page["prediction"];
+    EXPECT_EQ(page["leaks"][0], page["leaks"][1]) << "after 20 and 100 edits";
+
     EXPECT_TRUE(page["link"].get<std::string>().starts_with("#text=")) << page["link"];
     EXPECT_EQ(page["complaints"], Json::array());
     for (const Json& url : page["requests"])

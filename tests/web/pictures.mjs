@@ -14,7 +14,7 @@ for (const job of JSON.parse(fs.readFileSync(jobs))) {
     const {width, height} = answer, middle = height >> 1;
     for (const look of job.looks)
         for (const [y0, y1] of [[0, middle], [middle, height]])
-            pictures.push(twinlight.referenceRows({...look, y0, y1, width}));
+            pictures.push(twinlight.referenceRows({...look, y0, y1, width}).rows);
 }
 fs.writeFileSync(`${out}/answers.json`, JSON.stringify(answers));
 fs.writeFileSync(`${out}/pictures`, Buffer.concat(pictures));

@@ -1,4 +1,4 @@
-// Keys: the one table of the window's keys. The help, the menu and --help are made from it.
+// Keys: the one table of the window's keys. The help, the menu, --help and the page's keys are made from it.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -21,6 +21,7 @@ struct Key {
     std::string_view what;             // "light GL_LIGHT0 .. GL_LIGHT7: on or off"
     void (*press)(Session&, int nth);  // nth: the code minus `first`
     bool in_menu = true;
+    bool in_page = true;  // the page for browsers has it (app/web)
 };
 
 std::span<const Key> keys();

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "app/web/page_lessons.h"
 #include "app/web/page_scene.h"
 
 namespace twinlight::web {
@@ -29,6 +30,20 @@ const char* answered(const Work& work) {
         failure = error.what();
     }
     return nullptr;
+}
+
+template <class Work>
+const std::uint8_t* drawn(const Work& work) {
+    const std::uint8_t* pixels = nullptr;
+    answered([&] {
+        pixels = work().data();
+        return std::string();
+    });
+    return pixels;
+}
+
+lesson::Language language_of(const char* name) {
+    return lesson::find_language(name).value_or(lesson::Language::kEnglish);
 }
 
 // shading: a number of Shading, or -1 for the scene's own.
@@ -64,18 +79,45 @@ EXPORT const char* open_scene(const char* text, const char* name, const char* st
     return answered([&] { return scene.open(text, name, step, {width, height}); });
 }
 
+EXPORT const char* key_list() { return answered(page_keys); }
+EXPORT const char* press_key(int code) {
+    return answered([&] { return scene.controls().press(code); });
+}
+EXPORT void start_drag(int may_go_under) { scene.controls().start_drag(may_go_under != 0); }
+EXPORT const char* drag(int looks, int dx, int dy) {
+    return answered([&] { return scene.controls().drag(looks != 0, dx, dy); });
+}
+EXPORT void end_drag() { scene.controls().end_drag(); }
+EXPORT const char* zoom(int steps) {
+    return answered([&] { return scene.controls().zoom(steps); });
+}
+
+EXPORT const char* lesson_list(const char* language) {
+    return answered([&] { return page_lessons(language_of(language)); });
+}
+EXPORT const char* check_answer(const char* name, const char* language, const char* answer_text) {
+    return answered([&] { return checked_answer(name, language_of(language), answer_text); });
+}
+
+EXPORT const char* forms(int shading) {
+    return answered([&] { return scene.forms(look_of(shading)); });
+}
+EXPORT const char* export_scene(const char* form, int shading) {
+    return answered([&] { return scene.exported(form, look_of(shading)); });
+}
+
 EXPORT const char* lint_scene() {
     return answered([] { return scene.warnings(); });
 }
 
+// Pictures as bytes; null after an exception.
 EXPORT const std::uint8_t* reference_rows(int shading, int as_floats, int y0, int y1) {
-    const std::uint8_t* pixels = nullptr;
-    answered([&] {
-        pixels = scene.reference(reference_options(shading, as_floats != 0), y0, y1).data();
-        return std::string();
-    });
-    return pixels;
+    return drawn([&] { return scene.reference(reference_options(shading, as_floats != 0), y0, y1); });
 }
+EXPORT const std::uint8_t* coarse_reference(int shading, int as_floats) {
+    return drawn([&] { return scene.coarse_reference(reference_options(shading, as_floats != 0)); });
+}
+EXPORT const float* reference_floats(int y0, int y1) { return scene.reference_floats(y0, y1).data(); }
 
 // The frame's header; webgl_words() has its words until the next call.
 EXPORT const char* webgl_header(int shading) {
@@ -87,10 +129,11 @@ EXPORT const char* webgl_header(int shading) {
 EXPORT const std::uint32_t* webgl_words() { return frame.words.data(); }
 EXPORT int webgl_word_count() { return static_cast<int>(frame.words.size()); }
 
-EXPORT const char* judge_picture(int shading, const std::uint8_t* pixels, int bytes, int subpixel_bits) {
-    return answered([&] {
-        return scene.judged(look_of(shading), {pixels, static_cast<std::size_t>(bytes)}, subpixel_bits);
-    });
+// `channels`: the number of bytes in `pixels`, and of floats in `reference`.
+EXPORT const char* judge_picture(int shading, const std::uint8_t* pixels, const float* reference, int channels,
+                                 int subpixel_bits) {
+    const auto count = static_cast<std::size_t>(channels);
+    return answered([&] { return scene.judged(look_of(shading), {pixels, count}, {reference, count}, subpixel_bits); });
 }
 
 EXPORT const char* explain_pixel(int shading, int x, int y) {

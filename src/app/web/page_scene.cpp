@@ -3,13 +3,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
+#include "app/web/json_text.h"
 #include "judge/compare/tolerance.h"
 #include "judge/explain/explain.h"
 #include "judge/lint/lint.h"
+#include "render/programmable/kept/kept_files.h"
+#include "render/programmable/programmable.h"
 #include "render/reference/copied_pixels.h"
 #include "render/reference/framebuffer.h"
 #include "render/reference/reference.h"
@@ -17,24 +19,13 @@
 #include "scene/scenes/images.h"
 #include "scene/scenes/load.h"
 #include "scene/scenes/meshes.h"
+#include "scene/shape/written_out.h"
+#include "scene/state/resized.h"
 #include "scene/state/state.h"
 
 namespace twinlight::web {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-// A scene's text may hold any bytes, but JSON is UTF-8.
-std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-CommandList read(std::string_view text, const std::string& name, const std::string& step) {
-    if (text.size() > kMaxPageBytes)
-        throw SceneError(
-            fmt::format("{}: is larger than {} MiB, the limit of this page; the program twinlight can draw it", name,
-                        kMaxPageBytes >> 20));
-    return read_scene(text, name + ".gl", name, images_built_in, {.step = step, .load_mesh = meshes_built_in});
-}
 
 Json errors_of(const SceneError& error) {
     Json errors = Json::array();
@@ -46,25 +37,30 @@ Json errors_of(const SceneError& error) {
 
 }  // namespace
 
+CommandList read_for_page(std::string_view text, const std::string& name, const std::string& step) {
+    if (text.size() > kMaxPageBytes)
+        throw SceneError(
+            fmt::format("{}: is larger than {} MiB, the limit of this page; the program twinlight can draw it", name,
+                        kMaxPageBytes >> 20));
+    return read_scene(text, name + ".gl", name, images_built_in, {.step = step, .load_mesh = meshes_built_in});
+}
+
 std::string built_in_scenes() {
     Json scenes = Json::array();
-    for (const EmbeddedFile& file : kSceneFiles) {
-        const CommandList list = read_built_in(file);
-        scenes.push_back({{"name", list.name}, {"text", file.text}, {"steps", list.steps}});
-    }
+    for (const EmbeddedFile& file : kSceneFiles)
+        scenes.push_back({{"name", file.name.substr(0, file.name.rfind(".gl"))}, {"text", file.text}});
     return dumped({{"scenes", scenes}});
 }
 
 std::string PageScene::open(std::string_view text, const std::string& name, const std::string& step, WindowSize size) {
     scene_.reset();
     staged_.reset();
-    right_.reset();
     StateOptions options;
     options.width = size.width;
     options.height = size.height;
     Json answer = {{"errors", Json::array()}, {"note", ""}};
     try {
-        const auto list = std::make_shared<const CommandList>(read(text, name, step));
+        const auto list = std::make_shared<const CommandList>(read_for_page(text, name, step));
         answer["steps"] = list->steps;
         answer["step"] = list->step;
         if (list->window) {
@@ -72,6 +68,10 @@ std::string PageScene::open(std::string_view text, const std::string& name, cons
             options.height = list->window->height;
         }
         scene_ = make_scene(list, options);
+        if (controls_ && !controls_->shows(text, list->step)) controls_.reset();
+        opened_ = {list, std::string(text), {options.width, options.height}, [name, step](std::string_view edited) {
+                       return read_for_page(edited, name, step);
+                   }};
         answer["width"] = scene_->frame.width;
         answer["height"] = scene_->frame.height;
     } catch (const SceneError& error) {
@@ -80,6 +80,11 @@ std::string PageScene::open(std::string_view text, const std::string& name, cons
         answer["note"] = all.note;
     }
     return dumped(answer);
+}
+
+PageControls& PageScene::controls() {
+    if (!controls_) controls_.emplace(opened_.commands, opened_.text, opened_.size, opened_.read);
+    return *controls_;
 }
 
 std::string PageScene::warnings() const { return lint::json_text(scene_->name(), lint::lint(*scene_)); }
@@ -98,9 +103,24 @@ std::span<const std::uint8_t> PageScene::reference(const reference::Options& opt
     Image& image = staged_->image;
     // A picture's rows count from the top, a window's from the bottom.
     draw_pixels(staged_->stages, options, {0, image.height - y1, image.width, image.height - y0}, image);
+    return codes_of(std::span(image.pixels).subspan(image.index(0, y0), image.index(0, y1 - y0)));
+}
+
+std::span<const float> PageScene::reference_floats(int y0, int y1) const {
+    const Image& image = staged_->image;
+    return {image.pixels[image.index(0, y0)].data(), 4 * image.index(0, y1 - y0)};
+}
+
+std::span<const std::uint8_t> PageScene::coarse_reference(const reference::Options& options) {
+    const Frame& frame = scene_->frame;
+    const auto divided = [](int side) { return (side + kCoarse - 1) / kCoarse; };
+    return codes_of(reference::render(resized(frame, divided(frame.width), divided(frame.height)), options).pixels);
+}
+
+std::span<const std::uint8_t> PageScene::codes_of(std::span<const Rgba> pixels) {
     codes_.clear();
-    for (std::size_t i = image.index(0, y0); i < image.index(0, y1); ++i)
-        for (const float channel : image.pixels[i]) codes_.push_back(channel_code(channel));
+    for (const Rgba& pixel : pixels)
+        for (const float channel : pixel) codes_.push_back(channel_code(channel));
     return codes_;
 }
 
@@ -109,24 +129,23 @@ WebglFrame PageScene::webgl(const Look& look) const {
     return webgl_frame(*frame, {look, /*budget=*/0});
 }
 
-std::string PageScene::judged(const Look& look, std::span<const std::uint8_t> shaders, int subpixel_bits) {
+std::string PageScene::judged(const Look& look, std::span<const std::uint8_t> shaders, std::span<const float> reference,
+                              int subpixel_bits) const {
     const Frame& frame = scene_->frame;
-    if (!right_ || right_->look != look || right_->subpixel_bits != subpixel_bits) {
-        Right right{
-            look, subpixel_bits, reference::render(frame, {look}), {}, reference::allowed_difference(frame, {look})};
-        if (reference::has_quadrilaterals(frame))
-            right.other_cut = reference::render(frame, {look, reference::QuadCut::kSecondToFourth});
-        compare::allow_ties(right.allowed, right.image);
-        compare::allow_rounded_positions(right.allowed, right.image, subpixel_bits);
-        right_ = std::move(right);
+    Image drawn(frame.width, frame.height), right = drawn;
+    if (shaders.size() != 4 * drawn.pixels.size() || reference.size() != shaders.size())
+        throw std::invalid_argument("a picture of another size");
+    for (std::size_t i = 0; i < shaders.size(); ++i) {
+        drawn.pixels[i / 4][i % 4] = static_cast<float>(shaders[i]) / 255;
+        right.pixels[i / 4][i % 4] = reference[i];
     }
-    Image drawn(frame.width, frame.height);
-    if (shaders.size() != 4 * drawn.pixels.size()) throw std::invalid_argument("a picture of another size");
-    for (std::size_t i = 0; i < shaders.size(); ++i) drawn.pixels[i / 4][i % 4] = static_cast<float>(shaders[i]) / 255;
-    const Image nearer = right_->other_cut.pixels.empty()
-                             ? right_->image
-                             : nearer_of(drawn, right_->image, right_->other_cut, right_->allowed.channels);
-    const ImageDifference found = difference(drawn, nearer, right_->allowed);
+    AllowedDifference allowed = reference::allowed_difference(frame, {look});
+    compare::allow_ties(allowed, right);
+    compare::allow_rounded_positions(allowed, right, subpixel_bits);
+    if (reference::has_quadrilaterals(frame))
+        right = nearer_of(drawn, right, reference::render(frame, {look, reference::QuadCut::kSecondToFourth}),
+                          allowed.channels);
+    const ImageDifference found = difference(drawn, right, allowed);
     return dumped({{"within", compare::is_within(found, {})},
                    {"max", std::lround(255 * found.interior.max)},
                    {"at", {found.interior.worst_x, found.interior.worst_y}},
@@ -134,6 +153,28 @@ std::string PageScene::judged(const Look& look, std::span<const std::uint8_t> sh
                    {"differing", found.beyond_allowed.differing},
                    {"interior", found.interior.pixels},
                    {"edge", found.edge.pixels}});
+}
+
+namespace {
+
+programmable::Options shader_options(const Look& look) {
+    programmable::Options options;
+    static_cast<Look&>(options) = look;
+    return options;
+}
+
+}  // namespace
+
+std::string PageScene::forms(const Look& look) const {
+    Json forms = {"c", "glsl"};
+    if (look.shading != Shading::kExact && programmable::why_not_kept(scene_->frame).empty()) forms.push_back("html");
+    return dumped(forms);
+}
+
+std::string PageScene::exported(const std::string& form, const Look& look) const {
+    if (form == "c") return print_c_program(with_pragmas_written_out(*opened_.commands));
+    if (form == "glsl") return programmable::shader_source(scene_->frame, shader_options(look));
+    return programmable::kept_page(scene_->frame, shader_options(look), scene_->title());
 }
 
 std::string PageScene::explained(const Look& look, int x, int y) const {

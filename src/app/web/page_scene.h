@@ -10,8 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "app/web/page_controls.h"
 #include "app/web/webgl_frame.h"
-#include "base/image/difference.h"
+#include "base/image/image.h"
 #include "render/look.h"
 #include "render/reference/reference_options.h"
 #include "render/reference/staged_frame.h"
@@ -23,7 +24,10 @@ namespace twinlight::web {
 // A page has 4 GiB at the most, and a browser may grant less. A text this long is no scene that somebody types.
 inline constexpr std::size_t kMaxPageBytes = 8u << 20;
 
-// JSON: {"scenes": [{"name", "text", "steps"}]}, the built-in scenes.
+// Reads a text. Built-in pictures and meshes are its only files. Throws SceneError.
+CommandList read_for_page(std::string_view text, const std::string& name, const std::string& step);
+
+// JSON: {"scenes": [{"name", "text"}]}, the built-in scenes.
 std::string built_in_scenes();
 
 class PageScene {
@@ -36,25 +40,41 @@ class PageScene {
     bool is_open() const { return scene_.has_value(); }
     const Scene& scene() const { return *scene_; }
 
+    // The keys and the mouse. A scene must be open; the page opens the text that they answer with.
+    PageControls& controls();
+
     // JSON: {"warnings": [...]} as `twinlight lint --json` prints them.
     std::string warnings() const;
 
     // The rows y0 to y1, counted from the top, of the reference's picture: red, green, blue and alpha of each pixel, a byte each.
     // What precedes the pixels is kept for further rows of the same picture.
     std::span<const std::uint8_t> reference(const reference::Options& options, int y0, int y1);
+    // The same rows as floats, as reference() drew them last.
+    std::span<const float> reference_floats(int y0, int y1) const;
+
+    // The whole picture with sides divided by kCoarse, rounded up: there long before the rows are.
+    static constexpr int kCoarse = 4;
+    std::span<const std::uint8_t> coarse_reference(const reference::Options& options);
 
     // The frame for WebGL, shaded as `look` says. Copied pixels are the reference's. webgl_frame.h describes it.
     WebglFrame webgl(const Look& look) const;
 
-    // Compares a picture by shaders, in the layout of reference(), with the whole of the reference's. Returns JSON:
+    // Compares a picture by shaders, in the layout of reference(), with the whole of the reference's, as reference_floats()
+    // returns it. Returns JSON:
     //   {"within", "max", "at": [x, y], "beyond", "differing", "interior", "edge"}
     // max: the largest difference away from edges in 255ths, and its place; beyond: the same beyond the allowed difference
     // (docs/edges.md); differing: how many pixels differ beyond it; then the numbers of pixels away from edges and at them.
     // subpixel_bits: of the browser's positions in the window (compare::allow_rounded_positions).
-    std::string judged(const Look& look, std::span<const std::uint8_t> shaders, int subpixel_bits);
+    std::string judged(const Look& look, std::span<const std::uint8_t> shaders, std::span<const float> reference,
+                       int subpixel_bits) const;
 
     // The lighting of a pixel, counted from the upper left corner, as `twinlight explain --pixel` prints it.
     std::string explained(const Look& look, int x, int y) const;
+
+    // JSON: the forms that the scene can be exported in: ["c", "glsl", "html"], or fewer.
+    std::string forms(const Look& look) const;
+    // What `twinlight export --as FORM` prints.
+    std::string exported(const std::string& form, const Look& look) const;
 
   private:
     // What all rows of a reference picture share.
@@ -67,17 +87,20 @@ class PageScene {
         Image image;
     };
 
-    // What a picture by shaders is compared with.
-    struct Right {
-        Look look;
-        int subpixel_bits = 0;
-        Image image, other_cut;  // the other cut is empty without quadrilaterals
-        AllowedDifference allowed;
+    std::span<const std::uint8_t> codes_of(std::span<const Rgba> pixels);
+
+    // What the controls begin with.
+    struct Opened {
+        std::shared_ptr<const CommandList> commands;
+        std::string text;
+        WindowSize size;
+        PageControls::Read read;
     };
 
     std::optional<Scene> scene_;
+    Opened opened_;
+    std::optional<PageControls> controls_;  // made when they are first needed
     std::unique_ptr<Staged> staged_;
-    std::optional<Right> right_;
     std::vector<std::uint8_t> codes_;
 };
 

@@ -9,13 +9,17 @@ PAGE := $(WEB)/page
 # The module has the rooms and files that need neither GL nor processes.
 ROOMS_web := $(addprefix src/,base/image base/math base/text scene/command scene/mesh scene/scenes scene/shape scene/spectrum \
     scene/state scene/trace lighting render/effect render/programmable render/programmable/kept render/programmable/precise render/reference judge/compare \
-    judge/explain judge/lint app/web)
+    judge/explain judge/lesson judge/lint judge/study app/session app/web)
+# Of the window's state: the keys, the camera, the edits and the lessons.
+SESSION_web := axes camera edits history keys lesson_state scaled session world world_handles
 WITHOUT_web := $(wildcard src/lighting/points_avx*.cpp) $(filter-out %/tolerance.cpp,$(wildcard src/judge/compare/*.cpp)) \
-    $(addprefix src/render/programmable/,kept_meshes.cpp kept_programs.cpp programmable.cpp shader_program.cpp shader_text.cpp \
-        uploaded_mesh.cpp kept/kept_files.cpp precise/precise_support.cpp)
+    $(addprefix src/render/programmable/,kept_meshes.cpp kept_programs.cpp programmable.cpp shader_program.cpp uploaded_mesh.cpp \
+        precise/precise_support.cpp) \
+    $(filter-out %/scene_of_choice.cpp,$(wildcard src/judge/study/*.cpp)) \
+    $(filter-out $(patsubst %,src/app/session/%.cpp,$(SESSION_web)),$(wildcard src/app/session/*.cpp))
 sources_web = $(sort $(filter-out $(WITHOUT_web),$(wildcard $(1)/*.cpp)))
 OBJECTS_web := $(ROOMS_web:%=$(WEB)/objects/%.room.o) $(WEB)/objects/stb.o \
-    $(patsubst %,$(WEB)/objects/embedded/%.o,scenes scene_assets shaders)
+    $(patsubst %,$(WEB)/objects/embedded/%.o,scenes scene_assets shaders lessons lessons-zh)
 HEADERS_web := fmt glm nlohmann stb tiny_obj_loader.h
 
 # em++ has a library and a /usr/include of its own, so it sees only these of the system's headers.
@@ -30,7 +34,7 @@ LDFLAGS_web := -O2 -fexceptions -sMODULARIZE=1 -sEXPORT_ES6=1 -sENVIRONMENT=web,
 
 .PHONY: web
 web: deps  ## build the page for browsers into build/web/page 
-	@$(MAKE) $(PAGE)/module.js $(patsubst src/app/web/page/%,$(PAGE)/%,$(wildcard src/app/web/page/*)) $(PAGE)/package.json
+	@$(MAKE) $(PAGE)/module.js $(patsubst src/app/web/page/%,$(PAGE)/%,$(wildcard src/app/web/page/*)) $(PAGE)/package.json $(PAGE)/mesa.json
 
 $(WEB)/flags: $(if $(subst |$(EMXX) $(CXXFLAGS_web) $(LDFLAGS_web)|,,|$(file <$(WEB)/flags)|),force)
 	@mkdir -p $(WEB)/include; ln -sf $(HEADERS_web:%=/usr/include/%) $(WEB)/include
@@ -55,6 +59,12 @@ $(PAGE)/module.js: $(OBJECTS_web)
 	@mkdir -p $(@D); NODE_PATH=$${NODE_PATH:-/usr/share/nodejs} $(EMXX) $(LDFLAGS_web) $(OBJECTS_web) -o $@
 $(PAGE)/%: src/app/web/page/%
 	@mkdir -p $(@D); cp $< $@
+# Mesa's pictures of built-in scenes, and the list of their names.
+RECORDED_web := $(patsubst golden/scenes/%/fixed.png,%,$(sort $(wildcard golden/scenes/*/fixed.png)))
+$(PAGE)/mesa/%.png: golden/scenes/%/fixed.png
+	@mkdir -p $(@D); cp $< $@
+$(PAGE)/mesa.json: $(RECORDED_web:%=$(PAGE)/mesa/%.png)
+	@node -p 'JSON.stringify(process.argv.slice(1))' $(RECORDED_web) >$@
 # For Node: these files are modules.
 $(PAGE)/package.json:
 	@mkdir -p $(@D); echo '{"type": "module"}' >$@

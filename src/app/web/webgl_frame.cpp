@@ -7,9 +7,9 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/web/json_text.h"
 #include "render/programmable/draw_values.h"
 #include "render/programmable/kept/core_elements.h"
 #include "render/programmable/shader_assembly.h"
@@ -21,7 +21,6 @@ namespace twinlight::web {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using programmable::Form, programmable::Uniforms;
 
 Json box(const Viewport& v) { return {v.x, v.y, v.width, v.height}; }
@@ -101,10 +100,10 @@ class Writer {
             } else if (const Accumulate* accumulate = std::get_if<Accumulate>(&item)) {
                 add(*accumulate);
             } else if (const Draw* draw = std::get_if<Draw>(&item); draw && draw->count() > 0) {
-                if (options_.shading != Shading::kExact || !draw->has_exact_surfaces()) {
-                    const Plan plan = plan_effects(*draw, options_);
-                    programmable::DrawProgram program = programmable::draw_program(*draw, plan, false);
-                    add(*draw, program.code, {program.numbers});
+                if (draw->pixels && draw->pixels->has_stencils) {
+                    for (const Draw& one : by_stencil_value(*draw)) add_planned(one);
+                } else if (options_.shading != Shading::kExact || !draw->has_exact_surfaces()) {
+                    add_planned(*draw);
                 } else if (!last || !are_one_shape(*last, *draw)) {
                     for (const auto& surface : programmable::surface_programs(*draw, options_))
                         add(surface.draw, surface.code, surface.passes);
@@ -117,7 +116,7 @@ class Writer {
             missing.push_back({{"line", place.line}, {"column", place.column}, {"message", message}});
         const Json header = {{"width", frame_.width}, {"height", frame_.height}, {"programs", programs_},
                              {"textures", textures_}, {"items", items_},         {"missing", missing}};
-        return {header.dump(-1, ' ', false, Json::error_handler_t::replace), std::move(words_)};
+        return {dumped(header), std::move(words_)};
     }
 
   private:
@@ -234,6 +233,12 @@ class Writer {
         Json item = {{"accumulate", accumulate.op}, {"value", accumulate.value}};
         add_scissor(item, accumulate.scissor, accumulate.color_mask);
         items_.push_back(std::move(item));
+    }
+
+    void add_planned(const Draw& draw) {
+        const Plan plan = plan_effects(draw, options_);
+        programmable::DrawProgram program = programmable::draw_program(draw, plan, false);
+        add(draw, program.code, {program.numbers});
     }
 
     void add(const Draw& draw, const programmable::Code& code, const std::vector<Uniforms>& passes) {

@@ -61,7 +61,9 @@ TEST(Plan, LetsADirectionalLightsDirectionDependOnVerticesThatAreDirections) {
 TEST(Plan, SharesItsLightsWithTheDraw) {
     const Draw draw = with_positional_light(with_specular_material());
     for (const bool for_any_pose : {false, true}) {
-        const Plan plan = plan_effects(draw, {.for_any_pose = for_any_pose});
+        PlanOptions options;
+        options.for_any_pose = for_any_pose;
+        const Plan plan = plan_effects(draw, options);
         ASSERT_FALSE(plan.lights.empty());
         EXPECT_EQ(&plan.lighting.lights.front(), &draw.lighting.lights.front());
     }

@@ -1,18 +1,23 @@
 // The page: a scene's text, its errors, and its pictures.
+import {control, showKeys} from "./controls.js";
 import {Renderer} from "./gl.js";
+import {Lessons} from "./lessons.js";
 import {sceneInLink, textInLink} from "./link.js";
+import {setSlider, show, showDifference, showMesa, showReference, startSlider} from "./pictures.js";
+import {offer, save} from "./saves.js";
 import {loadTwinlight} from "./twinlight.js";
 import {Workers} from "./workers.js";
 
 const WIDTH = 640, HEIGHT = 480;
-const ROWS = 48;          // of a worker's task
-const PAUSE_MS = 150;     // after a key, before the text is read
-const ZERO_GREY = 64;     // where pictures are equal
+const LESSON = "lesson:";  // before a lesson's name in the list of scenes
+const PAUSE_MS = 150;  // after a key, before the text is read
 
 const at = (id) => document.getElementById(id);
 const twinlight = await loadTwinlight();
 const workers = new Workers(Math.min(Math.max(navigator.hardwareConcurrency || 2, 2), 8));
 const builtIn = twinlight.builtIn();
+const recorded = await (await fetch("mesa.json")).json();  // the names of the scenes that have a picture by Mesa
+const language = navigator.language.startsWith("zh") ? "zh" : "en";
 let renderer = null, name = "scene", opened = null, revision = 0, pause = 0;
 
 // ---- Messages: all texts of scenes become text, never markup ----
@@ -38,41 +43,6 @@ function select(line, column) {
 
 // ---- Pictures ----
 
-function canvasOf(id, {width, height}) {
-    const canvas = at(id);
-    if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
-    return canvas.getContext("2d");
-}
-function show(id, pixels, size, y = 0) {
-    const opaque = new Uint8ClampedArray(pixels);
-    for (let i = 3; i < opaque.length; i += 4) opaque[i] = 255;
-    canvasOf(id, size).putImageData(new ImageData(opaque, size.width), 0, y);
-    at(id).classList.remove("stale");
-}
-
-// The reference's picture, band by band as the workers draw it.
-async function reference(id, scene, size, given, mine) {
-    const whole = new Uint8ClampedArray(4 * size.width * size.height), bands = [];
-    for (let y0 = 0; y0 < size.height; y0 += ROWS) {
-        const y1 = Math.min(y0 + ROWS, size.height);
-        bands.push(workers.do({scene, work: "rows", given: {...given, y0, y1, width: size.width}}).then((rows) => {
-            if (mine !== revision) return;
-            whole.set(rows, 4 * size.width * y0);
-            show(id, rows, size, y0);
-        }));
-    }
-    await Promise.all(bands);
-    return whole;
-}
-
-function showDifference(a, b, largest, size) {
-    let factor = 1;
-    while (factor < 64 && 2 * factor * largest <= 255) factor *= 2;
-    const pixels = a.map((value, i) => ZERO_GREY + factor * Math.abs(value - b[i]));
-    show("difference", pixels, size);
-    at("factor").textContent = `(${factor} times)`;
-}
-
 function verdict(result) {
     const {within, max, at: [x, y], beyond, interior, differing} = result;
     if (max === 0) return "Shaders and reference are equal away from edges.";
@@ -82,12 +52,17 @@ function verdict(result) {
 }
 
 async function draw() {
-    const mine = ++revision;
+    const mine = ++revision, wanted = () => mine === revision;
+    clearTimeout(pause);
+    pause = 0;
+    performance.clearMarks();
+    performance.mark("begin");
     workers.forget();
     const scene = {text: at("text").value, name, step: at("steps").value, width: WIDTH, height: HEIGHT};
     let answer = twinlight.open(scene);
     // The text may have lost its steps.
     if (answer.errors.length > 0 && scene.step) answer = twinlight.open({...scene, step: ""});
+    lessons.changed(scene.text);
     at("messages").replaceChildren();
     for (const {line, column, message: text} of answer.errors) message("error", {line, column, text});
     if (answer.note) message("note", {line: 0, text: answer.note});
@@ -99,37 +74,45 @@ async function draw() {
     }
     setSteps(answer);
     scene.step = at("steps").value;
-    const shading = at("shading").value;
+    const shading = at("shading").value, size = {width: answer.width, height: answer.height};
     let pixels = null;
     at("verdict").textContent = "The reference is drawing ...";
     try {
         renderer ??= new Renderer();
         const frame = twinlight.webglFrame(shading);
         pixels = renderer.draw(frame);
-        show("shaders", pixels, answer);
+        show("shaders", pixels, size);
         for (const {line, column, message: text} of frame.header.missing)
             message("note", {line, column, text: "the shaders' picture lacks a part, because WebGL does: " + text});
     } catch (error) {
         message("error", {line: 0, text: error.message});
     }
     try {
-        const right = reference("reference", scene, answer, {shading}, mine);
-        const floats = reference("floats", scene, answer, {shading: "scene", asFloats: true}, mine);
+        const right = showReference("reference", workers, scene, size, {shading}, wanted);
+        const floats = showReference("floats", workers, scene, size, {shading: "scene", asFloats: true}, wanted);
+        await showMesa(isRecorded(scene) ? name : null, wanted);
+        offer(twinlight.forms(shading));
         for (const warning of twinlight.warnings())
             message("warning", {...warning, text: `${warning.message}; ${warning.fix}`});
-        const judged = pixels ? workers.do({scene, work: "judge", given: {shading, pixels: new Uint8Array(pixels), subpixelBits: renderer.subpixelBits}}) : null;
         const whole = await right;
-        if (judged) {
-            const result = await judged;
-            if (mine !== revision) return;
-            showDifference(pixels, whole, result.max, answer);
+        if (!wanted()) return;
+        if (pixels) {
+            const given = {shading, pixels: new Uint8Array(pixels), floats: whole.floats, subpixelBits: renderer.subpixelBits};
+            const result = await workers.do({scene, work: "judge", given}, {soon: true});
+            if (!wanted()) return;
+            at("factor").textContent = `(${showDifference(pixels, whole.pixels, result.max, size)} times)`;
             at("verdict").textContent = verdict(result);
         }
         await floats;
     } catch (error) {
-        if (mine === revision) message("error", {line: 0, text: error.message});
+        if (wanted()) message("error", {line: 0, text: error.message});
     }
-    if (mine === revision) document.body.dataset.drawn = mine;
+    if (wanted()) document.body.dataset.drawn = mine;
+}
+
+// Whether Mesa's picture is that of this text.
+function isRecorded({text, step}) {
+    return recorded.includes(name) && (step === "" || step === "1") && builtIn.some((one) => one.name === name && one.text === text);
 }
 
 // ---- Controls ----
@@ -144,25 +127,77 @@ function setSteps({steps, step}) {
 
 function load(scene_name, text, step = "") {
     name = scene_name;
-    at("text").value = text;
-    at("steps").replaceChildren(...(step ? [new Option(step, step)] : []));
+    at("said").textContent = "";
+    setText(text, step);
     return draw();
+}
+
+// The step is chosen when the text is read.
+function setText(text, step) {
+    const top = at("text").scrollTop;
+    if (at("text").value !== text) at("text").value = text;
+    at("text").scrollTop = top;
+    at("steps").replaceChildren(...(step ? [new Option(step, step)] : []));
 }
 
 function openBuiltIn(wanted, step) {
     const scene = builtIn.find((one) => one.name === wanted) ?? builtIn.find((one) => one.name === "report");
+    lessons.hide();
     at("scenes").value = scene.name;
     return load(scene.name, scene.text, step);
 }
 
+function openLesson(lesson) {
+    at("scenes").value = LESSON + lesson.name;
+    lessons.show(lesson);
+    return load(lesson.name, lesson.scene);
+}
+
+function openMenu(value) {
+    return value.startsWith(LESSON) ? openLesson(lessons.find(value.slice(LESSON.length))) : openBuiltIn(value);
+}
+
 async function openLink() {
     const link = new URLSearchParams(location.hash.slice(1));
+    const lesson = lessons.find(link.get("lesson"));
+    if (lesson) return openLesson(lesson);
     try {
-        if (link.has("text")) return await load("scene", await textInLink(link.get("text")), link.get("step") ?? "");
+        if (link.has("text")) {
+            const text = await textInLink(link.get("text"));
+            lessons.hide();
+            return await load("scene", text, link.get("step") ?? "");
+        }
     } catch {
         message("error", {line: 0, text: "this link holds no scene; copy it again"});
     }
     return openBuiltIn(link.get("scene"), link.get("step") ?? "");
+}
+
+// The option of a list so many places away; the first follows the last.
+function neighbour(select, away) {
+    const options = [...select.options];
+    return options.length > 0 ? options[(select.selectedIndex + away + options.length) % options.length].value : "";
+}
+
+// What a key or a move of the mouse asks for.
+function controlled({text, shown, message: said, scene, step, exports, keys}) {
+    at("said").textContent = said;
+    if (keys) at("keys").open = !at("keys").open;
+    if (exports) save("c", name, twinlight);
+    if (scene) return openMenu(neighbour(at("scenes"), scene));
+    if (step && at("steps").options.length > 0) {
+        at("steps").value = neighbour(at("steps"), step);
+        return draw();
+    }
+    if (text === at("text").value) return null;
+    setText(text, shown > 0 ? String(shown) : "");
+    return draw();
+}
+
+// Whether a scene is open; first reads what was typed.
+function ready() {
+    if (pause) draw();
+    return opened !== null;
 }
 
 function explain(x, y) {
@@ -171,8 +206,22 @@ function explain(x, y) {
     at("explanation").textContent = twinlight.explain(at("shading").value, x, y);
 }
 
-at("scenes").append(...builtIn.map((scene) => new Option(scene.name)));
-at("scenes").addEventListener("change", () => openBuiltIn(at("scenes").value));
+const lessons = new Lessons(twinlight.lessons(language), {
+    open: (text) => load(name, text),
+    text: () => at("text").value,
+    check: (lesson, text) => workers.do({work: "check", given: {lesson: lesson.name, language, text}}, {soon: true, keep: true}),
+    next: openLesson,
+});
+
+function group(label, options) {
+    const made = document.createElement("optgroup");
+    made.label = label;
+    made.append(...options);
+    return made;
+}
+at("scenes").append(group("Scenes", builtIn.map((scene) => new Option(scene.name))),
+                    group("Lessons", lessons.lessons.map(({name, title}) => new Option(title, LESSON + name))));
+at("scenes").addEventListener("change", () => openMenu(at("scenes").value));
 at("steps").addEventListener("change", draw);
 at("shading").addEventListener("change", draw);
 at("text").addEventListener("input", () => {
@@ -187,28 +236,21 @@ at("link").addEventListener("click", async () => {
         // The address bar has the link, too.
     }
 });
-at("save").addEventListener("click", () => {
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([at("text").value], {type: "text/plain"}));
-    link.download = name + ".gl";
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-});
+at("save").addEventListener("click", () => save(at("form").value, name, twinlight));
 at("probe").addEventListener("submit", (event) => {
     event.preventDefault();
     explain(at("x").valueAsNumber, at("y").valueAsNumber);
 });
-for (const canvas of document.querySelectorAll("canvas"))
-    canvas.addEventListener("click", (event) => {
-        const box = canvas.getBoundingClientRect();
-        explain(Math.floor((event.clientX - box.left) * canvas.width / box.width),
-                Math.floor((event.clientY - box.top) * canvas.height / box.height));
-    });
+for (const canvas of document.querySelectorAll("canvas")) control(canvas, twinlight, {ready, done: controlled, click: explain});
+showKeys(at("keys").querySelector("table"), twinlight.keys());
+startSlider();
 addEventListener("dragover", (event) => event.preventDefault());
 addEventListener("drop", async (event) => {
     event.preventDefault();
     const file = event.dataTransfer.files[0];
-    if (file) await load(file.name.replace(/\.[^.]*$/, ""), await file.text());
+    if (!file) return;
+    lessons.hide();
+    await load(file.name.replace(/\.[^.]*$/, ""), await file.text());
 });
 addEventListener("hashchange", openLink);
 

@@ -2,9 +2,17 @@
 import createModule from "./module.js";
 
 export const SHADINGS = {scene: -1, flat: 0, gouraud: 1, phong: 2, exact: 3};
+const COARSE = 4;  // PageScene::kCoarse
 
 export async function loadTwinlight(options = {}) {
     const module = await createModule(options);
+
+    function allocated(bytes) {
+        const place = module._allocate(bytes);
+        if (place === 0) throw new Error("this scene needs more memory than a page gets");
+        return place;
+    }
+    const copied = (place, bytes) => module.HEAPU8.slice(place, place + bytes);
 
     // Calls a function with numbers and texts.
     function call(name, ...values) {
@@ -13,8 +21,7 @@ export async function loadTwinlight(options = {}) {
             const given = values.map((value) => {
                 if (typeof value !== "string") return value;
                 const bytes = new TextEncoder().encode(value);
-                const place = module._allocate(bytes.length + 1);
-                if (place === 0) throw new Error("this scene needs more memory than a page gets");
+                const place = allocated(bytes.length + 1);
                 texts.push(place);
                 module.HEAPU8.set(bytes, place);
                 module.HEAPU8[place + bytes.length] = 0;
@@ -38,28 +45,53 @@ export async function loadTwinlight(options = {}) {
         // Opens a scene; then the functions below are about it. Throws only if memory is short.
         open: ({text, name, step = "", width, height}) => json("open_scene", text, name, step, width, height),
         warnings: () => json("lint_scene").warnings,
-        // A copy of the rows y0 to y1 of the reference's picture, `width` pixels each.
+        // A copy of the rows y0 to y1 of the reference's picture, `width` pixels each: {rows: bytes, floats}.
         referenceRows({shading, asFloats = false, y0, y1, width}) {
-            const place = call("reference_rows", SHADINGS[shading], asFloats ? 1 : 0, y0, y1);
-            return module.HEAPU8.slice(place, place + 4 * width * (y1 - y0));
+            const count = 4 * width * (y1 - y0);
+            const rows = copied(call("reference_rows", SHADINGS[shading], asFloats ? 1 : 0, y0, y1), count);
+            return {rows, floats: asFloats ? null : new Float32Array(copied(call("reference_floats", y0, y1), 4 * count).buffer)};
+        },
+        // The whole picture, with fewer pixels: {pixels, width}.
+        coarseReference({shading, asFloats = false, width, height}) {
+            const less = (side) => Math.ceil(side / COARSE);
+            const place = call("coarse_reference", SHADINGS[shading], asFloats ? 1 : 0);
+            return {pixels: copied(place, 4 * less(width) * less(height)), width: less(width)};
         },
         // {header, words}: what gl.js draws.
         webglFrame(shading) {
             const header = json("webgl_header", SHADINGS[shading]);
             const place = module._webgl_words(), count = module._webgl_word_count();
-            return {header, words: module.HEAPU8.slice(place, place + 4 * count).buffer};
+            return {header, words: copied(place, 4 * count).buffer};
         },
-        // Compares a picture by shaders with the reference's. subpixelBits: gl.SUBPIXEL_BITS.
-        judge(shading, pixels, subpixelBits) {
-            const place = module._allocate(pixels.length);
-            if (place === 0) throw new Error("this scene needs more memory than a page gets");
+        // Compares a picture by shaders with the reference's floats. subpixelBits: gl.SUBPIXEL_BITS.
+        judge(shading, pixels, floats, subpixelBits) {
+            const place = allocated(5 * pixels.length), place_of_floats = place + pixels.length;
             try {
                 module.HEAPU8.set(pixels, place);
-                return json("judge_picture", SHADINGS[shading], place, pixels.length, subpixelBits);
+                module.HEAPU8.set(new Uint8Array(floats.buffer, floats.byteOffset, floats.byteLength), place_of_floats);
+                return json("judge_picture", SHADINGS[shading], place, place_of_floats, pixels.length, subpixelBits);
             } finally {
                 module._release(place);
             }
         },
         explain: (shading, x, y) => textAt(call("explain_pixel", SHADINGS[shading], x, y)),
+
+        // The window's keys and mouse. Answers: page_controls.h.
+        keys: () => json("key_list"),
+        press: (code) => json("press_key", code),
+        startDrag: (may_go_under) => module._start_drag(may_go_under ? 1 : 0),
+        drag: (looks, dx, dy) => json("drag", looks ? 1 : 0, dx, dy),
+        endDrag: () => module._end_drag(),
+        zoom: (steps) => json("zoom", steps),
+
+        // Lessons, in the language "en" or "zh": page_lessons.h.
+        lessons: (language) => json("lesson_list", language),
+        checkAnswer: ({lesson, language, text}) => json("check_answer", lesson, language, text),
+
+        // What the scene can be exported as, and its text.
+        forms: (shading) => json("forms", SHADINGS[shading]),
+        exported: (form, shading) => textAt(call("export_scene", form, SHADINGS[shading])),
+
+        memoryBytes: () => module.HEAPU8.length,
     };
 }

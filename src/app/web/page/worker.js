@@ -1,20 +1,27 @@
-// Draws rows of the reference's pictures, and judges pictures by shaders. Messages: {id, scene, work, ...}; answers: {id, result} or
+// Draws the reference's pictures, judges pictures by shaders, and checks answers to lessons. Messages: {id, scene, work, ...}; answers: {id, result} or
 // {id, error}. Scenes come from the page, which has opened them without an error.
 import {loadTwinlight} from "./twinlight.js";
 
 const loading = loadTwinlight();
 let opened = "";
 
+const WORK = {
+    coarse: (twinlight, given) => twinlight.coarseReference(given),
+    rows: (twinlight, given) => twinlight.referenceRows(given),
+    judge: (twinlight, {shading, pixels, floats, subpixelBits}) => twinlight.judge(shading, pixels, floats, subpixelBits),
+    check: (twinlight, given) => twinlight.checkAnswer(given),
+};
+
 addEventListener("message", async ({data: {id, scene, work, given}}) => {
     try {
         const twinlight = await loading;
         const key = JSON.stringify(scene);
-        if (key !== opened) {
+        if (scene && key !== opened) {
             opened = "";
             twinlight.open(scene);
             opened = key;
         }
-        postMessage({id, result: work === "rows" ? twinlight.referenceRows(given) : twinlight.judge(given.shading, given.pixels, given.subpixelBits)});
+        postMessage({id, result: WORK[work](twinlight, given)});
     } catch (error) {
         opened = "";
         postMessage({id, error: String(error.message ?? error)});

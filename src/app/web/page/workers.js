@@ -8,18 +8,18 @@ export class Workers {
         this.next = 0;
     }
 
-    // A promise of the task's result. It never settles if forget() drops the task.
-    do(task) {
+    // A promise of the task's result. It never settles if forget() drops the task. `soon`: before the tasks that wait.
+    do(task, {soon = false, keep = false} = {}) {
         return new Promise((resolve, reject) => {
-            this.queue.push({task, resolve, reject});
+            this.queue[soon ? "unshift" : "push"]({task, keep, resolve, reject});
             this.start();
         });
     }
 
-    // Drops the tasks that have not begun. Those that have end, but nobody waits for them.
+    // Drops the tasks that have not begun, except those to keep. Those that have end, but nobody waits for them.
     forget() {
-        this.queue = [];
-        this.waiting.clear();
+        this.queue = this.queue.filter(({keep}) => keep);
+        for (const [id, {keep}] of this.waiting) if (!keep) this.waiting.delete(id);
     }
 
     started() {

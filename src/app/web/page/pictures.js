@@ -1,0 +1,97 @@
+// The pictures on the page.
+
+const ROWS = 48;       // of a worker's task
+const ZERO_GREY = 64;  // where pictures are equal
+const SIDES = ["left", "right"];  // of the slider
+
+const at = (id) => document.getElementById(id);
+
+function contextOf(id, {width, height}) {
+    const canvas = at(id);
+    if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+    canvas.classList.remove("stale");
+    return canvas.getContext("2d");
+}
+function opaqueImage(pixels, width) {
+    const opaque = new Uint8ClampedArray(pixels);
+    for (let i = 3; i < opaque.length; i += 4) opaque[i] = 255;
+    return new ImageData(opaque, width);
+}
+
+export function show(id, pixels, size, y = 0) { contextOf(id, size).putImageData(opaqueImage(pixels, size.width), 0, y); }
+
+async function showCoarse(id, {pixels, width}, size) {
+    const bitmap = await createImageBitmap(opaqueImage(pixels, width));
+    return () => contextOf(id, size).drawImage(bitmap, 0, 0, size.width, size.height);
+}
+
+// The reference's picture as the workers draw it: first a coarse one, then band by band. Returns its pixels, and the same as floats
+// for the judge. wanted(): whether the picture is still to be shown.
+export async function showReference(id, workers, scene, size, look, wanted) {
+    const count = 4 * size.width * size.height, whole = {pixels: new Uint8ClampedArray(count), floats: null}, done = [];
+    if (!look.asFloats) whole.floats = new Float32Array(count);
+    workers.do({scene, work: "coarse", given: {...look, ...size}}).then(async (coarse) => {
+        const draw = await showCoarse(id, coarse, size);
+        if (!wanted()) return;
+        draw();
+        done.forEach(([rows, y0]) => show(id, rows, size, y0));
+        performance.mark("first " + id);  // the tests measure it
+    }).catch(() => {});  // the bands say what is wrong
+    const bands = [];
+    for (let y0 = 0; y0 < size.height; y0 += ROWS) {
+        const y1 = Math.min(y0 + ROWS, size.height);
+        bands.push(workers.do({scene, work: "rows", given: {...look, y0, y1, width: size.width}}).then(({rows, floats}) => {
+            if (!wanted()) return;
+            const first = 4 * size.width * y0;
+            whole.pixels.set(rows, first);
+            whole.floats?.set(floats, first);
+            done.push([rows, y0]);
+            show(id, rows, size, y0);
+        }));
+    }
+    await Promise.all(bands);
+    return whole;
+}
+
+// Returns the factor by which the difference is amplified.
+export function showDifference(a, b, largest, size) {
+    let factor = 1;
+    while (factor < 64 && 2 * factor * largest <= 255) factor *= 2;
+    show("difference", a.map((value, i) => ZERO_GREY + factor * Math.abs(value - b[i])), size);
+    return factor;
+}
+
+// Mesa's picture of a built-in scene, or none.
+export async function showMesa(name, wanted) {
+    const figure = at("mesa").parentElement;
+    const bitmap = name && await createImageBitmap(await (await fetch(`mesa/${name}.png`)).blob());
+    if (!wanted()) return;
+    figure.hidden = !bitmap;
+    if (bitmap) contextOf("mesa", bitmap).drawImage(bitmap, 0, 0);
+    for (const side of SIDES) {
+        const option = [...at(side).options].find(({value}) => value === "mesa");
+        option.hidden = option.disabled = !bitmap;
+        if (option.selected && !bitmap) at(side).selectedIndex = 0;
+    }
+    setSlider();
+}
+
+// ---- The slider: two pictures, one on each side of a line ----
+
+export function setSlider() {
+    const is_slider = at("view").value === "slider";
+    at("pictures").className = is_slider ? "slider" : "grid";
+    at("slider").hidden = !is_slider;
+    for (const figure of at("pictures").querySelectorAll("figure")) figure.classList.remove(...SIDES);
+    if (!is_slider) return;
+    for (const side of SIDES) at(at(side).value).parentElement.classList.add(side);
+    at("pictures").style.setProperty("--line", at("line").value + "%");
+}
+
+export function startSlider() {
+    for (const side of SIDES)
+        for (const figure of at("pictures").querySelectorAll("figure"))
+            at(side).append(new Option(figure.querySelector("figcaption span").textContent, figure.querySelector("canvas").id));
+    at("right").value = "reference";
+    for (const id of ["view", "line", ...SIDES]) at(id).addEventListener("input", setSlider);
+}

@@ -1,0 +1,18 @@
+// The lessons in the page: what `twinlight lesson` prints.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "judge/lesson/lesson.h"
+
+namespace twinlight::web {
+
+// JSON: {"words": {...}, "lessons": [{"name", "title", "about", "question", "scene", "changed", "prediction", "choices": [...], "verdicts": [...],
+// "seen", "task"}]}, in the order of teaching. words: app/session's for the panel of lessons; verdicts: a sentence for each choice.
+std::string page_lessons(lesson::Language language);
+
+// JSON: {"right", "check", "reason"}, as `twinlight lesson NAME --check FILE --json` prints them.
+std::string checked_answer(const std::string& name, lesson::Language language, std::string_view answer);
+
+}  // namespace twinlight::web

@@ -1,0 +1,107 @@
+// The page's keys and mouse, without a browser: the text follows the commands.
+#include "app/web/page_controls.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/web/page_scene.h"
+#include "render/reference/reference.h"
+
+namespace twinlight::web {
+
+namespace {
+
+using Json = nlohmann::json;
+
+std::string text_after(PageScene& scene, const std::string& answer) {
+    const Json json = Json::parse(answer);
+    EXPECT_EQ(json["known"], true);
+    EXPECT_EQ(Json::parse(scene.open(json["text"].get<std::string>(), "scene", "", {64, 64}))["errors"], Json::array());
+    return json["text"];
+}
+
+constexpr const char* kScene = R"(// A ball.
+glEnable(GL_LIGHTING);
+    glEnable ( GL_LIGHT0 ) /* on; */ ;  // a lamp: 日
+gluLookAt(0, 0, 5,  0, 0, 0,  0, 1, 0);
+glutSolidSphere(1, 8, 8);
+)";
+
+TEST(WebControls, ChangeOnlyTheirOwnStatements) {
+    PageScene scene;
+    scene.open(kScene, "scene", "", {64, 64});
+    std::string expected = kScene;
+    const std::string statement = "glEnable ( GL_LIGHT0 ) /* on; */ ;";
+    expected.replace(expected.find(statement), statement.size(), "glDisable(GL_LIGHT0);");
+    EXPECT_EQ(text_after(scene, scene.controls().press('1')), expected);
+    EXPECT_EQ(text_after(scene, scene.controls().press('z')), kScene);
+}
+
+TEST(WebControls, InsertLinesAsTheNextOneIsIndented) {
+    PageScene scene;
+    scene.open("  glutSolidSphere(1, 8, 8);\n", "scene", "", {64, 64});
+    EXPECT_EQ(text_after(scene, scene.controls().press('l')),
+              "  glEnable(GL_LIGHTING);\n  glutSolidSphere(1, 8, 8);\n");
+}
+
+TEST(WebControls, MoveTheCamera) {
+    PageScene scene;
+    scene.open(kScene, "scene", "", {64, 64});
+    scene.controls().start_drag(false);
+    EXPECT_NE(text_after(scene, scene.controls().drag(false, 180, 0)).find("gluLookAt(-5, 0, 0, 0, 0, 0, 0, 1, 0);"),
+              std::string::npos);
+    EXPECT_NE(text_after(scene, scene.controls().zoom(1)).find("gluLookAt(-4.54545, 0, 0, 0, 0, 0, 0, 1, 0);"),
+              std::string::npos);
+}
+
+TEST(WebControls, KeepTheStepsOfAScene) {
+    PageScene scene;
+    const std::string text =
+        "#pragma twinlight step(\"A\")\nglEnable(GL_LIGHT1);\n#pragma twinlight step(\"B\")\nglEnable(GL_LIGHT2);\n"
+        "#pragma twinlight step()\nglutSolidSphere(1, 8, 8);\n";
+    scene.open(text, "scene", "2", {64, 64});
+    const Json json = Json::parse(scene.controls().press('3'));
+    std::string expected = text;
+    expected.replace(expected.find("glEnable(GL_LIGHT2)"), 19, "glDisable(GL_LIGHT2)");
+    EXPECT_EQ(json["text"], expected);
+    EXPECT_EQ(json["shown"], 2);
+}
+
+// One statement, two commands, of which only the second gets a camera before it.
+TEST(WebControls, WriteTheTextAnewWhereAChangeDoesNotFit) {
+    PageScene scene;
+    const std::string text = "for (int i = 0; i < 2; ++i) glutSolidSphere(1, 4 + 4 * i, 8);  // two balls\n";
+    scene.open(text, "scene", "", {64, 64});
+    const Json json = Json::parse(scene.controls().press('+'));
+    EXPECT_EQ(json["text"].get<std::string>().find("for"), std::string::npos) << json["text"];
+    EXPECT_NE(json["message"].get<std::string>().find("z brings it back"), std::string::npos);
+    EXPECT_EQ(Json::parse(scene.controls().press('z'))["text"], text);
+}
+
+TEST(WebControls, HaveOnlyThePagesKeys) {
+    PageScene scene;
+    scene.open(kScene, "scene", "", {64, 64});
+    EXPECT_EQ(Json::parse(scene.controls().press('h'))["known"], false);
+    EXPECT_EQ(Json::parse(scene.controls().press(']'))["scene"], 1);
+    EXPECT_EQ(Json::parse(scene.controls().press('e'))["exports"], true);
+    EXPECT_EQ(Json::parse(scene.controls().press('?'))["keys"], true);
+}
+
+// The judge compares with the rows that were drawn, so they must be the whole picture's.
+TEST(PageScene, DrawsRowsAsTheWholePicture) {
+    PageScene scene;
+    scene.open(kScene, "scene", "", {64, 64});
+    const Image whole = reference::render(scene.scene().frame, {});
+    scene.reference({}, 10, 40);
+    const auto floats = scene.reference_floats(10, 40);
+    ASSERT_EQ(floats.size(), 4u * 64 * 30);
+    for (std::size_t i = 0; i < floats.size(); ++i)
+        ASSERT_EQ(floats[i], whole.pixels[whole.index(0, 10) + i / 4][i % 4]);
+    EXPECT_EQ(scene.coarse_reference({}).size(), 4u * 16 * 16);
+}
+
+}  // namespace
+
+}  // namespace twinlight::web
