@@ -133,24 +133,26 @@ try {
     // In a page without the editor, so that the pictures are the only work.
     await browser.visit("package.json");
     const pictures = await browser.value(`(async () => {
-        const [{loadTwinlight}, {Renderer}] = await Promise.all([import("/twinlight.js"), import("/gl.js")]);
-        const twinlight = await loadTwinlight(), renderer = new Renderer(), pictures = [];
-        for (const job of ${fs.readFileSync(jobs, "utf8")}) {
-            const {errors, width, height} = twinlight.open(job);
+        const [{loadTwinlight}, {Renderer}, {Workers}] = await Promise.all([import("/twinlight.js"), import("/gl.js"), import("/workers.js")]);
+        const twinlight = await loadTwinlight(), renderer = new Renderer(), workers = new Workers(2), pictures = [], judging = [];
+        for (const {shadings, ...scene} of ${fs.readFileSync(jobs, "utf8")}) {
+            const {errors, width, height} = twinlight.open(scene);
             if (errors.length > 0) continue;
-            for (const shading of job.shadings) {
-                const picture = {name: job.name, step: job.step, shading};
+            for (const shading of shadings) {
+                const picture = {name: scene.name, step: scene.step, shading}, failed = (error) => picture.error = String(error);
+                pictures.push(picture);
                 try {
                     const frame = twinlight.webglFrame(shading);
                     picture.missing = frame.header.missing.map(({message}) => message);
                     const {floats} = twinlight.referenceRows({shading, y0: 0, y1: height, width});
-                    picture.judged = twinlight.judge(shading, renderer.draw(frame), floats, renderer.subpixelBits);
+                    const given = {shading, pixels: renderer.draw(frame), floats, subpixelBits: renderer.subpixelBits};
+                    judging.push(workers.do({scene, work: "judge", given}).then((judged) => picture.judged = judged, failed));
                 } catch (error) {
-                    picture.error = String(error);
+                    failed(error);
                 }
-                pictures.push(picture);
             }
         }
+        await Promise.all(judging);
         return pictures;
     })()`);
 

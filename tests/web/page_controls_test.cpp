@@ -69,13 +69,24 @@ TEST(WebControls, KeepTheStepsOfAScene) {
     EXPECT_EQ(json["shown"], 2);
 }
 
-// One statement, two commands, of which only the second gets a camera before it.
+// One statement, two commands that change in different ways.
 TEST(WebControls, WriteTheTextAnewWhereAChangeDoesNotFit) {
     PageScene scene;
-    const std::string text = "for (int i = 0; i < 2; ++i) glutSolidSphere(1, 4 + 4 * i, 8);  // two balls\n";
+    const std::string text =
+        "#include <GL/glut.h>\n"
+        "void display(void) {\n"
+        "    int i;\n"
+        "    for (i = 0; i < 2; ++i) glutSolidSphere(1, 4 + 4 * i, 8);  /* two balls */\n"
+        "}\n"
+        "int main(int argc, char** argv) {\n"
+        "    glutInit(&argc, argv);\n"
+        "    glutCreateWindow(\"balls\");\n"
+        "    glutDisplayFunc(display);\n"
+        "    glutMainLoop();\n"
+        "}\n";
     scene.open(text, "scene", "", {64, 64});
     const Json json = Json::parse(scene.controls().press('+'));
-    EXPECT_EQ(json["text"].get<std::string>().find("for"), std::string::npos) << json["text"];
+    EXPECT_EQ(json["text"].get<std::string>().find("two balls"), std::string::npos) << json["text"];
     EXPECT_NE(json["message"].get<std::string>().find("z brings it back"), std::string::npos);
     EXPECT_EQ(Json::parse(scene.controls().press('z'))["text"], text);
 }

@@ -98,7 +98,7 @@ TEST(WebPage, DrawsEveryScene) {
     EXPECT_EQ(page["mesa"][0], true) << "hidden for a text of your own";
     EXPECT_EQ(page["mesa"][1], false);
     EXPECT_EQ(page["mesa"][2], page["mesa"][3]);
-    EXPECT_EQ(page["slider"], (Json{{"reference", "inset(0px 0px 0px 30%)"}, {"mesa", "none"}}));
+    EXPECT_EQ(page["slider"], Json::parse("[[\"reference\", \"inset(0px 0px 0px 30%)\"], [\"mesa\", \"none\"]]"));
 
     EXPECT_TRUE(page["wrong"].get<std::string>().starts_with("Not yet. The highlight covers 1 times")) << page["wrong"];
     EXPECT_EQ(page["outdated"], "The scene has changed since this check.");

@@ -83,11 +83,15 @@ EXPORT const char* key_list() { return answered(page_keys); }
 EXPORT const char* press_key(int code) {
     return answered([&] { return scene.controls().press(code); });
 }
-EXPORT void start_drag(int may_go_under) { scene.controls().start_drag(may_go_under != 0); }
+EXPORT void start_drag(int may_go_under) {
+    if (scene.is_open()) scene.controls().start_drag(may_go_under != 0);
+}
 EXPORT const char* drag(int looks, int dx, int dy) {
     return answered([&] { return scene.controls().drag(looks != 0, dx, dy); });
 }
-EXPORT void end_drag() { scene.controls().end_drag(); }
+EXPORT void end_drag() {
+    if (scene.is_open()) scene.controls().end_drag();
+}
 EXPORT const char* zoom(int steps) {
     return answered([&] { return scene.controls().zoom(steps); });
 }

@@ -83,6 +83,7 @@ std::string PageScene::open(std::string_view text, const std::string& name, cons
 }
 
 PageControls& PageScene::controls() {
+    if (!is_open()) throw std::logic_error("no scene is open");
     if (!controls_) controls_.emplace(opened_.commands, opened_.text, opened_.size, opened_.read);
     return *controls_;
 }
