@@ -166,7 +166,7 @@ try {
             gl["create" + kind] = (...given) => (++alive[kind], create(...given));
             gl["delete" + kind] = (object) => (object && --alive[kind], remove(object));
         }
-        const {text} = twinlight.builtIn().find(({name}) => name === "solid-texture"), after = [];
+        const {text} = twinlight.builtIn().find(({name}) => name === "texture-units"), after = [];
         for (let edit = 0; edit < 100; ++edit) {
             twinlight.open({text: text + "glRotatef(" + edit + ", 0, 1, 0);", name: "edit", width: 64, height: 48});
             const pixels = renderer.draw(twinlight.webglFrame(edit % 2 ? "phong" : "scene"));

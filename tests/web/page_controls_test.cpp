@@ -70,7 +70,7 @@ TEST(WebControls, KeepTheStepsOfAScene) {
 }
 
 // One statement, two commands that change in different ways.
-TEST(WebControls, WriteTheTextAnewWhereAChangeDoesNotFit) {
+TEST(WebControls, WriteTheTextAgainWhereAChangeDoesNotFit) {
     PageScene scene;
     const std::string text =
         "#include <GL/glut.h>\n"

@@ -25,7 +25,7 @@ PageControls::PageControls(std::shared_ptr<const CommandList> opened, std::strin
 
 bool PageControls::shows(std::string_view text, std::size_t step) const {
     return text == text_ &&
-           (step == session_.opened->step || step == 0);  // 0: the text that is written anew has no steps
+           (step == session_.opened->step || step == 0);  // 0: the text that is written again has no steps
 }
 
 std::string PageControls::press(int code) {
@@ -61,7 +61,7 @@ void PageControls::follow() {
     }
     text_ = print_scene(now);
     say(session_,
-        "The scene is written anew, command by command, because this change does not fit into its text; z brings it "
+        "The scene is written again, command by command, because this change does not fit into its text; z brings it "
         "back.");
 }
 

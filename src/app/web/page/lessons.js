@@ -30,7 +30,8 @@ function button(text, id, click) {
 }
 
 export class Lessons {
-    // open(lesson, text): shows this text as the lesson's scene; text(): the answer now; check(lesson): a promise of its grade.
+    // open(text): shows this text as the lesson's scene; text(): the answer now; check(lesson, text): a promise of its grade;
+    // next(lesson): opens another lesson.
     constructor({words, lessons}, {open, text, check, next}) {
         Object.assign(this, {words, lessons, open, text, check, next});
     }
@@ -50,10 +51,8 @@ export class Lessons {
         const following = this.lessons[this.lessons.indexOf(lesson) + 1];
         const choices = document.createElement("p");
         choices.className = "choices";
-        choices.append(...lesson.choices.map((choice, i) => {
-            const made = button(`${String.fromCharCode(65 + i)}. ${choice.replaceAll("`", "")}`, "", () => this.predict(i, choices, seen));
-            return made;
-        }));
+        choices.append(...lesson.choices.map((choice, i) =>
+            button(`${String.fromCharCode(65 + i)}. ${choice.replaceAll("`", "")}`, "", () => this.predict(i, choices, seen))));
         at("lesson").replaceChildren(
             element("h2", lesson.title), ...prose(lesson.about), ...prose(lesson.question),
             element("h3", words.prediction), ...prose(lesson.prediction), choices, seen,
