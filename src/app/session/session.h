@@ -144,8 +144,8 @@ void open(Session& session, std::shared_ptr<const CommandList> scene, std::optio
 
 // The size in which the scene's own numbers are meant: a program's window, or 640 x 480.
 WindowSize natural_size(const CommandList& commands);
-// The commands for a picture of another size: window coordinates are scaled, unless they are those of pixels for a texture or
-// of a framebuffer object's images.
+// The commands for a picture of another size: all window coordinates are scaled. What is drawn for a texture, or into a
+// framebuffer object, keeps its size.
 CommandList scaled(const CommandList& commands, WindowSize from, WindowSize to);
 // Makes `scene` again if the commands or the size changed. Returns whether the panes must draw again. An error goes to
 // session.error.

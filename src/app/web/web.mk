@@ -10,7 +10,7 @@ PAGE := $(WEB)/page
 ROOMS_web := $(addprefix src/,base/image base/math base/text scene/command scene/mesh scene/scenes scene/shape scene/spectrum \
     scene/state scene/trace lighting render/effect render/programmable render/programmable/kept render/programmable/precise render/reference judge/compare \
     judge/explain judge/lesson judge/lint judge/study app/session app/web)
-# Of the window's state: the keys, the camera, the edits and the lessons.
+# The files of app/session that the page needs.
 SESSION_web := axes camera edits history keys lesson_state scaled session world world_handles
 WITHOUT_web := $(wildcard src/lighting/points_avx*.cpp) $(filter-out %/tolerance.cpp,$(wildcard src/judge/compare/*.cpp)) \
     $(addprefix src/render/programmable/,kept_meshes.cpp kept_programs.cpp programmable.cpp shader_program.cpp uploaded_mesh.cpp \

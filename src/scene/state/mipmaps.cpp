@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "scene/shape/written_out.h"
+#include "scene/state/packed_types.h"
 #include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
 
@@ -62,25 +63,6 @@ Pixels scaled(const Pixels& image, int width, int height) {
         }
     }
     return result;
-}
-
-// How many bits red, green, blue and alpha have in a packed type; all 0 for other types. Of GL_BGRA red and blue have as many.
-std::array<int, 4> packed_bits(Enum type) {
-    switch (type) {
-        case kGL_UNSIGNED_BYTE_3_3_2:
-        case kGL_UNSIGNED_BYTE_2_3_3_REV: return {3, 3, 2, 0};
-        case kGL_UNSIGNED_SHORT_5_6_5:
-        case kGL_UNSIGNED_SHORT_5_6_5_REV: return {5, 6, 5, 0};
-        case kGL_UNSIGNED_SHORT_4_4_4_4:
-        case kGL_UNSIGNED_SHORT_4_4_4_4_REV: return {4, 4, 4, 4};
-        case kGL_UNSIGNED_SHORT_5_5_5_1:
-        case kGL_UNSIGNED_SHORT_1_5_5_5_REV: return {5, 5, 5, 1};
-        case kGL_UNSIGNED_INT_8_8_8_8:
-        case kGL_UNSIGNED_INT_8_8_8_8_REV: return {8, 8, 8, 8};
-        case kGL_UNSIGNED_INT_10_10_10_2:
-        case kGL_UNSIGNED_INT_2_10_10_10_REV: return {10, 10, 10, 2};
-        default: return {};
-    }
 }
 
 // fillImage3D(): a component as GLU scales it, in 16 bits. Those of signed types wrap.
@@ -260,8 +242,9 @@ void State::build_mipmaps(const Command& c) {
             rows->unpack(y, row, z);
             image.rgba.insert(image.rgba.end(), row.begin(), row.end());
         }
+    const Packed* const packed = find_packed(source.type);
     if (is_scaled && source.is_volume)
-        image = scaled_volume(image, width, height, depth, source.type, packed_bits(source.type));
+        image = scaled_volume(image, width, height, depth, source.type, packed ? packed->bits : std::array<int, 4>{});
     else if (is_scaled)
         image = scaled(image, width, height);
     Texture* texture = writable_texture(c, target->texture);
