@@ -66,6 +66,7 @@ $(if $(CI),chromium            command -v chromium || grep -q ubuntu /etc/os-rel
 $(if $(CI),debootstrap         command -v debootstrap || ls /usr/sbin/debootstrap)
 $(if $(CI)$(filter web,$(MAKECMDGOALS)),emscripten          command -v em++)
 $(if $(CI)$(filter web,$(MAKECMDGOALS)),node-acorn          ls /usr/share/nodejs/acorn)
+$(if $(CI)$(filter web,$(MAKECMDGOALS)),libjs-codemirror    ls /usr/share/javascript/codemirror)
 $(if $(CI),man-db              command -v man)
 $(if $(CI),zsh                 command -v zsh)
 $(if $(CI),fish                command -v fish)

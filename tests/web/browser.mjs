@@ -80,7 +80,7 @@ export class Browser {
     }
     // A key as a user presses it: "1", "ArrowLeft".
     async key(key) {
-        const text = key.length === 1 ? {text: key} : {};
+        const text = key.length === 1 ? {text: key} : key === "Tab" ? {windowsVirtualKeyCode: 9} : {};
         await this.send("Input.dispatchKeyEvent", {type: "keyDown", key, ...text});
         await this.send("Input.dispatchKeyEvent", {type: "keyUp", key});
     }

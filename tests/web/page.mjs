@@ -6,7 +6,8 @@ import {Browser} from "./browser.mjs";
 const [program, page, jobs] = process.argv.slice(2);
 const browser = await Browser.open(program, page);
 const text = (id) => browser.value(`document.getElementById("${id}").textContent`);
-const sceneText = () => browser.value(`document.getElementById("text").value`);
+const EDITOR = `document.querySelector(".CodeMirror").CodeMirror`;
+const sceneText = () => browser.value(`${EDITOR}.getValue()`);
 
 // Does this, then waits for the pictures or the errors.
 async function drawn(action) {
@@ -14,8 +15,7 @@ async function drawn(action) {
     await action();
     await browser.until(`document.body.dataset.drawn || document.querySelector("#messages .error")`);
 }
-const typed = (scene) => drawn(() => browser.value(`document.getElementById("text").value = ${JSON.stringify(scene)},
-    document.getElementById("text").dispatchEvent(new Event("input")), 0`));
+const typed = (scene) => drawn(() => browser.value(`${EDITOR}.setValue(${JSON.stringify(scene)})`));
 async function opened(hash) {
     await browser.visit("package.json");
     await browser.visit(hash);
@@ -67,16 +67,26 @@ const checks = {
         await browser.drag("reference");
         told.clicked = await browser.value(`document.getElementById("x").valueAsNumber`);
         // In the editor, keys are letters.
-        await browser.value(`document.getElementById("text").focus(), document.getElementById("text").setSelectionRange(0, 0), 0`);
+        await browser.value(`${EDITOR}.focus(), ${EDITOR}.setCursor(0, 0)`);
         const typing = await sceneText();
         await drawn(() => browser.key("1"));
         told.letter = await sceneText() === "1" + typing;
+        await drawn(() => browser.value(`${EDITOR}.undo()`));
+        // A drag is one step of undo, and Tab leaves the editor.
+        await drawn(() => browser.drag("shaders", 40, 0));
+        const dragged = await sceneText() !== typing;
+        await drawn(() => browser.value(`${EDITOR}.undo()`));
+        told.undoneInEditor = dragged && await sceneText() === typing;
+        await browser.value(`${EDITOR}.focus()`);
+        await browser.key("Tab");
+        told.leaves = await browser.value(`!document.activeElement.closest(".CodeMirror")`) && await sceneText() === typing;
     },
 
     async showsErrors() {
         await typed("glClear(GL_COLOR_BUFFER_BIT);\nglRectf(0, 0, 1, 1);\nglFoo(<img src=x>);\n");
         told.error = await text("messages");
         told.markup = await browser.value(`document.querySelectorAll("#messages img").length`);
+        told.marks = await browser.value(`[...document.querySelectorAll(".mark, .marked")].map(({className, title, textContent}) => [className, title.slice(0, 7), textContent])`);
         await typed("glColor3f(1, 0, 0);\nglRectf(-1, -1, 1, 1);\n");
         told.mended = await pixel("shaders", 320, 240);
         told.first = await firstPicture();

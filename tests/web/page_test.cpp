@@ -56,7 +56,7 @@ Json jobs() {
 
 TEST(WebPage, DrawsEveryScene) {
     if (!std::filesystem::exists(std::string(kPage) + "/module.wasm"))
-        GTEST_SKIP() << "the page is not built: make web (Debian's packages emscripten and node-acorn)";
+        GTEST_SKIP() << "the page is not built: make web (Debian's packages emscripten, node-acorn and libjs-codemirror)";
     const std::string program = browser();
     if (program.empty()) GTEST_SKIP() << "there is no chromium (apt-get install chromium)";
     const TemporaryFolder folder;
@@ -71,6 +71,8 @@ TEST(WebPage, DrawsEveryScene) {
     EXPECT_NE(page["explanation"].get<std::string>().find("GL_LIGHT"), std::string::npos) << page["explanation"];
     EXPECT_TRUE(page["error"].get<std::string>().starts_with("3:1: error: ")) << page["error"];
     EXPECT_EQ(page["markup"], 0);
+    EXPECT_EQ(page["marks"], Json::parse(R"([["mark error", "error: ", ""],
+                                             ["marked error", "error: ", "glFoo(<img src=x>);"]])"));
     EXPECT_EQ(page["mended"], (Json{255, 0, 0, 255}));
     EXPECT_LT(page["first"], 1000) << "milliseconds until the reference's first picture";
 
@@ -87,6 +89,8 @@ TEST(WebPage, DrawsEveryScene) {
     for (const session::Key& key : session::keys())
         EXPECT_EQ(page["keys"][1].get<std::string>().find(key.what) != std::string::npos, key.in_page) << key.what;
     EXPECT_EQ(page["letter"], true) << "a key in the editor is a letter";
+    EXPECT_EQ(page["undoneInEditor"], true) << "a drag is one step of undo";
+    EXPECT_EQ(page["leaves"], true) << "Tab leaves the editor";
     EXPECT_NEAR(page["clicked"].get<double>(), 320, 2);
 
     EXPECT_EQ(page["forms"], (Json{"gl", "c", "glsl", "html", "#shaders", "#reference", "#difference", "#floats"}));

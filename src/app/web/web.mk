@@ -5,6 +5,8 @@
 EMXX ?= em++
 WEB := $(BUILD)/web
 PAGE := $(WEB)/page
+# The editor: CodeMirror 5, of Debian's libjs-codemirror, with its licence.
+EDITOR_web := $(addprefix $(PAGE)/codemirror/,codemirror.js codemirror.css copyright)
 
 # The module has the rooms and files that need neither GL nor processes.
 ROOMS_web := $(addprefix src/,base/image base/math base/text scene/command scene/mesh scene/scenes scene/shape scene/spectrum \
@@ -34,7 +36,7 @@ LDFLAGS_web := -O2 -fexceptions -sMODULARIZE=1 -sEXPORT_ES6=1 -sENVIRONMENT=web,
 
 .PHONY: web
 web: deps  ## build the page for browsers into build/web/page 
-	@$(MAKE) $(PAGE)/module.js $(patsubst src/app/web/page/%,$(PAGE)/%,$(wildcard src/app/web/page/*)) $(PAGE)/package.json $(PAGE)/mesa.json
+	@$(MAKE) $(PAGE)/module.js $(patsubst src/app/web/page/%,$(PAGE)/%,$(wildcard src/app/web/page/*)) $(EDITOR_web) $(PAGE)/package.json $(PAGE)/mesa.json
 
 $(WEB)/flags: $(if $(subst |$(EMXX) $(CXXFLAGS_web) $(LDFLAGS_web)|,,|$(file <$(WEB)/flags)|),force)
 	@mkdir -p $(WEB)/include; ln -sf $(HEADERS_web:%=/usr/include/%) $(WEB)/include
@@ -58,6 +60,10 @@ $(PAGE)/module.js: $(OBJECTS_web)
 	@echo "link $@"
 	@mkdir -p $(@D); NODE_PATH=$${NODE_PATH:-/usr/share/nodejs} $(EMXX) $(LDFLAGS_web) $(OBJECTS_web) -o $@
 $(PAGE)/%: src/app/web/page/%
+	@mkdir -p $(@D); cp $< $@
+$(PAGE)/codemirror/%: /usr/share/javascript/codemirror/lib/%
+	@mkdir -p $(@D); cp $< $@
+$(PAGE)/codemirror/copyright: /usr/share/doc/libjs-codemirror/copyright
 	@mkdir -p $(@D); cp $< $@
 # Mesa's pictures of built-in scenes, and the list of their names.
 RECORDED_web := $(patsubst golden/scenes/%/fixed.png,%,$(sort $(wildcard golden/scenes/*/fixed.png)))

@@ -17,7 +17,7 @@ function pixelAt(canvas, {clientX, clientY}) {
     return [(clientX - box.left) * canvas.width / box.width, (clientY - box.top) * canvas.height / box.height].map(Math.floor);
 }
 
-// ready(): whether a scene is open, and nothing that was typed is unread; done(answer): after each key and move; click(x, y).
+// ready(): whether a scene is open, and nothing that was typed is unread; done(answer): after each key and move, with isMoving for the mouse; click(x, y).
 export function control(canvas, twinlight, {ready, done, click}) {
     canvas.addEventListener("keydown", (event) => {
         const code = codeOf(event);
@@ -45,7 +45,7 @@ export function control(canvas, twinlight, {ready, done, click}) {
         const moved = drag;
         requestAnimationFrame(() => {
             moved.isWaiting = false;
-            if (ready()) done(twinlight.drag(moved.looks, ...moved.to));
+            if (ready()) done({...twinlight.drag(moved.looks, ...moved.to), isMoving: true});
         });
     });
     canvas.addEventListener("pointerup", (event) => {
@@ -64,7 +64,7 @@ export function control(canvas, twinlight, {ready, done, click}) {
         turned -= event.deltaY / WHEEL_STEP[event.deltaMode];
         const steps = Math.trunc(turned);
         turned -= steps;
-        if (steps !== 0) done(twinlight.zoom(steps));
+        if (steps !== 0) done({...twinlight.zoom(steps), isMoving: true});
     }, {passive: false});
 }
 

@@ -1,5 +1,6 @@
 // The page: a scene's text, its errors, and its pictures.
 import {control, showKeys} from "./controls.js";
+import {Editor} from "./editor.js";
 import {Renderer} from "./gl.js";
 import {Lessons} from "./lessons.js";
 import {sceneInLink, textInLink} from "./link.js";
@@ -18,6 +19,10 @@ const workers = new Workers(Math.min(Math.max(navigator.hardwareConcurrency || 2
 const builtIn = twinlight.builtIn();
 const recorded = await (await fetch("mesa.json")).json();  // the names of the scenes that have a picture by Mesa
 const language = navigator.language.startsWith("zh") ? "zh" : "en";
+const editor = new Editor(at("text"), () => {
+    clearTimeout(pause);
+    pause = setTimeout(draw, PAUSE_MS);
+});
 let renderer = null, name = "scene", opened = null, revision = 0, pause = 0;
 
 // ---- Messages: all texts of scenes become text, never markup ----
@@ -27,18 +32,12 @@ function message(kind, {line, column, text}) {
     button.type = "button";
     button.className = kind;
     button.textContent = (line > 0 ? `${line}:${column ?? 1}: ` : "") + `${kind}: ${text}`;
-    if (line > 0) button.addEventListener("click", () => select(line, column ?? 1));
+    if (line > 0) {
+        button.addEventListener("click", () => editor.select(line, column ?? 1));
+        editor.mark(kind, {line, column: column ?? 1, text});
+    }
     item.append(button);
     at("messages").append(item);
-}
-
-function select(line, column) {
-    const text = at("text"), lines = text.value.split("\n");
-    const start = lines.slice(0, line - 1).reduce((sum, one) => sum + one.length + 1, 0);
-    const end = start + (lines[line - 1] ?? "").length;
-    text.focus();
-    text.setSelectionRange(Math.min(start + column - 1, end), end);
-    text.scrollTop = Math.max(0, (line - 5) * text.scrollHeight / lines.length);
 }
 
 // ---- Pictures ----
@@ -58,12 +57,13 @@ async function draw() {
     performance.clearMarks();
     performance.mark("begin");
     workers.forget();
-    const scene = {text: at("text").value, name, step: at("steps").value, width: WIDTH, height: HEIGHT};
+    const scene = {text: editor.text, name, step: at("steps").value, width: WIDTH, height: HEIGHT};
     let answer = twinlight.open(scene);
     // The text may have lost its steps.
     if (answer.errors.length > 0 && scene.step) answer = twinlight.open({...scene, step: ""});
     lessons.changed(scene.text);
     at("messages").replaceChildren();
+    editor.clear();
     for (const {line, column, message: text} of answer.errors) message("error", {line, column, text});
     if (answer.note) message("note", {line: 0, text: answer.note});
     for (const canvas of document.querySelectorAll("canvas")) canvas.classList.add("stale");
@@ -128,15 +128,13 @@ function setSteps({steps, step}) {
 function load(scene_name, text, step = "") {
     name = scene_name;
     at("said").textContent = "";
-    setText(text, step);
+    editor.open(text);
+    setStep(step);
     return draw();
 }
 
 // The step is chosen when the text is read.
-function setText(text, step) {
-    const top = at("text").scrollTop;
-    if (at("text").value !== text) at("text").value = text;
-    at("text").scrollTop = top;
+function setStep(step) {
     at("steps").replaceChildren(...(step ? [new Option(step, step)] : []));
 }
 
@@ -180,17 +178,18 @@ function neighbour(select, away) {
 }
 
 // What a key or a move of the mouse asks for.
-function controlled({text, shown, message: said, scene, step, exports, keys}) {
+function controlled({text, shown, message: said, scene, step, exports, keys, isMoving}) {
     at("said").textContent = said;
     if (keys) at("keys").open = !at("keys").open;
-    if (exports) save("c", name, twinlight);
+    if (exports) save("c", name, twinlight, editor.text);
     if (scene) return openMenu(neighbour(at("scenes"), scene));
     if (step && at("steps").options.length > 0) {
         at("steps").value = neighbour(at("steps"), step);
         return draw();
     }
-    if (text === at("text").value) return null;
-    setText(text, shown > 0 ? String(shown) : "");
+    if (text === editor.text) return null;
+    editor.set(text, {joins: isMoving});
+    setStep(shown > 0 ? String(shown) : "");
     return draw();
 }
 
@@ -208,7 +207,7 @@ function explain(x, y) {
 
 const lessons = new Lessons(twinlight.lessons(language), {
     open: (text) => load(name, text),
-    text: () => at("text").value,
+    text: () => editor.text,
     check: (lesson, text) => workers.do({work: "check", given: {lesson: lesson.name, language, text}}, {soon: true, keep: true}),
     next: openLesson,
 });
@@ -224,19 +223,15 @@ at("scenes").append(group("Scenes", builtIn.map((scene) => new Option(scene.name
 at("scenes").addEventListener("change", () => openMenu(at("scenes").value));
 at("steps").addEventListener("change", draw);
 at("shading").addEventListener("change", draw);
-at("text").addEventListener("input", () => {
-    clearTimeout(pause);
-    pause = setTimeout(draw, PAUSE_MS);
-});
 at("link").addEventListener("click", async () => {
-    history.replaceState(null, "", "#" + await sceneInLink(at("text").value, builtIn, at("steps").value));
+    history.replaceState(null, "", "#" + await sceneInLink(editor.text, builtIn, at("steps").value));
     try {
         await navigator.clipboard.writeText(location.href);
     } catch {
         // The address bar has the link, too.
     }
 });
-at("save").addEventListener("click", () => save(at("form").value, name, twinlight));
+at("save").addEventListener("click", () => save(at("form").value, name, twinlight, editor.text));
 at("probe").addEventListener("submit", (event) => {
     event.preventDefault();
     explain(at("x").valueAsNumber, at("y").valueAsNumber);

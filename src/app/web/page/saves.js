@@ -18,8 +18,8 @@ export function offer(forms) {
     if ([...at("form").options].some(({value}) => value === chosen)) at("form").value = chosen;
 }
 
-export async function save(form, name, twinlight) {
-    if (form === "gl") return download(name + ".gl", new Blob([at("text").value], {type: "text/plain"}));
+export async function save(form, name, twinlight, text) {
+    if (form === "gl") return download(name + ".gl", new Blob([text], {type: "text/plain"}));
     if (form.startsWith("#")) {
         const canvas = at(form.slice(1));
         return download(`${name}-${canvas.id}.png`, await new Promise((resolve) => canvas.toBlob(resolve, "image/png")));
