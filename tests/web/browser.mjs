@@ -122,6 +122,7 @@ export class Browser {
         await ended;
         this.server.closeAllConnections();
         this.server.close();
-        fs.rmSync(this.profile, {recursive: true, force: true, maxRetries: 5});
+        // Chromium's other processes may still write there for a moment.
+        await fs.promises.rm(this.profile, {recursive: true, force: true, maxRetries: 10, retryDelay: 100});
     }
 }

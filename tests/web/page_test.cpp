@@ -56,7 +56,8 @@ Json jobs() {
 
 TEST(WebPage, DrawsEveryScene) {
     if (!std::filesystem::exists(std::string(kPage) + "/module.wasm"))
-        GTEST_SKIP() << "the page is not built: make web (Debian's packages emscripten, node-acorn and libjs-codemirror)";
+        GTEST_SKIP()
+            << "the page is not built: make web (Debian's packages emscripten, node-acorn and libjs-codemirror)";
     const std::string program = browser();
     if (program.empty()) GTEST_SKIP() << "there is no chromium (apt-get install chromium)";
     const TemporaryFolder folder;
