@@ -130,6 +130,8 @@ class Player {
     DrawsNothing nothing_;
     bool draws_in_initial_viewport_ = false;
     std::int64_t reach_x_ = 0, reach_y_ = 0;
+    // Why the first frame is too large, if it is. Where nothing is ever swapped, it ends at a glFlush, and may be smaller.
+    std::optional<std::string> exhausted_;
     std::vector<std::string> notes_;
     int not_finite_ = 0;  // commands with NaN or infinity
     std::string first_not_finite_;
@@ -137,6 +139,10 @@ class Player {
 
 // Returns true when the frame is complete.
 bool Player::take(const Step& step) {
+    if (exhausted_) {
+        if (step.kind == Step::Kind::kFrameEnd) throw SceneError(*exhausted_);
+        return false;
+    }
     if (step.kind == Step::Kind::kFrameEnd && frame_end_ == FrameEnd::kSwap) {
         swaps_ = true;
         if (end_frame()) return true;
@@ -164,6 +170,7 @@ bool Player::take(const Step& step) {
 
 // Handles the commands after the end of the last frame. Returns true if they complete the chosen frame.
 bool Player::take_end() {
+    if (exhausted_) return false;
     const bool is_cut = state_.inside_begin() || state_.unfinished() || swaps_;
     end_begin();
     if (!changed_ || !end_frame()) return false;
@@ -180,8 +187,11 @@ void Player::end_begin() {
 void Player::command(const Command& command) {
     const std::size_t before = state_.items().size();
     state_.apply(command);
-    if (const auto& error = state_.exhausted())
-        throw SceneError(fmt::format("{}: {}; this recording cannot be drawn", error->place.str(), error->message));
+    if (const auto& error = state_.exhausted()) {
+        exhausted_ = fmt::format("{}: {}; this recording cannot be drawn", error->place.str(), error->message);
+        if (frame_end_ == FrameEnd::kFlush || swaps_) throw SceneError(*exhausted_);
+        return;
+    }
     // Programs with framebuffer objects also set the viewport for those.
     if (command.id == CommandId::glViewport && state_.framebuffers().named.empty()) reach(state_.raster().viewport);
     if (state_.items().size() == before) return;

@@ -506,7 +506,10 @@ void State::drop_hidden() {
     keep_for_copies(hidden);
     items_.erase(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(hidden));
     item_bytes_ = bytes_of(items_) + bytes_of_kept_pictures() + bytes_of_object_pictures();
-    if (items_.size() == 1) unsupported_.clear();
+    if (items_.size() == 1) {
+        unsupported_.clear();
+        work_ = 0;
+    }
 }
 
 }  // namespace twinlight

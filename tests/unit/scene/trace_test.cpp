@@ -365,6 +365,18 @@ TEST_F(Traces, EndAFrameAtGlFlushWhereNothingIsEverSwapped) {
     EXPECT_EQ(draws(frame(std::string(kTriangle) + "glFlush()\n" + kTriangle + kSwap).scene.frame), 2u);
 }
 
+// A recording may go on for hours. The limits of a picture do not count what a later Clear or the end of its frame drops.
+TEST_F(Traces, CountTheLimitsOfAPictureForEachPicture) {
+    const std::string many = "1 glEvalMesh2(mode = GL_POINT, i1 = 1, i2 = 6000, j1 = 1, j2 = 5000)\n";  // draws nothing
+    const std::string part = many + kTriangle, flush = "2 glFlush()\n";
+    const std::string clear = "2 glClear(mask = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)\n";
+    EXPECT_EQ(draws(frame(part + flush + part + flush).scene.frame), 1u);
+    EXPECT_THROW(frame(part + flush + part + flush, 1), SceneError);  // it shows both
+    EXPECT_EQ(draws(frame(part + clear + part + kSwap).scene.frame), 1u);
+    EXPECT_THROW(frame(part + flush + part + kSwap), SceneError);
+    EXPECT_THROW(frame(part + part + flush), SceneError);
+}
+
 TEST_F(Traces, SayWhyTheyDrawNothing) {
     const auto why = [this](const std::string& text) {
         try {
