@@ -35,6 +35,7 @@ export class Editor {
             mode: "scene", lineNumbers: true, gutters: ["marks", "CodeMirror-linenumbers"], indentUnit: 4, inputStyle: "contenteditable",
             screenReaderLabel: document.getElementById("text-label").textContent,
             extraKeys: {Tab: false, "Shift-Tab": false},  // they move the focus, so that the keyboard can leave the editor
+            dragDrop: false,  // a file that is dropped anywhere on the page is opened
         });
         this.editor.on("changes", (_, changes) => {
             if (changes.some(({origin}) => origin !== "page" && origin !== "+page")) typed();
