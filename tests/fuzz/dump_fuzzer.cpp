@@ -57,14 +57,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         TextSource source(text);
         const bool whole = size % 2 == 0;
-        DumpReader(source, "fuzz", BlobFolder(blobs())).count_contexts(whole, counts);
+        DumpReader(source, "fuzz", blobs_in_folder(blobs())).count_contexts(whole, counts);
     } catch (const SceneError&) {  // reading throws it again
     }
     list_of_contexts(counts.contexts());
     const std::optional<std::size_t> busiest = counts.busiest();
     try {
         TextSource source(text);
-        DumpReader reader(source, "fuzz", BlobFolder(blobs()));
+        DumpReader reader(source, "fuzz", blobs_in_folder(blobs()));
         if (busiest) reader.follow(counts.contexts()[*busiest].name);
         reader.for_each([](const Step& step) {
             if (step.kind == Step::Kind::kCommand) print_command(step.command);

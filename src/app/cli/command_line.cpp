@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "app/cli/progress.h"
+#include "base/image/contrast.h"
 #include "base/image/file.h"
-#include "base/image/image.h"
 #include "render/context/context.h"
 #include "render/fixed/fixed.h"
 #include "scene/command/text.h"
@@ -127,33 +127,6 @@ std::optional<float> contrast(const Scene& scene) {
     return color_contrast(image);
 }
 
-// The frame that `choice` chooses. If it chooses none, and the first frame that draws is almost of one colour, as at the
-// start of a fade-in, a later frame that is not.
-RecordedFrame frame_to_see(const std::shared_ptr<const Recording>& recording, FrameChoice choice) {
-    constexpr float kLowContrast = 16 / 255.0F;
-    constexpr int kTries = 10;
-    RecordedFrame first = make_recorded_frame(recording, choice);
-    if (choice.number) return first;
-    const auto note = [&](std::string text) { first.notes.push_back(std::move(text)); };
-    const std::optional<float> first_contrast = contrast(first.scene);
-    if (!first_contrast || *first_contrast >= kLowContrast) return first;
-    for (int i = 0, next = 1; i < kTries; ++i, next *= 2) {
-        FrameChoice later = choice;
-        later.number = first.number + next;
-        try {
-            RecordedFrame frame = make_recorded_frame(recording, later);
-            if (contrast(frame.scene).value_or(0) < kLowContrast) continue;
-            frame.notes.push_back(
-                fmt::format("frame {} is almost of one colour; this is frame {}", first.number, frame.number));
-            return frame;
-        } catch (const SceneError&) {  // it draws nothing, or there is no such frame
-        }
-    }
-    note(*first_contrast == 0 ? "the picture is of one colour; --frame chooses another frame"
-                              : "the picture is almost of one colour; --frame chooses another frame");
-    return first;
-}
-
 // Reading up to a late frame may take long, so this shows its progress.
 Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std::optional<Size> size,
                           std::optional<int> number, const Memory& memory) {
@@ -173,16 +146,12 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
         bar.show(fmt::format("reading {}: {} frames, {:.1f} million commands", recording->name, frames,
                              static_cast<double>(commands) / 1e6));
     };
-    RecordedFrame recorded = frame_to_see(recording, choice);
+    RecordedFrame recorded = frame_to_see(recording, choice, contrast);
     bar.wipe();
     std::ranges::for_each(recorded.notes, print);
     std::ranges::move(recorded.notes, std::back_inserter(notes));
     if (recorded.first_error) {
-        const GlError& first = *recorded.first_error;
-        notes.push_back(
-            fmt::format("up to this frame, {} of the program's commands {} a GL error; the first: {}: {} ({})",
-                        recorded.error_count, recorded.error_count == 1 ? "causes" : "cause",
-                        one_line(first.place.str()), one_line(first.message), enum_name(first.code)));
+        notes.push_back(note_of_errors(recorded));
         fmt::print(stderr, "twinlight: note: {}\n", notes.back());
     }
     recorded.scene.notes = std::move(notes);
@@ -197,16 +166,6 @@ Scene scene_of(std::shared_ptr<const Recording> commands, std::optional<Size> si
 }
 
 }  // namespace
-
-float color_contrast(const Image& image) {
-    float most = 0;
-    for (int channel = 0; channel < 3; ++channel) {
-        const auto value = [channel](const Rgba& pixel) { return pixel[channel]; };
-        const auto [least, largest] = std::ranges::minmax(image.pixels, {}, value);
-        most = std::max(most, largest[channel] - least[channel]);
-    }
-    return most;
-}
 
 Scene load_scene(const std::string& name, std::optional<Size> size, const RecordedPart& part, const std::string& step,
                  const Memory& memory) {

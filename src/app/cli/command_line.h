@@ -86,9 +86,6 @@ Scene load_scene(const std::string& name, std::optional<Size> size, const Record
 std::vector<Scene> load_steps(const std::string& name, std::optional<Size> size, const RecordedPart& part,
                               const std::string& step, const Memory& memory = {});
 
-// The largest difference of a colour channel between two pixels: 0 for a picture of one colour.
-float color_contrast(const Image& image);
-
 // The default of -o: "lab-report" for the scene lab or dir/lab.gl with the suffix "-report", in the working folder.
 std::string name_after_scene(const std::string& scene, std::string_view suffix);
 

@@ -9,6 +9,7 @@
 #include "app/cli/lint_notes.h"
 #include "app/cli/progress.h"
 #include "app/cli/renderers.h"
+#include "base/image/contrast.h"
 #include "judge/report/report.h"
 #include "judge/report/words.h"
 #include "render/context/driver_name.h"

@@ -14,6 +14,7 @@
 #include "render/reference/copied_pixels.h"
 #include "scene/command/text.h"
 #include "scene/shape/written_out.h"
+#include "scene/state/recorded_frame.h"
 
 namespace twinlight::cli {
 
@@ -32,22 +33,6 @@ struct ExportArguments {
     bool for_this_picture = false;
 };
 
-// C compilers fail on functions that are much larger.
-constexpr std::size_t kMostExported = 1'000'000;
-
-// All commands up to the frame.
-CommandList commands_of(const Scene& scene) {
-    CommandList commands(scene.name(), {});
-    scene.recording->for_each([&](const Step& step) {
-        if (step.kind == Step::Kind::kCommand) commands.commands.push_back(step.command);
-        if (commands.commands.size() <= kMostExported) return true;
-        throw SceneError(
-            fmt::format("{}: this frame needs more than {} commands, too many to print; choose an earlier --frame",
-                        scene.name(), kMostExported));
-    });
-    return commands;
-}
-
 // The scene with texels in place of copies of its picture, as the reference draws them, unless glCopyPixels draws some.
 Scene with_texels(Scene scene, const programmable::Options& options) {
     const auto copies = [](const Draw* draw) { return draw->pixels && draw->pixels->copied; };
@@ -60,12 +45,12 @@ Scene with_texels(Scene scene, const programmable::Options& options) {
 
 using Export = std::function<std::string(const Scene&, const programmable::Options&)>;
 const std::map<std::string, Export> kForms = {
-    {"c",
-     [](const Scene& scene, const auto&) { return print_c_program(with_pragmas_written_out(commands_of(scene))); }},
+    {"c", [](const Scene& scene,
+             const auto&) { return print_c_program(with_pragmas_written_out(commands_to_print(scene))); }},
     {"glsl", [](const Scene& scene, const auto& options) { return programmable::shader_source(scene.frame, options); }},
     {"html", [](const Scene& scene,
                 const auto& options) { return programmable::kept_page(scene.frame, options, scene.title()); }},
-    {"scene", [](const Scene& scene, const auto&) { return print_scene(commands_of(scene)); }},
+    {"scene", [](const Scene& scene, const auto&) { return print_scene(commands_to_print(scene)); }},
 };
 
 const std::map<std::string, programmable::Glsl> kVersions = {

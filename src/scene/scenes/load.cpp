@@ -27,11 +27,6 @@ CommandList read_limited(const std::string& text, const std::string& file, const
     return read_scene(text, file, name, load_image, options);
 }
 
-// Whether the front of a file or of standard input looks like a .trace. The newest format of apitrace has no signature.
-bool holds_trace(std::string_view front, const std::filesystem::path& path) {
-    return trace::is_trace(front) || (path.extension() == ".trace" && !trace::is_dump(front));
-}
-
 std::string how_to_record(const std::string& scene) {
     const std::string trace = std::filesystem::path(scene).stem().string() + ".trace";
     return "to run it and record what it draws: twinlight record " + scene + " -o " + trace;
@@ -92,13 +87,13 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
     // A pipe can be read only once.
     const bool again = std::filesystem::is_regular_file(path, ignored);
     const std::string front = read_file(scene, again ? trace::kFrontBytes : kReadAtMost);
-    if (holds_trace(front, path) || trace::is_dump(front)) {
+    if (trace::is_trace(front, path) || trace::is_dump(front)) {
         check_no_step(scene, step);
         if (!again)
             throw SceneError(
                 scene +
                 ": cannot read a recorded program from a pipe or a device; give a file, or - for standard input");
-        return holds_trace(front, path) ? trace::open_trace(scene, context) : trace::open_dump(scene, context);
+        return trace::is_trace(front, path) ? trace::open_trace(scene, context) : trace::open_dump(scene, context);
     }
     if (front.starts_with("\x7f"
                           "ELF"))

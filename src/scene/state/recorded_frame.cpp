@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -301,6 +302,63 @@ RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& record
         result.scene.frame.height = reach_y;
         return result;
     }
+}
+
+RecordedFrame frame_to_see(const std::shared_ptr<const Recording>& recording, const FrameChoice& choice,
+                           const std::function<std::optional<float>(const Scene&)>& contrast) {
+    constexpr float kLowContrast = 16 / 255.0F;
+    constexpr int kTries = 10;
+    RecordedFrame first = make_recorded_frame(recording, choice);
+    if (choice.number) return first;
+    const auto note = [&](std::string text) { first.notes.push_back(std::move(text)); };
+    const std::optional<float> first_contrast = contrast(first.scene);
+    if (!first_contrast || *first_contrast >= kLowContrast) return first;
+    for (int i = 0, next = 1; i < kTries; ++i, next *= 2) {
+        FrameChoice later = choice;
+        later.number = first.number + next;
+        try {
+            RecordedFrame frame = make_recorded_frame(recording, later);
+            if (contrast(frame.scene).value_or(0) < kLowContrast) continue;
+            frame.notes.push_back(
+                fmt::format("frame {} is almost of one colour; this is frame {}", first.number, frame.number));
+            return frame;
+        } catch (const SceneError&) {  // it draws nothing, or there is no such frame
+        }
+    }
+    note(*first_contrast == 0 ? "the picture is of one colour; --frame chooses another frame"
+                              : "the picture is almost of one colour; --frame chooses another frame");
+    return first;
+}
+
+std::string note_of_errors(const RecordedFrame& recorded) {
+    if (!recorded.first_error) return "";
+    const GlError& first = *recorded.first_error;
+    return fmt::format("up to this frame, {} of the program's commands {} a GL error; the first: {}: {} ({})",
+                       recorded.error_count, recorded.error_count == 1 ? "causes" : "cause",
+                       one_line(first.place.str()), one_line(first.message), enum_name(first.code));
+}
+
+CommandList commands_to_print(const Scene& scene) {
+    // C compilers fail on functions that are much larger.
+    constexpr std::size_t kMost = 1'000'000;
+    CommandList commands(scene.name(), {});
+    // Loading has checked the memory.
+    State state(
+        {.width = scene.frame.width, .height = scene.frame.height, .memory = std::numeric_limits<std::size_t>::max()});
+    scene.recording->for_each([&](const Step& step) {
+        if (step.kind == Step::Kind::kFrameEnd) state.drop_picture();
+        if (step.kind != Step::Kind::kCommand) return true;
+        const std::size_t errors = state.error_count();
+        state.apply(step.command);
+        // Of the commands of a display list, only some may have errors.
+        const bool calls = step.command.id == CommandId::glCallList || step.command.id == CommandId::glCallLists;
+        if (state.error_count() == errors || calls) commands.commands.push_back(step.command);
+        if (commands.commands.size() <= kMost) return true;
+        throw SceneError(
+            fmt::format("{}: this frame needs more than {} commands, too many to print; choose an earlier --frame",
+                        scene.name(), kMost));
+    });
+    return commands;
 }
 
 }  // namespace twinlight

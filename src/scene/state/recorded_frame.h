@@ -36,4 +36,17 @@ struct RecordedFrame {
 // Throws SceneError if the recording cannot be read, has too few frames, or this frame draws nothing.
 RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& recording, const FrameChoice& choice);
 
+// The frame that `choice` chooses. If it chooses none, and the first frame that draws is almost of one colour, as at the
+// start of a fade-in, a later frame that is not. `contrast` gives the color_contrast() of a picture, or nullopt if it is
+// not known.
+RecordedFrame frame_to_see(const std::shared_ptr<const Recording>& recording, const FrameChoice& choice,
+                           const std::function<std::optional<float>(const Scene&)>& contrast);
+
+// What people should know about the program's GL errors; empty if there are none.
+std::string note_of_errors(const RecordedFrame& recorded);
+
+// All commands up to the frame, to be printed. A command with a GL error has no effect, so it is left out; a scene's text
+// may have none. Throws SceneError if they are too many.
+CommandList commands_to_print(const Scene& scene);
+
 }  // namespace twinlight

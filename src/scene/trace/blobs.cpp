@@ -6,13 +6,29 @@
 
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "base/image/descriptor.h"
 #include "scene/command/lexer.h"
 
 namespace twinlight::trace {
 
-std::shared_ptr<const Memory> BlobFolder::read(const std::string& name, const Place& place) const {
+namespace {
+
+class BlobFolder {
+  public:
+    BlobFolder(std::string path, std::size_t most_held) : path_(std::move(path)), most_held_(most_held) {}
+
+    std::shared_ptr<const Memory> operator()(const std::string& name, const Place& place) const;
+
+  private:
+    std::string path_;
+    std::size_t most_held_;
+    // Bytes of all blobs in memory. A blob subtracts its size when it is deleted, which may be after this object.
+    std::shared_ptr<std::size_t> held_ = std::make_shared<std::size_t>(0);
+};
+
+std::shared_ptr<const Memory> BlobFolder::operator()(const std::string& name, const Place& place) const {
     if (name.empty() || name.starts_with('.') || name.find('/') != std::string::npos ||
         name.find('\0') != std::string::npos)
         fail(place, "the blob {} is not a plain file name; blobs must be in the folder of the dump", in_quotes(name));
@@ -49,6 +65,19 @@ std::shared_ptr<const Memory> BlobFolder::read(const std::string& name, const Pl
     }
     memory->bytes.resize(filled);
     return memory;
+}
+
+}  // namespace
+
+BlobLoader blobs_in_folder(std::string path, std::size_t most_held) { return BlobFolder(std::move(path), most_held); }
+
+BlobLoader blobs_in_memory(BlobFiles files) {
+    return [files = std::move(files)](const std::string& name, const Place& place) {
+        const auto found = files.find(name);
+        if (found == files.end())
+            fail(place, "the blob {} is missing; give the dump and all its blobs together", in_quotes(name));
+        return found->second;
+    };
 }
 
 }  // namespace twinlight::trace

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -14,20 +16,14 @@ inline constexpr std::size_t kMaxBlobBytes = std::size_t{256} << 20;
 // The limit on all blobs in memory at once. Vertex arrays and display lists keep blobs in memory.
 inline constexpr std::size_t kMaxHeldBlobBytes = std::size_t{1} << 30;
 
-class BlobFolder {
-  public:
-    explicit BlobFolder(std::string path, std::size_t most_held = kMaxHeldBlobBytes)
-        : path_(std::move(path)), most_held_(most_held) {}
+// Gives the bytes of a blob; `place` is the place in the dump that names it. Throws SceneError.
+using BlobLoader = std::function<std::shared_ptr<const Memory>(const std::string& name, const Place& place)>;
 
-    // The bytes of a file in the folder; `place` is the place in the dump that names it. Throws SceneError if the name
-    // leads out of the folder, or if the file is missing or exceeds a limit.
-    std::shared_ptr<const Memory> read(const std::string& name, const Place& place) const;
+// The files in a folder. Refuses a name that leads out of the folder, and a file that is missing or exceeds a limit.
+BlobLoader blobs_in_folder(std::string path, std::size_t most_held = kMaxHeldBlobBytes);
 
-  private:
-    std::string path_;
-    std::size_t most_held_;
-    // Bytes of all blobs in memory. A blob subtracts its size when it is deleted, which may be after this object.
-    std::shared_ptr<std::size_t> held_ = std::make_shared<std::size_t>(0);
-};
+// Files in memory, by their names.
+using BlobFiles = std::map<std::string, std::shared_ptr<const Memory>>;
+BlobLoader blobs_in_memory(BlobFiles files);
 
 }  // namespace twinlight::trace

@@ -62,14 +62,14 @@ void add_array(const Argument& argument, const Arguments& arguments, const Param
 }
 
 void add_pointer(const Argument& argument, const Arguments& arguments, const Parameter& parameter,
-                 const BlobFolder& blobs, Command& command) {
+                 const BlobLoader& blobs, Command& command) {
     switch (argument.form) {
         case Form::kNull: command.arguments.push_back(0); return;
         case Form::kNumber:  // an offset into a buffer object
             command.arguments.push_back(typed(command, parameter, arguments.numbers[argument.first]));
             return;
         case Form::kBlob:
-            command.memory = blobs.read(arguments.blobs[argument.first], command.place);
+            command.memory = blobs(arguments.blobs[argument.first], command.place);
             command.arguments.push_back(0);
             return;
         case Form::kBlobSize:
@@ -82,7 +82,7 @@ void add_pointer(const Argument& argument, const Arguments& arguments, const Par
 
 }  // namespace
 
-void convert(const Arguments& arguments, const Arguments& result, const BlobFolder& blobs, Command& command) {
+void convert(const Arguments& arguments, const Arguments& result, const BlobLoader& blobs, Command& command) {
     const Signature& sig = command.sig();
     command.arguments.clear();
     command.memory.reset();

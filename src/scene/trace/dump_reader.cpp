@@ -35,7 +35,7 @@ CommandId client_state(const Command& command) {
 
 }  // namespace
 
-DumpReader::DumpReader(ByteSource& source, const std::string& name, BlobFolder blobs)
+DumpReader::DumpReader(ByteSource& source, const std::string& name, BlobLoader blobs)
     : lexer_(source), blobs_(std::move(blobs)), buffer_sub_data_(find_command("glBufferSubData")) {
     command_.place = {std::make_shared<const std::string>(name), -1, Place::kCallNumber};
 }

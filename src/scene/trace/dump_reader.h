@@ -29,7 +29,7 @@ namespace twinlight::trace {
 class DumpReader {
   public:
     // `name` is the name of the dump in places.
-    DumpReader(ByteSource& source, const std::string& name, BlobFolder blobs);
+    DumpReader(ByteSource& source, const std::string& name, BlobLoader blobs);
 
     // Reports only the commands of this context. Objects that another context creates and shares with it are reported as
     // kOutside. Without this call all commands count as one context.
@@ -70,7 +70,7 @@ class DumpReader {
     bool cut_off_or(const std::string& message);
 
     DumpLexer lexer_;
-    BlobFolder blobs_;
+    BlobLoader blobs_;
     FunctionTable functions_;
     Command command_;
     std::string function_name_;

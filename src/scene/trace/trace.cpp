@@ -32,20 +32,74 @@ void write_all(const Descriptor& file, std::string_view bytes, const std::string
     }
 }
 
-class TraceRecording final : public Recording {
+// A dump, whose text is read again for each visit.
+class DumpRecording : public Recording {
+  public:
+    void for_each(const std::function<bool(const Step&)>& visit) const override { visit_all(visit); }
+    std::vector<std::string> notes() const override { return notes_; }
+
+  protected:
+    DumpRecording(std::string given_name, std::string place)
+        : Recording(std::move(given_name)), place_(std::move(place)) {}
+
+    virtual std::unique_ptr<ByteSource> start() const = 0;
+    virtual BlobLoader blobs() const = 0;
+    // Returns true if the dump ended.
+    bool visit_all(const std::function<bool(const Step&)>& visit) const {
+        const std::unique_ptr<ByteSource> text = start();
+        DumpReader reader(*text, place_, blobs());
+        if (context_) reader.follow(*context_);
+        return reader.for_each(visit);
+    }
+    void choose_context(std::optional<int> wanted);
+
+    std::string place_;  // its name in places
+
+  private:
+    std::optional<ContextName> context_;  // only its calls are visited; nullopt: the calls of all contexts
+    std::vector<std::string> notes_;
+};
+
+void DumpRecording::choose_context(std::optional<int> wanted) {
+    const std::unique_ptr<ByteSource> text = start();
+    DumpReader reader(*text, place_, blobs());
+    ContextCounts counts;
+    try {
+        reader.count_contexts(wanted.has_value(), counts);
+    } catch (const SceneError&) {  // visiting throws it again
+    }
+    const std::vector<ContextUse>& contexts = counts.contexts();
+    if (wanted && *wanted > 0 && static_cast<std::size_t>(*wanted) >= contexts.size()) {
+        throw SceneError(fmt::format("{}: the recording has no context {}; {}", place_, *wanted,
+                                     contexts.size() > 1 ? fmt::format("its contexts are 0 to {}", contexts.size() - 1)
+                                                         : "its only context is 0"));
+    }
+    const std::optional<std::size_t> chosen =
+        wanted && !contexts.empty() ? std::optional(static_cast<std::size_t>(*wanted)) : counts.busiest();
+    if (!chosen) return;
+    context_ = contexts[*chosen].name;
+    const bool others_draw =
+        std::ranges::any_of(contexts, [&](const ContextUse& use) { return use.vertices > 0 && use.name != *context_; });
+    if (!others_draw) return;
+    const std::string part = reader.at_end() ? "" : fmt::format("up to call {}, ", reader.call_number());
+    notes_.push_back(fmt::format("{}{}; this is context {}, --context N chooses another", part,
+                                 list_of_contexts(contexts), *chosen));
+}
+
+class TraceRecording final : public DumpRecording {
   public:
     // A dump in a file.
     TraceRecording(std::string given_name, std::string place, Descriptor file, std::string blobs,
                    std::optional<int> context)
-        : Recording(std::move(given_name)), place_(std::move(place)), blobs_(std::move(blobs)) {
+        : DumpRecording(std::move(given_name), std::move(place)), folder_(std::move(blobs)) {
         text_.emplace(place_, std::move(file));
         choose_context(context);
     }
     // The dump of a .trace: of the file `trace`, or of `input`.
     TraceRecording(std::string given_name, std::string place, const std::string& trace, const Descriptor& input,
                    std::optional<int> context)
-        : Recording(std::move(given_name)), place_(std::move(place)), apitrace_(std::in_place, place_, trace, input) {
-        blobs_ = apitrace_->folder();
+        : DumpRecording(std::move(given_name), std::move(place)), apitrace_(std::in_place, place_, trace, input) {
+        folder_ = apitrace_->folder();
         text_.emplace(place_, nameless_file(), apitrace_->take_output(),
                       [this] { apitrace_error_ = apitrace_->wait(); });
         choose_context(context);
@@ -53,18 +107,15 @@ class TraceRecording final : public Recording {
     // A dump from a pipe, of which `front` has already been read.
     TraceRecording(std::string given_name, std::string place, Descriptor pipe, std::string_view front,
                    std::optional<int> context)
-        : Recording(std::move(given_name)), place_(std::move(place)), blobs_(".") {
+        : DumpRecording(std::move(given_name), std::move(place)), folder_(".") {
         text_.emplace(place_, nameless_file(), std::move(pipe), std::function<void()>());
         text_->put_in_front(front);
         choose_context(context);
     }
 
     void for_each(const std::function<bool(const Step&)>& visit) const override {
-        DumpTextReading reading(*text_);
-        DumpReader reader(reading, place_, BlobFolder(blobs_));
-        if (context_) reader.follow(*context_);
         bool any = false;
-        const bool at_end = reader.for_each([&](const Step& step) {
+        const bool at_end = visit_all([&](const Step& step) {
             any = true;
             return visit(step);
         });
@@ -75,43 +126,43 @@ class TraceRecording final : public Recording {
         visit({Step::Kind::kCutOff, nowhere, error});
     }
 
-    std::vector<std::string> notes() const override { return notes_; }
-
   private:
-    void choose_context(std::optional<int> wanted) {
-        DumpTextReading reading(*text_);
-        DumpReader reader(reading, place_, BlobFolder(blobs_));
-        ContextCounts counts;
-        try {
-            reader.count_contexts(wanted.has_value(), counts);
-        } catch (const SceneError&) {  // visiting throws it again
-        }
-        const std::vector<ContextUse>& contexts = counts.contexts();
-        if (wanted && *wanted > 0 && static_cast<std::size_t>(*wanted) >= contexts.size()) {
-            throw SceneError(fmt::format("{}: the recording has no context {}; {}", place_, *wanted,
-                                         contexts.size() > 1
-                                             ? fmt::format("its contexts are 0 to {}", contexts.size() - 1)
-                                             : "its only context is 0"));
-        }
-        const std::optional<std::size_t> chosen =
-            wanted && !contexts.empty() ? std::optional(static_cast<std::size_t>(*wanted)) : counts.busiest();
-        if (!chosen) return;
-        context_ = contexts[*chosen].name;
-        const bool others_draw = std::ranges::any_of(
-            contexts, [&](const ContextUse& use) { return use.vertices > 0 && use.name != *context_; });
-        if (!others_draw) return;
-        const std::string part = reader.at_end() ? "" : fmt::format("up to call {}, ", reader.call_number());
-        notes_.push_back(fmt::format("{}{}; this is context {}, --context N chooses another", part,
-                                     list_of_contexts(contexts), *chosen));
-    }
+    std::unique_ptr<ByteSource> start() const override { return std::make_unique<DumpTextReading>(*text_); }
+    BlobLoader blobs() const override { return blobs_in_folder(folder_); }
 
-    std::string place_;  // its name in places
-    std::string blobs_;  // the folder of the blobs
+    std::string folder_;  // of the blobs
     std::optional<ApitraceDump> apitrace_;
     mutable std::optional<DumpText> text_;
     mutable std::string apitrace_error_;
-    std::optional<ContextName> context_;  // only its calls are visited; nullopt: the calls of all contexts
-    std::vector<std::string> notes_;
+};
+
+// A dump in memory.
+class TextSource final : public ByteSource {
+  public:
+    explicit TextSource(std::string_view text) : rest_(text) {}
+    std::size_t read(char* to, std::size_t size) override {
+        const std::size_t count = rest_.copy(to, size);
+        rest_.remove_prefix(count);
+        return count;
+    }
+
+  private:
+    std::string_view rest_;
+};
+
+class TextRecording final : public DumpRecording {
+  public:
+    TextRecording(std::string_view text, const std::string& given_name, BlobFiles blobs)
+        : DumpRecording(given_name, given_name), text_(text), blobs_(std::move(blobs)) {
+        choose_context(std::nullopt);
+    }
+
+  private:
+    std::unique_ptr<ByteSource> start() const override { return std::make_unique<TextSource>(text_); }
+    BlobLoader blobs() const override { return blobs_in_memory(blobs_); }
+
+    std::string_view text_;
+    BlobFiles blobs_;
 };
 
 std::string_view first_content_line(std::string_view text) {
@@ -125,6 +176,10 @@ std::string_view first_content_line(std::string_view text) {
 }
 
 }  // namespace
+
+bool is_trace(std::string_view front, const std::filesystem::path& path) {
+    return is_trace(front) || (path.extension() == ".trace" && !is_dump(front));
+}
 
 bool is_trace(std::string_view front) {
     // Either Snappy chunks ("at" and a length, whose bytes are hardly ever all printable), or gzip in older versions.
@@ -172,6 +227,10 @@ std::shared_ptr<const Recording> open_dump(const std::string& path, std::optiona
     const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
     return std::make_shared<TraceRecording>(one_line(file.filename().string()), one_line(path), std::move(text), folder,
                                             context);
+}
+
+std::shared_ptr<const Recording> read_dump(std::string_view text, const std::string& name, BlobFiles blobs) {
+    return std::make_shared<TextRecording>(text, one_line(name), std::move(blobs));
 }
 
 std::shared_ptr<const Recording> open_standard_input(std::string_view front, std::optional<int> context) {

@@ -299,11 +299,11 @@ TEST_F(Traces, AreNotFollowedIntoTheDepth) {
 
 TEST_F(Traces, HoldOnlySoManyBytesOfBlobsAtOnce) {
     write_file_atomically(folder_ / "a.bin", "123456");
-    const trace::BlobFolder blobs(folder_.str(), 16);
-    std::shared_ptr<const Memory> first = blobs.read("a.bin", {}), second = blobs.read("a.bin", {});
-    EXPECT_THROW(blobs.read("a.bin", {}), SceneError);
+    const trace::BlobLoader blobs = trace::blobs_in_folder(folder_.str(), 16);
+    std::shared_ptr<const Memory> first = blobs("a.bin", {}), second = blobs("a.bin", {});
+    EXPECT_THROW(blobs("a.bin", {}), SceneError);
     first.reset();
-    EXPECT_EQ(blobs.read("a.bin", {})->bytes.size(), 6u);
+    EXPECT_EQ(blobs("a.bin", {})->bytes.size(), 6u);
 }
 
 TEST_F(Traces, ReadBlobsFromTheirOwnFolderOnly) {
