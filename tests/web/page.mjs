@@ -115,6 +115,24 @@ const checks = {
             .map((figure) => [figure.querySelector("canvas").id, getComputedStyle(figure).clipPath])`);
     },
 
+    // A browser that grants no more memory, a scene beyond the page's limit, and a window beyond it.
+    async survivesLackOfMemory() {
+        told.memory = [];
+        const tried = async (scene) => {
+            await typed(scene);
+            told.memory.push(await text("messages"));
+        };
+        // First, because memory that has grown stays.
+        await browser.value(`(globalThis.grow = WebAssembly.Memory.prototype.grow, WebAssembly.Memory.prototype.grow = () => { throw new RangeError(); }, 0)`);
+        await tried("glutSolidSphere(1, 700, 600);\n");
+        await browser.value(`(WebAssembly.Memory.prototype.grow = grow, 0)`);
+        await tried("glColor3f(1, 1, 1);\nglutSolidSphere(1, 2000, 1000);\n");
+        await tried(`void display(void) { glRectf(-1, -1, 1, 1); }
+int main(int argc, char** argv) { glutInit(&argc, argv); glutInitWindowSize(8000, 8000); glutCreateWindow("a"); glutDisplayFunc(display); glutMainLoop(); }\n`);
+        await typed("glColor3f(1, 0, 0);\nglRectf(-1, -1, 1, 1);\n");
+        told.afterMemory = await text("verdict");
+    },
+
     async teaches() {
         await opened("#lesson=shininess");
         const grade = async () => {

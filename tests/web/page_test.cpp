@@ -93,6 +93,13 @@ TEST(WebPage, DrawsEveryScene) {
     EXPECT_EQ(page["leaves"], true) << "Tab leaves the editor";
     EXPECT_NEAR(page["clicked"].get<double>(), 320, 2);
 
+    const char* const memory[] = {"error: this scene needs more memory than a page gets",
+                                  "2:1: error: this picture needs more than 0.97 GB",  // 1e9 - 112 * 640 * 480
+                                  "error: pictures of 8000 x 8000 need 7.2 GB"};
+    for (std::size_t i = 0; i < std::size(memory); ++i)
+        EXPECT_TRUE(page["memory"][i].get<std::string>().starts_with(memory[i])) << page["memory"];
+    EXPECT_EQ(page["afterMemory"], "Shaders and reference are equal away from edges.") << "the page goes on";
+
     EXPECT_EQ(page["forms"], (Json{"gl", "c", "glsl", "html", "#shaders", "#reference", "#difference", "#floats"}));
     PageScene scene;
     scene.open(page["files"]["gl"].get<std::string>(), "spotlight", "", {});

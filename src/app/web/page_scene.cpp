@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 
@@ -33,6 +34,18 @@ Json errors_of(const SceneError& error) {
         errors.push_back({{"line", one.place.line}, {"column", one.place.column}, {"message", one.message}});
     if (errors.empty()) errors.push_back({{"line", 0}, {"column", 0}, {"message", error.what()}});
     return errors;
+}
+
+// What is left for the scene after the pictures.
+std::size_t without_pixels(int width, int height) {
+    // A size_t has 32 bits here.
+    const std::uint64_t pixels =
+        std::uint64_t{kPageBytesOfPixel} * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    if (pixels < kPageMemory) return kPageMemory - static_cast<std::size_t>(pixels);
+    throw SceneError(fmt::format(
+        "pictures of {} x {} need {:.2g} GB of memory, and this page has {:.2g}; choose a smaller window, or "
+        "use the program twinlight",
+        width, height, static_cast<double>(pixels) / 1e9, static_cast<double>(kPageMemory) / 1e9));
 }
 
 }  // namespace
@@ -67,6 +80,7 @@ std::string PageScene::open(std::string_view text, const std::string& name, cons
             options.width = list->window->width;
             options.height = list->window->height;
         }
+        options.memory = without_pixels(options.width, options.height);
         scene_ = make_scene(list, options);
         if (controls_ && !controls_->shows(text, list->step)) controls_.reset();
         opened_ = {list, std::string(text), {options.width, options.height}, [name, step](std::string_view edited) {

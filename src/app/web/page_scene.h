@@ -21,8 +21,15 @@
 
 namespace twinlight::web {
 
-// A page has 4 GiB at the most, and a browser may grant less. A text this long is no scene that somebody types.
+// A text this long is no scene that somebody types.
 inline constexpr std::size_t kMaxPageBytes = 8u << 20;
+
+// The memory that a picture may need: StateOptions::memory and the pixels. The module has 2 GiB at the most (web.mk), because each
+// worker has its own. Measured: for a sphere with a million vertices, which
+// counts as more than 1.4 GB, the module grows to 1.9 GiB.
+inline constexpr std::size_t kPageMemory = 1'000'000'000;
+// What the reference and the judge hold for each pixel: seven pictures of floats at the most.
+inline constexpr std::size_t kPageBytesOfPixel = 112;
 
 // Reads a text. Built-in pictures and meshes are its only files. Throws SceneError.
 CommandList read_for_page(std::string_view text, const std::string& name, const std::string& step);

@@ -112,7 +112,8 @@ bool State::has_room(const Command& command, std::size_t bytes) {
         return true;
     }
     raise(kGL_OUT_OF_MEMORY, command,
-          "this picture needs more than {:.2g} GB of memory; draw fewer vertices, or allow more with --memory",
+          "this picture needs more than {:.2g} GB of memory; draw fewer vertices, or give the program twinlight more "
+          "with --memory",
           static_cast<double>(options_.memory) / 1e9);
     return false;
 }

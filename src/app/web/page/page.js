@@ -58,9 +58,14 @@ async function draw() {
     performance.mark("begin");
     workers.forget();
     const scene = {text: editor.text, name, step: at("steps").value, width: WIDTH, height: HEIGHT};
-    let answer = twinlight.open(scene);
-    // The text may have lost its steps.
-    if (answer.errors.length > 0 && scene.step) answer = twinlight.open({...scene, step: ""});
+    let answer;
+    try {
+        answer = twinlight.open(scene);
+        // The text may have lost its steps.
+        if (answer.errors.length > 0 && scene.step) answer = twinlight.open({...scene, step: ""});
+    } catch (error) {
+        answer = {errors: [{line: 0, message: error.message}]};
+    }
     lessons.changed(scene.text);
     at("messages").replaceChildren();
     editor.clear();
