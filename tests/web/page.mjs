@@ -82,6 +82,29 @@ const checks = {
         told.leaves = await browser.value(`!document.activeElement.closest(".CodeMirror")`) && await sceneText() === typing;
     },
 
+    // A dump of a real program with its blobs, and files that are none.
+    async opensDumps() {
+        const before = await browser.value("location.hash"), folder = "tests/traces/blinkbox/";
+        const dropped = (files) => drawn(() => browser.value(`(() => {
+            const transfer = new DataTransfer();
+            for (const [name, bytes] of ${JSON.stringify(files)})
+                transfer.items.add(new File([Uint8Array.from(atob(bytes), (letter) => letter.charCodeAt(0))], name));
+            dispatchEvent(new DragEvent("drop", {dataTransfer: transfer, cancelable: true}));
+        })()`));
+        const recording = fs.readdirSync(folder).map((name) => [name, fs.readFileSync(folder + name, "base64")]);
+        told.dumpErrors = [];
+        for (const files of [recording.filter(([name]) => name === "dump.txt"), [["cage.trace", btoa("\x06\x01")]]]) {
+            await dropped(files);
+            told.dumpErrors.push(await text("messages"));
+        }
+        await dropped(recording);
+        told.dump = [await sceneText(), await text("verdict"), await browser.value(`document.getElementById("shaders").width`)];
+        await browser.value(`document.getElementById("link").click()`);
+        await browser.until(`location.hash.includes("size=")`);
+        told.dumpLink = await browser.value(`new URLSearchParams(location.hash.slice(1)).get("size")`);
+        await opened(before);
+    },
+
     async showsErrors() {
         await typed("glClear(GL_COLOR_BUFFER_BIT);\nglRectf(0, 0, 1, 1);\nglFoo(<img src=x>);\n");
         told.error = await text("messages");
@@ -90,6 +113,24 @@ const checks = {
         await typed("glColor3f(1, 0, 0);\nglRectf(-1, -1, 1, 1);\n");
         told.mended = await pixel("shaders", 320, 240);
         told.first = await firstPicture();
+    },
+
+    // A browser that grants no more memory, a scene beyond the page's limit, and a window beyond it.
+    async survivesLackOfMemory() {
+        told.memory = [];
+        const tried = async (scene) => {
+            await typed(scene);
+            told.memory.push(await text("messages"));
+        };
+        // First, because memory that has grown stays.
+        await browser.value(`(globalThis.grow = WebAssembly.Memory.prototype.grow, WebAssembly.Memory.prototype.grow = () => { throw new RangeError(); }, 0)`);
+        await tried("glutSolidSphere(1, 700, 600);\n");
+        await browser.value(`(WebAssembly.Memory.prototype.grow = grow, 0)`);
+        await tried("glColor3f(1, 1, 1);\nglutSolidSphere(1, 2000, 1000);\n");
+        await tried(`void display(void) { glRectf(-1, -1, 1, 1); }
+int main(int argc, char** argv) { glutInit(&argc, argv); glutInitWindowSize(8000, 8000); glutCreateWindow("a"); glutDisplayFunc(display); glutMainLoop(); }\n`);
+        await typed("glColor3f(1, 0, 0);\nglRectf(-1, -1, 1, 1);\n");
+        told.afterMemory = await text("verdict");
     },
 
     async saves() {
@@ -113,24 +154,6 @@ const checks = {
             document.getElementById("line").value = 30, document.getElementById("view").dispatchEvent(new Event("input")), 0`);
         told.slider = await browser.value(`[...document.querySelectorAll("figure")].filter((figure) => getComputedStyle(figure).display !== "none")
             .map((figure) => [figure.querySelector("canvas").id, getComputedStyle(figure).clipPath])`);
-    },
-
-    // A browser that grants no more memory, a scene beyond the page's limit, and a window beyond it.
-    async survivesLackOfMemory() {
-        told.memory = [];
-        const tried = async (scene) => {
-            await typed(scene);
-            told.memory.push(await text("messages"));
-        };
-        // First, because memory that has grown stays.
-        await browser.value(`(globalThis.grow = WebAssembly.Memory.prototype.grow, WebAssembly.Memory.prototype.grow = () => { throw new RangeError(); }, 0)`);
-        await tried("glutSolidSphere(1, 700, 600);\n");
-        await browser.value(`(WebAssembly.Memory.prototype.grow = grow, 0)`);
-        await tried("glColor3f(1, 1, 1);\nglutSolidSphere(1, 2000, 1000);\n");
-        await tried(`void display(void) { glRectf(-1, -1, 1, 1); }
-int main(int argc, char** argv) { glutInit(&argc, argv); glutInitWindowSize(8000, 8000); glutCreateWindow("a"); glutDisplayFunc(display); glutMainLoop(); }\n`);
-        await typed("glColor3f(1, 0, 0);\nglRectf(-1, -1, 1, 1);\n");
-        told.afterMemory = await text("verdict");
     },
 
     async teaches() {

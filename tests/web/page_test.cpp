@@ -93,6 +93,18 @@ TEST(WebPage, DrawsEveryScene) {
     EXPECT_EQ(page["leaves"], true) << "Tab leaves the editor";
     EXPECT_NEAR(page["clicked"].get<double>(), 320, 2);
 
+    EXPECT_NE(page["dumpErrors"][0].get<std::string>().find("dump.txt: call 39: the blob 'blob_call39.bin' is missing"),
+              std::string::npos)
+        << page["dumpErrors"];
+    EXPECT_NE(page["dumpErrors"][1].get<std::string>().find("apitrace's binary form"), std::string::npos)
+        << page["dumpErrors"];
+    const std::string dump = page["dump"][0], verdict_on_dump = page["dump"][1];
+    EXPECT_TRUE(dump.starts_with("// dump.txt, frame 0: 300 x 300 pixels.")) << dump.substr(0, 200);
+    EXPECT_TRUE(verdict_on_dump.starts_with("Shaders and reference ")) << verdict_on_dump;
+    EXPECT_EQ(verdict_on_dump.find("differ:"), std::string::npos) << verdict_on_dump;
+    EXPECT_EQ(page["dump"][2], 300);
+    EXPECT_EQ(page["dumpLink"], "300x300");
+
     const char* const memory[] = {"error: this scene needs more memory than a page gets",
                                   "2:1: error: this picture needs more than 0.97 GB",  // 1e9 - 112 * 640 * 480
                                   "error: pictures of 8000 x 8000 need 7.2 GB"};

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "app/web/dropped_files.h"
 #include "app/web/page_lessons.h"
 #include "app/web/page_scene.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 PageScene scene;
 WebglFrame frame;
+DroppedFiles files;
 std::string answer, failure;
 
 // Returns the answer, or null after an exception; then failure() says why.
@@ -77,6 +79,20 @@ EXPORT const char* built_in() { return answered(built_in_scenes); }
 
 EXPORT const char* open_scene(const char* text, const char* name, const char* step, int width, int height) {
     return answered([&] { return scene.open(text, name, step, {width, height}); });
+}
+
+// "dump", or "" for another text.
+EXPORT const char* kind_of_file(const char* name, const char* front, int count) {
+    return answered([&] { return is_dump({front, static_cast<std::size_t>(count)}, name) ? "dump" : ""; });
+}
+EXPORT const char* add_file(const char* name, const std::uint8_t* bytes, int count) {
+    return answered([&] {
+        files.add(name, {bytes, static_cast<std::size_t>(count)});
+        return "";
+    });
+}
+EXPORT const char* scene_of_dump(const char* name) {
+    return answered([&] { return files.scene_of_dump(name); });
 }
 
 EXPORT const char* key_list() { return answered(page_keys); }

@@ -128,8 +128,8 @@ std::span<const float> PageScene::reference_floats(int y0, int y1) const {
 
 std::span<const std::uint8_t> PageScene::coarse_reference(const reference::Options& options) {
     const Frame& frame = scene_->frame;
-    const auto divided = [](int side) { return (side + kCoarse - 1) / kCoarse; };
-    return codes_of(reference::render(resized(frame, divided(frame.width), divided(frame.height)), options).pixels);
+    return codes_of(
+        reference::render(resized(frame, coarse_side(frame.width), coarse_side(frame.height)), options).pixels);
 }
 
 std::span<const std::uint8_t> PageScene::codes_of(std::span<const Rgba> pixels) {

@@ -61,6 +61,7 @@ class PageScene {
 
     // The whole picture with sides divided by kCoarse, rounded up: there long before the rows are.
     static constexpr int kCoarse = 4;
+    static constexpr int coarse_side(int side) { return (side + kCoarse - 1) / kCoarse; }
     std::span<const std::uint8_t> coarse_reference(const reference::Options& options);
 
     // The frame for WebGL, shaded as `look` says. Copied pixels are the reference's. webgl_frame.h describes it.

@@ -2,7 +2,8 @@
 
 const streamed = (bytes, stream) => new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer();
 
-export async function sceneInLink(text, builtIn, step) {
+// `size`: of the picture, if it is not the page's own.
+export async function sceneInLink(text, builtIn, step, size) {
     const link = new URLSearchParams(), same = builtIn.find((scene) => scene.text === text);
     if (same) {
         link.set("scene", same.name);
@@ -12,7 +13,14 @@ export async function sceneInLink(text, builtIn, step) {
         link.set("text", btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", ""));
     }
     if (step) link.set("step", step);
+    if (size) link.set("size", `${size.width}x${size.height}`);
     return link.toString();
+}
+
+// undefined if the link has none.
+export function sizeInLink(link) {
+    const found = /^([1-9]\d{0,3})x([1-9]\d{0,3})$/.exec(link.get("size"));
+    return found ? {width: Number(found[1]), height: Number(found[2])} : undefined;
 }
 
 // Throws for what is no such text.

@@ -1,15 +1,16 @@
 // The page: a scene's text, its errors, and its pictures.
 import {control, showKeys} from "./controls.js";
 import {Editor} from "./editor.js";
+import {sceneIn} from "./files.js";
 import {Renderer} from "./gl.js";
 import {Lessons} from "./lessons.js";
-import {sceneInLink, textInLink} from "./link.js";
+import {sceneInLink, sizeInLink, textInLink} from "./link.js";
 import {setSlider, show, showDifference, showMesa, showReference, startSlider} from "./pictures.js";
 import {offer, save} from "./saves.js";
 import {loadTwinlight} from "./twinlight.js";
 import {Workers} from "./workers.js";
 
-const WIDTH = 640, HEIGHT = 480;
+const WINDOW = {width: 640, height: 480};
 const LESSON = "lesson:";  // before a lesson's name in the list of scenes
 const PAUSE_MS = 150;  // after a key, before the text is read
 
@@ -23,7 +24,7 @@ const editor = new Editor(at("text"), () => {
     clearTimeout(pause);
     pause = setTimeout(draw, PAUSE_MS);
 });
-let renderer = null, name = "scene", opened = null, revision = 0, pause = 0;
+let renderer = null, name = "scene", window_size = WINDOW, opened = null, revision = 0, pause = 0;
 
 // ---- Messages: all texts of scenes become text, never markup ----
 
@@ -57,7 +58,7 @@ async function draw() {
     performance.clearMarks();
     performance.mark("begin");
     workers.forget();
-    const scene = {text: editor.text, name, step: at("steps").value, width: WIDTH, height: HEIGHT};
+    const scene = {text: editor.text, name, step: at("steps").value, ...window_size};
     let answer;
     try {
         answer = twinlight.open(scene);
@@ -130,8 +131,9 @@ function setSteps({steps, step}) {
     at("steps").value = step > 0 ? String(step) : "";
 }
 
-function load(scene_name, text, step = "") {
+function load(scene_name, text, step = "", size = WINDOW) {
     name = scene_name;
+    window_size = size;
     at("said").textContent = "";
     editor.open(text);
     setStep(step);
@@ -168,7 +170,7 @@ async function openLink() {
         if (link.has("text")) {
             const text = await textInLink(link.get("text"));
             lessons.hide();
-            return await load("scene", text, link.get("step") ?? "");
+            return await load("scene", text, link.get("step") ?? "", sizeInLink(link));
         }
     } catch {
         message("error", {line: 0, text: "this link holds no scene; copy it again"});
@@ -229,7 +231,7 @@ at("scenes").addEventListener("change", () => openMenu(at("scenes").value));
 at("steps").addEventListener("change", draw);
 at("shading").addEventListener("change", draw);
 at("link").addEventListener("click", async () => {
-    history.replaceState(null, "", "#" + await sceneInLink(editor.text, builtIn, at("steps").value));
+    history.replaceState(null, "", "#" + await sceneInLink(editor.text, builtIn, at("steps").value, window_size === WINDOW ? null : window_size));
     try {
         await navigator.clipboard.writeText(location.href);
     } catch {
@@ -247,10 +249,15 @@ startSlider();
 addEventListener("dragover", (event) => event.preventDefault());
 addEventListener("drop", async (event) => {
     event.preventDefault();
-    const file = event.dataTransfer.files[0];
-    if (!file) return;
-    lessons.hide();
-    await load(file.name.replace(/\.[^.]*$/, ""), await file.text());
+    const files = [...event.dataTransfer.files];
+    if (files.length === 0) return;
+    try {
+        const {name, text, size} = await sceneIn(files, twinlight);
+        lessons.hide();
+        await load(name, text, "", size);
+    } catch (error) {
+        message("error", {line: 0, text: error.message});
+    }
 });
 addEventListener("hashchange", openLink);
 

@@ -14,13 +14,13 @@ export async function loadTwinlight(options = {}) {
     }
     const copied = (place, bytes) => module.HEAPU8.slice(place, place + bytes);
 
-    // Calls a function with numbers and texts.
+    // Calls a function with numbers, texts and bytes.
     function call(name, ...values) {
         const texts = [];
         try {
             const given = values.map((value) => {
-                if (typeof value !== "string") return value;
-                const bytes = new TextEncoder().encode(value);
+                if (typeof value === "number") return value;
+                const bytes = typeof value === "string" ? new TextEncoder().encode(value) : value;
                 const place = allocated(bytes.length + 1);
                 texts.push(place);
                 module.HEAPU8.set(bytes, place);
@@ -44,6 +44,10 @@ export async function loadTwinlight(options = {}) {
         builtIn: () => json("built_in").scenes,
         // Opens a scene; then the functions below are about it. Throws only if memory is short.
         open: ({text, name, step = "", width, height}) => json("open_scene", text, name, step, width, height),
+        // What app/web/dropped_files.h does. Bytes: Uint8Array.
+        isDump: (name, front) => textAt(call("kind_of_file", name, front, front.length)) === "dump",
+        addFile: (name, bytes) => { call("add_file", name, bytes, bytes.length); },
+        sceneOfDump: (name) => json("scene_of_dump", name),
         warnings: () => json("lint_scene").warnings,
         // A copy of the rows y0 to y1 of the reference's picture, `width` pixels each: {rows: bytes, floats}.
         referenceRows({shading, asFloats = false, y0, y1, width}) {

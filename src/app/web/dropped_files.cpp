@@ -1,0 +1,82 @@
+#include "app/web/dropped_files.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/web/json_text.h"
+#include "app/web/page_scene.h"
+#include "base/image/contrast.h"
+#include "render/reference/reference.h"
+#include "scene/command/text.h"
+#include "scene/state/recorded_frame.h"
+#include "scene/state/resized.h"
+#include "scene/trace/trace.h"
+
+namespace twinlight::web {
+
+namespace {
+
+float contrast(const Scene& scene) {
+    const Frame& frame = scene.frame;
+    return color_contrast(reference::render(
+        resized(frame, PageScene::coarse_side(frame.width), PageScene::coarse_side(frame.height)), {}));
+}
+
+// What the text lacks of the recording.
+std::vector<std::string> notes_of(const RecordedFrame& recorded) {
+    std::vector<std::string> notes = recorded.scene.recording->notes();
+    notes.insert(notes.end(), recorded.notes.begin(), recorded.notes.end());
+    if (recorded.first_error) notes.push_back(note_of_errors(recorded) + "; they are left out");
+    for (const Unsupported& one : recorded.scene.frame.unsupported) {
+        if (one.missing_from != MissingFrom::kEverything) continue;
+        notes.push_back(fmt::format("{} is left out, because Twinlight lacks it: {} {}, first at {}",
+                                    one_line(one.name), one.count, one.count == 1 ? "call" : "calls",
+                                    one_line(one.first.str())));
+    }
+    return notes;
+}
+
+}  // namespace
+
+bool is_dump(std::string_view front, const std::string& name) {
+    if (trace::is_trace(front, name))
+        throw SceneError(
+            fmt::format("{0}: this is apitrace's binary form. Write its text with 'apitrace dump --color=never --blobs "
+                        "{0} >dump.txt', and drop dump.txt together with the blobs that this writes",
+                        one_line(name)));
+    return trace::is_dump(front);
+}
+
+void DroppedFiles::add(const std::string& name, std::span<const std::uint8_t> bytes) {
+    Memory memory;
+    memory.bytes.resize(bytes.size());
+    if (!bytes.empty()) std::memcpy(memory.bytes.data(), bytes.data(), bytes.size());
+    files_[name] = std::make_shared<const Memory>(std::move(memory));
+}
+
+std::string DroppedFiles::scene_of_dump(const std::string& name) {
+    const trace::BlobFiles files = std::exchange(files_, {});
+    const std::vector<std::byte>& dump = files.at(name)->bytes;
+    const std::string_view text(reinterpret_cast<const char*>(dump.data()), dump.size());  // NOLINT
+    const RecordedFrame recorded =
+        frame_to_see(trace::read_dump(text, name, files), {.number = std::nullopt, .memory = kPageMemory}, contrast);
+    const Frame& frame = recorded.scene.frame;
+    std::string scene = fmt::format("// {}: {} x {} pixels. The program twinlight can draw other frames (--frame).\n",
+                                    recorded.scene.name(), frame.width, frame.height);
+    for (const std::string& note : notes_of(recorded)) scene += fmt::format("// Note: {}.\n", one_line(note));
+    scene += print_scene(commands_to_print(recorded.scene));
+    if (scene.size() > kMaxPageBytes)
+        throw SceneError(fmt::format(
+            "{}: as a scene, this has {} MiB, and the limit of this page is {} MiB. The program twinlight can "
+            "draw it: 'twinlight compare {}'. If an earlier frame is enough, write it with 'twinlight export {} "
+            "--as scene --frame N', and drop that",
+            recorded.scene.name(), scene.size() >> 20, kMaxPageBytes >> 20, one_line(name), one_line(name)));
+    return dumped({{"text", scene}, {"width", frame.width}, {"height", frame.height}});
+}
+
+}  // namespace twinlight::web
