@@ -112,8 +112,8 @@ bool State::has_room(const Command& command, std::size_t bytes) {
         return true;
     }
     raise(kGL_OUT_OF_MEMORY, command,
-          "this picture needs more than {:.2g} GB of memory; draw fewer vertices, or give the program twinlight more "
-          "with --memory",
+          "this picture needs more than {:.2g} GB of memory; draw fewer vertices, or run twinlight with a larger "
+          "--memory",
           static_cast<double>(options_.memory) / 1e9);
     return false;
 }

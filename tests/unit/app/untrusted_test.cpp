@@ -175,8 +175,8 @@ TEST(MemoryLimit, IsOneClearLine) {
     const ProgramResult small = render("0.1", "16x16");
     EXPECT_EQ(small.status, 2);
     EXPECT_EQ(small.err.find(
-                  "/sphere.gl:2:1: error: this picture needs more than 0.1 GB of memory; draw fewer vertices, or allow "
-                  "more with --memory (GL_OUT_OF_MEMORY)\n") == std::string::npos,
+                  "/sphere.gl:2:1: error: this picture needs more than 0.1 GB of memory; draw fewer vertices, or run "
+                  "twinlight with a larger --memory (GL_OUT_OF_MEMORY)\n") == std::string::npos,
               false)
         << small.err;
     EXPECT_EQ(render("1", "16x16").status, 0);
