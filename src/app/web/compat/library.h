@@ -27,7 +27,8 @@ To bit_cast(const From& from) {
 }  // namespace std
 #endif
 
-#if _LIBCPP_VERSION < 20000
+// (13000 is libc++ 13, but 190000 is libc++ 19.)
+#if _LIBCPP_VERSION < 200000
 namespace std {
 
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
