@@ -135,19 +135,20 @@ SOURCES_fuzzers := $(wildcard tests/fuzz/*_fuzzer.cpp)
 SOURCES_fuzz_common := tests/fuzz/command_bytes.cpp tests/fuzz/stb.cpp
 SOURCES_fuzz_seeds := tests/fuzz/write_seeds.cpp
 SOURCES_fuzz := $(SOURCES_fuzzers) $(SOURCES_fuzz_common) $(SOURCES_fuzz_seeds)
-SOURCES_fuzz_library := $(filter-out src/judge/% $(addsuffix /%,$(addprefix src/render/,context stages fixed programmable)),$(SOURCES_library))
+SOURCES_fuzz_library := $(filter-out src/judge/% $(addsuffix /%,$(addprefix src/render/,context stages fixed programmable webgl)),$(SOURCES_library))
 SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
 SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz) $(SOURCES_recorder),$(sort $(shell find tests -name '*.cpp')))
 SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_web) $(SOURCES_tests) $(SOURCES_recorder) \
     $(SOURCES_bench) $(SOURCES_fuzz))
 HEADERS := $(sort $(shell find src tests -name '*.h'))
-EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes scene_assets shaders pages cases lessons lessons-zh)
+EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes scene_assets shaders webgl pages cases lessons lessons-zh)
 # The scenes that only tests need come last.
 SCENES_of_tests := $(patsubst %,src/scene/scenes/%.gl,commands legacy)
 FILES_scenes := $(sort $(filter-out $(SCENES_of_tests),$(wildcard src/scene/scenes/*.gl))) $(SCENES_of_tests)
 # What the scenes load: pictures, and meshes with their materials.
 FILES_scene_assets := $(wildcard $(addprefix src/scene/scenes/*.,png obj mtl))
-FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.glsl precise/*.glsl kept/*.glsl kept/loader.* kept/page.html))
+FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.glsl precise/*.glsl kept/*.glsl kept/loader.*))
+FILES_webgl := $(addprefix src/render/webgl/,exported_page.html gl.js viewer.js)
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
 CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
 FILES_cases := $(wildcard golden/hard/*.gl)
@@ -287,7 +288,7 @@ include src/app/web/web.mk
 
 # Two files that are rewritten when their content changes: the compiler's flags, and the list of files.
 flags := $(CXX) $(CXXFLAGS_all) $(LDFLAGS_all)
-files := $(SOURCES_all) $(FILES_scenes) $(FILES_scene_assets) $(FILES_shaders) $(FILES_pages) $(FILES_cases) $(FILES_lessons) $(FILES_lessons_zh)
+files := $(SOURCES_all) $(FILES_scenes) $(FILES_scene_assets) $(FILES_shaders) $(FILES_webgl) $(FILES_pages) $(FILES_cases) $(FILES_lessons) $(FILES_lessons_zh)
 changed = $(if $(subst |$($(1))|,,|$(file <$(BUILD)/$(1))|),force)
 $(BUILD)/flags: $(call changed,flags)
 $(BUILD)/files: $(call changed,files)
@@ -373,6 +374,8 @@ $(BUILD)/embedded/scene_assets.cpp: $(FILES_scene_assets) $(BUILD)/files tools/e
 	$(call embed,scene/scenes/load.h,kSceneAssets,$(sort $(FILES_scene_assets)))
 $(BUILD)/embedded/shaders.cpp: $(FILES_shaders) $(BUILD)/files tools/embed.sh
 	$(call embed,render/programmable/shader_assembly.h,kShaderFiles,$(sort $(FILES_shaders)))
+$(BUILD)/embedded/webgl.cpp: $(FILES_webgl) $(BUILD)/files tools/embed.sh
+	$(call embed,render/webgl/exported_page.h,kWebglFiles,$(FILES_webgl))
 $(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files tools/embed.sh
 	$(call embed,judge/report/html.h,kPageFiles,$(sort $(FILES_pages)))
 $(BUILD)/embedded/cases.cpp: $(FILES_cases) $(BUILD)/files tools/embed.sh

@@ -49,7 +49,8 @@ const std::map<std::string, Table>& rooms() {
           {"stages", {"context"}},
           {"fixed", {"effect", "stages", "context"}},
           {"programmable", {"effect", "stages", "context"}},
-          {"reference", {}}}},  // shares neither the driver's numbers nor the planner's mistakes
+          {"reference", {}},  // shares neither the driver's numbers nor the planner's mistakes
+          {"webgl", {"effect", "programmable", "reference"}}}},
         {"judge",
          {{"compare", {}},
           {"report", {"compare"}},
@@ -72,6 +73,7 @@ const Table& narrower() {
         {"render/stages", {"base", "scene"}},
         {"render/fixed", {"base", "scene"}},
         {"render/programmable", {"base", "scene"}},
+        {"render/webgl", {"base", "scene"}},
         // The renderers come as functions.
         // It judges everything else that lights, so it shares only the reader of commands.
         {"judge/oracle", {"scene"}},

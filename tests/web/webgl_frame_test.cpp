@@ -1,5 +1,5 @@
 // What the page draws, without a browser.
-#include "app/web/webgl_frame.h"
+#include "render/webgl/webgl_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ Json header_of(const std::string& text) {
     PageScene scene;
     const Json answer = Json::parse(scene.open(text, "scene", "", {64, 64}));
     EXPECT_EQ(answer["errors"], Json::array());
-    return Json::parse(scene.webgl({}).header);
+    return scene.webgl_frame({}).header;
 }
 
 std::string only_program(const Json& header, const char* stage) {
@@ -27,13 +27,49 @@ std::string only_program(const Json& header, const char* stage) {
     return header["programs"][0][stage];
 }
 
+// Those of the item's first pass.
+Json uniforms_of(const Json& item, const Json& header) {
+    Json all = Json::object();
+    for (const std::size_t number : item["passes"][0]) all.update(header["uniforms"][number]);
+    return all;
+}
+
 TEST(WebglFrame, HasProgramsInGlslEs) {
     const Json header = header_of("glEnable(GL_ALPHA_TEST); glAlphaFunc(GL_GREATER, 0.5); glRectf(-1, -1, 1, 1);");
     for (const char* stage : {"vertex", "fragment"})
         EXPECT_TRUE(only_program(header, stage).starts_with("#version 300 es\nprecision highp float;")) << stage;
     EXPECT_NE(only_program(header, "fragment").find("if (!(color.a > u_alpha_ref)) discard;"), std::string::npos);
-    EXPECT_EQ(header["items"][0]["passes"][0]["u_alpha_ref"], (Json{0.5}));
+    EXPECT_EQ(uniforms_of(header["items"][0], header)["u_alpha_ref"], (Json{0.5}));
     EXPECT_EQ(header["missing"], Json::array());
+}
+
+TEST(WebglFrame, WritesNumbersThatDrawsShareOnce) {
+    const Json header = header_of("glRectf(-1, -1, 0, 0); glRectf(0, 0, 1, 1);");
+    ASSERT_EQ(header["items"].size(), 2u);
+    EXPECT_EQ(header["items"][0]["passes"], header["items"][1]["passes"]);
+    EXPECT_EQ(header["uniforms"].size(), 1u);
+}
+
+// GL's state: what a viewer changes when it turns the camera or switches a light off.
+TEST(WebglFrame, HasGlsStateForAnyPose) {
+    PageScene scene;
+    scene.open(
+        R"(glTranslatef(0, 0, -5); glClipPlane(GL_CLIP_PLANE1, (GLdouble[]){0, 1, 0, 2}); glEnable(GL_CLIP_PLANE1);
+        glEnable(GL_LIGHTING); glEnable(GL_LIGHT2); glLightfv(GL_LIGHT2, GL_POSITION, (GLfloat[]){1, 2, 3, 1});
+        glLightfv(GL_LIGHT2, GL_DIFFUSE, (GLfloat[]){1, 1, 1, 1}); glScalef(2, 2, 2); glRectf(-1, -1, 1, 1);)",
+        "scene", "", {64, 64});
+    PlanOptions options;
+    options.for_any_pose = true;
+    const Json header = webgl::webgl_frame(scene.scene().frame, options).header;
+    EXPECT_EQ(header["middle"], (Json{0, 0, -5}));
+    const Json uniforms = uniforms_of(header["items"][0], header);
+    EXPECT_EQ(uniforms["ModelViewMatrix"], (Json{2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, -5, 1}));
+    EXPECT_EQ(uniforms["LightSource[2].position"], (Json{1, 2, -2, 1}));
+    EXPECT_EQ(uniforms["ClipPlane"].size(), 32u);
+    EXPECT_EQ(uniforms["ClipPlane"][5], 1);
+    const std::string vertex = only_program(header, "vertex");
+    for (const char* name : {"uniform mat4 ModelViewMatrix;", "LightSource[2].position"})
+        EXPECT_NE(vertex.find(name), std::string::npos) << vertex;
 }
 
 TEST(WebglFrame, DrawsQuadrilateralsAsTriangles) {

@@ -9,9 +9,11 @@
 
 #include "app/cli/command_line.h"
 #include "base/image/file.h"
+#include "render/programmable/kept/kept_code.h"
 #include "render/programmable/kept/kept_files.h"
 #include "render/programmable/programmable.h"
 #include "render/reference/copied_pixels.h"
+#include "render/webgl/exported_page.h"
 #include "scene/command/text.h"
 #include "scene/shape/written_out.h"
 #include "scene/state/recorded_frame.h"
@@ -48,20 +50,22 @@ const std::map<std::string, Export> kForms = {
     {"c", [](const Scene& scene,
              const auto&) { return print_c_program(with_pragmas_written_out(commands_to_print(scene))); }},
     {"glsl", [](const Scene& scene, const auto& options) { return programmable::shader_source(scene.frame, options); }},
-    {"html", [](const Scene& scene,
-                const auto& options) { return programmable::kept_page(scene.frame, options, scene.title()); }},
+    {"html",
+     [](const Scene& scene, const auto& options) { return webgl::exported_page(scene.frame, options, scene.title()); }},
     {"scene", [](const Scene& scene, const auto&) { return print_scene(commands_to_print(scene)); }},
 };
 
 const std::map<std::string, programmable::Glsl> kVersions = {
     {"130", programmable::Glsl::k130}, {"330", programmable::Glsl::k330}, {"300es", programmable::Glsl::k300es}};
 
-void check_can_be_kept(const Scene& scene, const programmable::Options& options) {
+void check_can_be_kept(const Scene& scene, const programmable::Options& options, bool as_page) {
     constexpr const char* kRemedy = "use --as glsl --for-this-picture";
     if (options.shading == Shading::kExact)
         throw UsageError(fmt::format("--shading exact finds surfaces by rays for one picture; {}", kRemedy));
     if (options.precise) throw UsageError(fmt::format("--precise follows the driver for one picture; {}", kRemedy));
-    if (const std::string why = programmable::why_not_kept(scene.frame); !why.empty())
+    if (const std::string why =
+            as_page ? programmable::why_not_kept(scene.frame) : programmable::why_not_in_files(scene.frame);
+        !why.empty())
         throw UsageError(fmt::format("{}: shaders to keep cannot draw this scene: {}; {}", scene.name(), why, kRemedy));
 }
 
@@ -100,7 +104,7 @@ int run_export(const ExportArguments& arguments) {
     const bool to_file = !arguments.output.empty();
     if (arguments.form == "html" || (arguments.form == "glsl" && to_file)) {
         scene = with_texels(std::move(scene), options);
-        check_can_be_kept(scene, options);
+        check_can_be_kept(scene, options, arguments.form == "html");
     }
     if (arguments.form == "glsl" && to_file) {
         write_kept(scene, options, arguments);

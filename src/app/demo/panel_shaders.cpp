@@ -42,7 +42,7 @@ Look look_of_shaders(const Session& session) {
 }
 
 std::vector<ShownShader> shaders_to_keep(const Scene& scene, const programmable::Options& options) {
-    const std::string why = programmable::why_not_kept(scene.frame);
+    const std::string why = programmable::why_not_in_files(scene.frame);
     if (!why.empty()) throw std::runtime_error("Shaders to keep cannot draw this scene: " + why + ".");
     std::vector<ShownShader> shaders;
     for (programmable::NamedFile& file :

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "base/image/file.h"
+#include "render/programmable/kept/kept_code.h"
 #include "render/programmable/kept/kept_files.h"
+#include "render/webgl/exported_page.h"
 #include "scene/command/text.h"
 #include "scene/shape/written_out.h"
 
@@ -27,15 +29,12 @@ std::string folder_of_scene(const Session& session, const std::string& folder) {
     return fs::path(*session.file).parent_path().string();
 }
 
-programmable::Options options_of(const Scene& scene, const Look& look) {
+// why_not: why the scene cannot be saved so; empty if it can.
+void check_can_be_kept(const std::string& why_not, const Look& look) {
     if (look.shading == Shading::kExact)
         throw std::runtime_error(
             "exact surfaces are found by rays for one picture; choose another shading (key g) for shaders to keep");
-    if (const std::string why = programmable::why_not_kept(scene.frame); !why.empty())
-        throw std::runtime_error("shaders to keep cannot draw this scene: " + why);
-    programmable::Options options;
-    static_cast<Look&>(options) = look;
-    return options;
+    if (!why_not.empty()) throw std::runtime_error("shaders to keep cannot draw this scene: " + why_not);
 }
 
 }  // namespace
@@ -56,6 +55,7 @@ std::string free_path(const std::string& folder, const std::string& stem, const 
 
 std::string save(const Session& session, Form form, const Look& look, const std::string& folder) {
     const CommandList& list = commands(session);
+    const Frame& frame = session.scene.frame;
     const std::string ending = kForms[static_cast<std::size_t>(form)].ending;
     const std::string path =
         free_path(form == Form::kScene ? folder_of_scene(session, folder) : folder, stem_of(list.name), ending);
@@ -63,12 +63,12 @@ std::string save(const Session& session, Form form, const Look& look, const std:
         case Form::kScene: write_file_atomically(path, print_scene(list)); break;
         case Form::kC: write_file_atomically(path, print_c_program(with_pragmas_written_out(list))); break;
         case Form::kHtml:
-            write_file_atomically(
-                path, programmable::kept_page(session.scene.frame, options_of(session.scene, look), list.name));
+            check_can_be_kept(programmable::why_not_kept(frame), look);
+            write_file_atomically(path, webgl::exported_page(frame, look, list.name));
             break;
         case Form::kGlsl: {
-            const auto files = programmable::kept_files(session.scene.frame, options_of(session.scene, look),
-                                                        programmable::Glsl::k330, list.name);
+            check_can_be_kept(programmable::why_not_in_files(frame), look);
+            const auto files = programmable::kept_files(frame, {{look}}, programmable::Glsl::k330, list.name);
             make_folder(path);
             std::vector<FileToWrite> to_write;
             for (const programmable::NamedFile& file : files)

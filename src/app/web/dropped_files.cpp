@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/web/json_text.h"
 #include "app/web/page_scene.h"
 #include "base/image/contrast.h"
+#include "base/text/json_text.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/state/recorded_frame.h"

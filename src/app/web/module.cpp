@@ -10,12 +10,13 @@
 #include "app/web/dropped_files.h"
 #include "app/web/page_lessons.h"
 #include "app/web/page_scene.h"
+#include "base/text/json_text.h"
 
 namespace twinlight::web {
 namespace {
 
 PageScene scene;
-WebglFrame frame;
+webgl::WebglFrame frame;
 DroppedFiles files;
 std::string answer, failure;
 
@@ -142,8 +143,8 @@ EXPORT const float* reference_floats(int y0, int y1) { return scene.reference_fl
 // The frame's header; webgl_words() has its words until the next call.
 EXPORT const char* webgl_header(int shading) {
     return answered([&] {
-        frame = scene.webgl(look_of(shading));
-        return std::move(frame.header);
+        frame = scene.webgl_frame(look_of(shading));
+        return twinlight::dumped(frame.header);
     });
 }
 EXPORT const std::uint32_t* webgl_words() { return frame.words.data(); }

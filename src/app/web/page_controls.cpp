@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/web/edited_text.h"
-#include "app/web/json_text.h"
+#include "base/text/json_text.h"
 #include "scene/command/text.h"
 
 namespace twinlight::web {

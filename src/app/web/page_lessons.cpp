@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "app/session/lesson_state.h"
-#include "app/web/json_text.h"
 #include "app/web/page_scene.h"
+#include "base/text/json_text.h"
 #include "scene/command/text.h"
 
 namespace twinlight::web {

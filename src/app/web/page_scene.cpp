@@ -7,15 +7,16 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/web/json_text.h"
+#include "base/text/json_text.h"
 #include "judge/compare/tolerance.h"
 #include "judge/explain/explain.h"
 #include "judge/lint/lint.h"
-#include "render/programmable/kept/kept_files.h"
+#include "render/programmable/kept/kept_code.h"
 #include "render/programmable/programmable.h"
 #include "render/reference/copied_pixels.h"
 #include "render/reference/framebuffer.h"
 #include "render/reference/reference.h"
+#include "render/webgl/exported_page.h"
 #include "scene/command/text.h"
 #include "scene/scenes/images.h"
 #include "scene/scenes/load.h"
@@ -139,9 +140,9 @@ std::span<const std::uint8_t> PageScene::codes_of(std::span<const Rgba> pixels) 
     return codes_;
 }
 
-WebglFrame PageScene::webgl(const Look& look) const {
+webgl::WebglFrame PageScene::webgl_frame(const Look& look) const {
     const DrawableFrame frame = reference::drawable(scene_->frame, {look});
-    return webgl_frame(*frame, {look, /*budget=*/0});
+    return webgl::webgl_frame(*frame, {look, /*budget=*/0});
 }
 
 std::string PageScene::judged(const Look& look, std::span<const std::uint8_t> shaders, std::span<const float> reference,
@@ -189,7 +190,7 @@ std::string PageScene::forms(const Look& look) const {
 std::string PageScene::exported(const std::string& form, const Look& look) const {
     if (form == "c") return print_c_program(with_pragmas_written_out(*opened_.commands));
     if (form == "glsl") return programmable::shader_source(scene_->frame, shader_options(look));
-    return programmable::kept_page(scene_->frame, shader_options(look), scene_->title());
+    return webgl::exported_page(scene_->frame, look, scene_->title());
 }
 
 std::string PageScene::explained(const Look& look, int x, int y) const {

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "app/web/page_controls.h"
-#include "app/web/webgl_frame.h"
 #include "base/image/image.h"
 #include "render/look.h"
 #include "render/reference/reference_options.h"
 #include "render/reference/staged_frame.h"
+#include "render/webgl/webgl_frame.h"
 #include "scene/state/copied_texels.h"
 #include "scene/state/scene.h"
 
@@ -65,7 +65,7 @@ class PageScene {
     std::span<const std::uint8_t> coarse_reference(const reference::Options& options);
 
     // The frame for WebGL, shaded as `look` says. Copied pixels are the reference's. webgl_frame.h describes it.
-    WebglFrame webgl(const Look& look) const;
+    webgl::WebglFrame webgl_frame(const Look& look) const;
 
     // Compares a picture by shaders, in the layout of reference(), with the whole of the reference's, as reference_floats()
     // returns it. Returns JSON:

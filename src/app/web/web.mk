@@ -10,7 +10,7 @@ EDITOR_web := $(addprefix $(PAGE)/codemirror/,codemirror.js codemirror.css copyr
 
 # The module has the rooms and files that need neither GL nor processes.
 ROOMS_web := $(addprefix src/,base/image base/math base/text scene/command scene/mesh scene/scenes scene/shape scene/spectrum \
-    scene/state scene/trace lighting render/effect render/programmable render/programmable/kept render/programmable/precise render/reference judge/compare \
+    scene/state scene/trace lighting render/effect render/programmable render/programmable/kept render/programmable/precise render/reference render/webgl judge/compare \
     judge/explain judge/lesson judge/lint judge/study app/session app/web)
 # The files of app/session that the page needs.
 SESSION_web := axes camera edits history keys lesson_state scaled session world world_handles
@@ -21,7 +21,7 @@ WITHOUT_web := $(wildcard src/lighting/points_avx*.cpp) $(filter-out %/tolerance
     $(filter-out $(patsubst %,src/app/session/%.cpp,$(SESSION_web)),$(wildcard src/app/session/*.cpp))
 sources_web = $(sort $(filter-out $(WITHOUT_web),$(wildcard $(1)/*.cpp)))
 OBJECTS_web := $(ROOMS_web:%=$(WEB)/objects/%.room.o) $(WEB)/objects/stb.o \
-    $(patsubst %,$(WEB)/objects/embedded/%.o,scenes scene_assets shaders lessons lessons-zh)
+    $(patsubst %,$(WEB)/objects/embedded/%.o,scenes scene_assets shaders webgl lessons lessons-zh)
 HEADERS_web := fmt glm nlohmann stb tiny_obj_loader.h
 
 # em++ has a library and a /usr/include of its own, so it sees only these of the system's headers.
@@ -36,7 +36,7 @@ LDFLAGS_web := -O2 -fexceptions -sMODULARIZE=1 -sEXPORT_ES6=1 -sENVIRONMENT=web,
 
 .PHONY: web
 web: deps  ## build the page for browsers into build/web/page 
-	@$(MAKE) $(PAGE)/module.js $(patsubst src/app/web/page/%,$(PAGE)/%,$(wildcard src/app/web/page/*)) $(EDITOR_web) $(PAGE)/package.json $(PAGE)/mesa.json
+	@$(MAKE) $(PAGE)/module.js $(patsubst src/app/web/page/%,$(PAGE)/%,$(wildcard src/app/web/page/*)) $(PAGE)/gl.js $(EDITOR_web) $(PAGE)/package.json $(PAGE)/mesa.json
 
 $(WEB)/flags: $(if $(subst |$(EMXX) $(CXXFLAGS_web) $(LDFLAGS_web)|,,|$(file <$(WEB)/flags)|),force)
 	@mkdir -p $(WEB)/include; ln -sf $(HEADERS_web:%=/usr/include/%) $(WEB)/include
@@ -60,6 +60,8 @@ $(PAGE)/module.js: $(OBJECTS_web)
 	@echo "link $@"
 	@mkdir -p $(@D); NODE_PATH=$${NODE_PATH:-/usr/share/nodejs} $(EMXX) $(LDFLAGS_web) $(OBJECTS_web) -o $@
 $(PAGE)/%: src/app/web/page/%
+	@mkdir -p $(@D); cp $< $@
+$(PAGE)/gl.js: src/render/webgl/gl.js
 	@mkdir -p $(@D); cp $< $@
 $(PAGE)/codemirror/%: /usr/share/javascript/codemirror/lib/%
 	@mkdir -p $(@D); cp $< $@

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "../hand_built_draws.h"
+#include "render/programmable/kept/kept_code.h"
 #include "render/programmable/kept/kept_text.h"
+#include "render/webgl/exported_page.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -133,16 +135,18 @@ TEST(KeptFiles, SizePointsWhereOpenGlEsDoesNot) {
     EXPECT_FALSE(sizes(Glsl::k330));
 }
 
-TEST(KeptPage, HoldsAnyNameAndLoadsNothing) {
+TEST(ExportedPageText, HoldsAnyNameAndLoadsNothing) {
     Frame frame{.width = 8, .height = 8};
     frame.items = {square(attenuated_cone())};
-    const std::string page = kept_page(frame, {}, "a</script>&b\nc");
+    const std::string page = webgl::exported_page(frame, {}, "a</script>&b\nc");
     EXPECT_NE(page.find("<title>a?/script??b?c</title>"), page.npos) << page.substr(0, 200);
-    EXPECT_NE(page.find("const scene_data = \""), page.npos);
-    EXPECT_NE(page.find("gl.disable(gl.SCISSOR_TEST);"), page.npos);
-    for (const char* loads : {"http:", "https:", " src=", " href=", "glEnable", "GL_TRIANGLES"})
+    for (const char* loads : {"http:", "https:", " src=", " href=", "import ", "import(", "fetch("})
         EXPECT_EQ(page.find(loads), page.npos) << loads;
-    EXPECT_NE(page.find("draw(gl.TRIANGLES, "), page.npos);
+    // Shaders, numbers and code can be read in it.
+    for (const char* part :
+         {"<script type=\"text/plain\" id=\"kind1.vert\">\n#version 300 es\n", "\"vertex\":\"kind1.vert\"",
+          "\"LightSource[0].position\":[", "export class Renderer {", "at(\"picture\").addEventListener("})
+        EXPECT_NE(page.find(part), page.npos) << part;
 }
 
 TEST(KeptFiles, RefuseSpectraAndManyLights) {
@@ -158,6 +162,19 @@ TEST(KeptFiles, RefuseSpectraAndManyLights) {
     EXPECT_NE(why_not_kept(frame).find("spectra"), std::string::npos);
     frame.items = {square(attenuated_cone())};
     EXPECT_EQ(why_not_kept(frame), "");
+}
+
+// The page draws what core GL lacks.
+TEST(KeptFiles, RefuseMoreThanThePage) {
+    Draw draw = square(attenuated_cone());
+    draw.raster.polygon_stipple = std::make_shared<const PolygonStipple>();
+    Frame frame{.width = 8, .height = 8};
+    frame.items = {draw};
+    EXPECT_EQ(why_not_kept(frame), "");
+    EXPECT_NE(why_not_in_files(frame).find("polygon stipple"), std::string::npos);
+    frame.items = {Accumulate{.op = kGL_RETURN}};
+    EXPECT_EQ(why_not_kept(frame), "");
+    EXPECT_NE(why_not_in_files(frame).find("glAccum"), std::string::npos);
 }
 
 // Planes keep the coordinates that glTexGen was given them for, so that they stay right in other poses.

@@ -11,11 +11,11 @@
 #include <string_view>
 #include <utility>
 
-#include "base/text/page.h"
 #include "render/programmable/draw_values.h"
+#include "render/programmable/kept/c_text.h"
 #include "render/programmable/kept/core_elements.h"
+#include "render/programmable/kept/kept_code.h"
 #include "render/programmable/kept/kept_text.h"
-#include "render/programmable/kept/spelling.h"
 #include "render/programmable/shader_assembly.h"
 #include "render/programmable/vertex_attributes.h"
 #include "scene/command/names.h"
@@ -23,49 +23,10 @@
 namespace twinlight::programmable {
 namespace {
 
-// That of each point, because it does not depend on the distance.
-
-constexpr int kMostKeptLights = 16;  // MOST_LIGHTS of loader.c; OpenGL promises room for this many uniforms
-
-// ---- Kinds ----
-
-struct Kind {
-    EffectSet effects;
-    Form form;
-    friend bool operator==(const Kind&, const Kind&) = default;
-};
-
-Kind kind_of(const Draw& draw, const Plan& plan, Glsl version) {
-    Kind kind{plan.effects, {}};
-    kind.form.position_w = !plan.vertices.w_is_1;
-    kind.form.rescale = plan.lighting.rescale_normal && kind.effects.needs_normal() && !kind.effects.normalize &&
-                        kind.effects.shading != Shading::kPhong;
-    KeptForm kept;
-    kind.form.dialect = version;
-    for (const PlannedLight& light : plan.lights) {
-        kept.lights.push_back(light.number);
-        kept.light_count = std::max(kept.light_count, light.number + 1);
-    }
-    for (int i = 0; i < kMaxClipPlanes; ++i)
-        if (draw.raster.clip_planes_eye[static_cast<std::size_t>(i)]) kept.clip_planes.push_back(i);
-    const TextureEffects& texture = kind.effects.texture;
-    for (const GeneratedCoordinate& one : draw.texture.generated) {
-        const auto i = static_cast<std::size_t>(one.coordinate);
-        kept.eye_planes[i] = texture.generated[i] == Generated::kLinear && one.mode == kGL_EYE_LINEAR;
-    }
-    kept.rescales_generated = texture.generated_normal == GeneratedNormal::kUnchanged && draw.lighting.rescale_normal;
-    if (draw.fragment.alpha_test) kind.form.alpha_func = draw.fragment.alpha_func;
-    // OpenGL ES has no 1D textures: they become 2D textures of height 1.
-    if (version == Glsl::k300es) kind.effects.texture.one_dimensional = false;
-    kind.form.sizes_points = version == Glsl::k300es && draw.mode == kGL_POINTS;
-    kind.form.kept = std::move(kept);
-    return kind;
-}
-
 class Writer {
   public:
-    Writer(const Frame& frame, const Options& options, Glsl version, Language language)
-        : frame_(frame), options_(options), version_(version), c_(language) {
+    Writer(const Frame& frame, const Options& options, Glsl version)
+        : frame_(frame), options_(options), version_(version) {
         options_.for_any_pose = true;
     }
 
@@ -77,24 +38,6 @@ class Writer {
         for (const char* file : {"loader.h", "loader.c"}) files.push_back({file, std::string(file_text(file))});
         files.push_back({"README.md", readme(name)});
         return files;
-    }
-
-    std::string page(const std::string& name) {
-        write_items();
-        std::string scripts;
-        for (const NamedFile& shader : shaders())
-            scripts += fmt::format("<script type=\"text/plain\" id=\"{}\">\n{}</script>\n", shader.name, shader.bytes);
-        const std::string load = load_text();  // appends the texels to the words
-        return filled(file_text("page.html"), {{"title", printable(name)},
-                                               {"width", fmt::format("{}", frame_.width)},
-                                               {"height", fmt::format("{}", frame_.height)},
-                                               {"unsupported", unsupported_text()},
-                                               {"shaders", scripts},
-                                               {"loader", std::string(file_text("loader.js"))},
-                                               {"middle", c_.numbers(middle())},
-                                               {"data", base64(data())},
-                                               {"load", load},
-                                               {"draws", body_}});
     }
 
   private:
@@ -139,7 +82,7 @@ class Writer {
 
     // Writes a statement, unless the last one under this key was the same.
     void set(const std::string& key, const std::string& statement) {
-        if (std::exchange(last_[key], statement) != statement) body_ += "    " + c_.statement(statement) + "\n";
+        if (std::exchange(last_[key], statement) != statement) body_ += "    " + statement + "\n";
     }
     void enable(Enum capability, bool enabled) {
         const std::string name = enum_name(capability);
@@ -175,7 +118,7 @@ class Writer {
         if (!clear.color && !clear.depth && !clear.stencil) return;
         write_scissor(clear.scissor, clear.color_mask);
         set("depth mask", "glDepthMask(1);");
-        set("clear color", fmt::format("glClearColor({});", c_.numbers(clear.clear_color)));
+        set("clear color", fmt::format("glClearColor({});", c_numbers(clear.clear_color)));
         set("clear depth", fmt::format("glClearDepth({});", clear.clear_depth));
         if (clear.stencil) {
             set("clear stencil", fmt::format("glClearStencil({});", clear.clear_stencil));
@@ -185,30 +128,27 @@ class Writer {
         if (clear.color) buffers.push_back("GL_COLOR_BUFFER_BIT");
         if (clear.depth) buffers.push_back("GL_DEPTH_BUFFER_BIT");
         if (clear.stencil) buffers.push_back("GL_STENCIL_BUFFER_BIT");
-        body_ += c_.statement(fmt::format("    glClear({});\n", fmt::join(buffers, " | ")));
+        body_ += fmt::format("    glClear({});\n", fmt::join(buffers, " | "));
     }
 
     void write_draw(const Draw& draw) {
         const Plan plan = plan_effects(draw, options_);
-        const Kind kind = kind_of(draw, plan, version_);
-        const auto found = std::ranges::find(kinds_, kind);
+        const Code kind = kept_code(draw, plan, version_);
+        const auto found = std::ranges::find_if(
+            kinds_, [&](const Code& one) { return one.effects == kind.effects && one.form == kind.form; });
         kind_ = static_cast<int>(found - kinds_.begin()) + 1;
         if (found == kinds_.end()) kinds_.push_back(kind);
 
         body_ += fmt::format("\n    // {}\n", printable(draw.place.str()));
-        if (!c_.is_c()) note_unsupported(draw);
         write_raster(draw);
         write_fragment(draw.fragment);
         set("kind", fmt::format("use_kind({});", kind_));
         write_uniforms(draw, plan, kind);
 
-        // The page can switch to flat shading, so its triangles suit that.
-        const bool flat = kind.effects.shading == Shading::kFlat || !c_.is_c();
-        const auto [mode, indices] = core_elements(draw, flat);
+        const auto [mode, indices] = core_elements(draw, kind.effects.shading == Shading::kFlat);
         const std::size_t vertex = place_of(words_of(vertex_array(draw, kind.effects, {}, glm::dvec3(0))));
         const std::size_t index = place_of(indices);
-        body_ += c_.statement(
-            fmt::format("    draw({}, {}, {}, {});\n", primitive_name(mode), vertex, index, indices.size()));
+        body_ += fmt::format("    draw({}, {}, {}, {});\n", primitive_name(mode), vertex, index, indices.size());
         if (plan.vertices.has_sphere) {
             middle_ += glm::dvec3(draw.eye_from_object * glm::dvec4(plan.vertices.center_object, 1));
             ++middle_count_;
@@ -225,16 +165,8 @@ class Writer {
         if (raster.cull_enabled) set("cull face", fmt::format("glCullFace({});", enum_name(raster.cull_face)));
         const PolygonOffset& offset = raster.polygon_offset;
         enable(kGL_POLYGON_OFFSET_FILL, offset.fill);
-        set("offset", fmt::format("glPolygonOffset({}, {});", c_.number(offset.factor), c_.number(offset.units)));
-        if (draw.draws_lines()) set("line width", fmt::format("glLineWidth({});", c_.number(raster.line_width)));
-        if (c_.is_c()) write_what_webgl_lacks(draw);
-        enable(kGL_DEPTH_TEST, raster.depth_test);
-        set("depth func", fmt::format("glDepthFunc({});", enum_name(raster.depth_func)));
-        set("depth mask", fmt::format("glDepthMask({:d});", raster.depth_mask));
-    }
-
-    void write_what_webgl_lacks(const Draw& draw) {
-        const RasterState& raster = draw.raster;
+        set("offset", fmt::format("glPolygonOffset({}, {});", c_number(offset.factor), c_number(offset.units)));
+        if (draw.draws_lines()) set("line width", fmt::format("glLineWidth({});", c_number(raster.line_width)));
         // Core GL has one mode for both faces: that of the face that is not culled.
         const bool hides_front = raster.cull_enabled && raster.cull_face == kGL_FRONT;
         set("polygon mode", fmt::format("glPolygonMode(GL_FRONT_AND_BACK, {});",
@@ -246,13 +178,16 @@ class Writer {
         uses_logic_op_ |= draw.fragment.logic_op.has_value();
         if (uses_logic_op_) enable(kGL_COLOR_LOGIC_OP, draw.fragment.logic_op.has_value());
         if (draw.fragment.logic_op) set("logic op", fmt::format("glLogicOp({});", enum_name(*draw.fragment.logic_op)));
-        if (draw.draws_points()) set("point size", fmt::format("glPointSize({});", c_.number(point_size(draw))));
+        if (draw.draws_points()) set("point size", fmt::format("glPointSize({});", c_number(point_size(draw))));
         // The program has one clip distance for each enabled plane, without gaps.
         const int planes = raster.clip_plane_count();
         for (int i = 0; i < kMaxClipPlanes; ++i) {
             const std::string name = fmt::format("GL_CLIP_DISTANCE{}", i);
             set(name, fmt::format("{}({});", i < planes ? "glEnable" : "glDisable", name));
         }
+        enable(kGL_DEPTH_TEST, raster.depth_test);
+        set("depth func", fmt::format("glDepthFunc({});", enum_name(raster.depth_func)));
+        set("depth mask", fmt::format("glDepthMask({:d});", raster.depth_mask));
     }
 
     void write_fragment(const FragmentState& fragment) {
@@ -265,7 +200,7 @@ class Writer {
                         factor(fragment.blend_src_alpha), factor(fragment.blend_dst_alpha)));
         set("blend equation", fmt::format("glBlendEquationSeparate({}, {});", enum_name(fragment.blend_equation),
                                           enum_name(fragment.blend_equation_alpha)));
-        set("blend color", fmt::format("glBlendColor({});", c_.numbers(fragment.blend_color)));
+        set("blend color", fmt::format("glBlendColor({});", c_numbers(fragment.blend_color)));
     }
     // Scenes without a stencil test do not mention it.
     void write_stencil(const std::optional<StencilTest>& stencil) {
@@ -287,42 +222,41 @@ class Writer {
         return value == kGL_ZERO ? "GL_ZERO" : value == kGL_ONE ? "GL_ONE" : enum_name(value);
     }
 
-    void write_uniforms(const Draw& draw, const Plan& plan, const Kind& kind) {
+    void write_uniforms(const Draw& draw, const Plan& plan, const Code& kind) {
         const EffectSet& effects = kind.effects;
-        uniform("matrices", fmt::format("matrices({},\n        {});", c_.floats(draw.eye_from_object),
-                                        c_.floats(draw.clip_from_eye)));
+        uniform("matrices", fmt::format("matrices({},\n        {});", c_floats(draw.eye_from_object),
+                                        c_floats(draw.clip_from_eye)));
         if (effects.lighting) {
-            uniform("ambient",
-                    fmt::format("light_model_ambient({});", c_.floats(glm::dvec4(plan.constant_ambient, 1))));
-            uniform("front", fmt::format("front_material({});", c_.material(plan.lighting.front)));
-            if (effects.two_side) uniform("back", fmt::format("back_material({});", c_.material(plan.lighting.back)));
+            uniform("ambient", fmt::format("light_model_ambient({});", c_floats(glm::dvec4(plan.constant_ambient, 1))));
+            uniform("front", fmt::format("front_material({});", c_material(plan.lighting.front)));
+            if (effects.two_side) uniform("back", fmt::format("back_material({});", c_material(plan.lighting.back)));
             for (const int number : kind.form.kept->lights) write_light(plan, number);
         }
         for (const int number : kind.form.kept->clip_planes)
             uniform(fmt::format("plane {}", number),
                     fmt::format("clip_plane({}, {});", number,
-                                c_.floats(*draw.raster.clip_planes_eye[static_cast<std::size_t>(number)])));
+                                c_floats(*draw.raster.clip_planes_eye[static_cast<std::size_t>(number)])));
         if (draw.fragment.alpha_test)
-            uniform("alpha", fmt::format("number(\"AlphaRef\", {});", c_.number(draw.fragment.alpha_ref)));
+            uniform("alpha", fmt::format("number(\"AlphaRef\", {});", c_number(draw.fragment.alpha_ref)));
         if (kind.form.sizes_points)
             uniform("point size",
-                    fmt::format("number(\"PointSize\", {});", c_.number(std::max(std::round(point_size(draw)), 1.0))));
+                    fmt::format("number(\"PointSize\", {});", c_number(std::max(std::round(point_size(draw)), 1.0))));
         if (effects.has_fog()) {
             const Fog& fog = draw.fog;
-            uniform("fog", fmt::format("fog({}, {}, {}, {});", c_.floats(fog.color), c_.number(fog.density),
-                                       c_.number(fog.start), c_.number(fog.end)));
+            uniform("fog", fmt::format("fog({}, {}, {}, {});", c_floats(fog.color), c_number(fog.density),
+                                       c_number(fog.start), c_number(fog.end)));
         }
         if (effects.has_texture()) write_texture(draw.texture, effects);
     }
 
     void write_light(const Plan& plan, int number) {
         const LightSource& light = plan.lighting.lights[static_cast<std::size_t>(number)];
-        uniform(fmt::format("light {}", number), fmt::format("light({}, {});", number, c_.light(light)));
+        uniform(fmt::format("light {}", number), fmt::format("light({}, {});", number, c_light(light)));
         if (!light.smooth_cone) return;
         const SmoothConeValues cone = smooth_cone_values(light);
         for (const auto& [what, value] : {std::pair("cos_outer", cone.cos_outer), {"cone_slope", cone.slope}}) {
             const std::string name = fmt::format("u_light{}_{}", number, what);
-            uniform(name, fmt::format("number(\"{}\", {});", name, c_.number(value)));
+            uniform(name, fmt::format("number(\"{}\", {});", name, c_number(value)));
         }
     }
 
@@ -330,18 +264,18 @@ class Writer {
         auto found = std::ranges::find(textures_, unit.texture);
         if (found == textures_.end()) found = textures_.insert(found, unit.texture);
         set("texture", fmt::format("use_texture({}, {}, {});", enum_name(target_of(*unit.texture)),
-                                   found - textures_.begin() + 1, c_.number(unit.lod_bias)));
+                                   found - textures_.begin() + 1, c_number(unit.lod_bias)));
         if (effects.texture.matrix)
-            uniform("texture matrix", fmt::format("texture_matrix({});", c_.floats(unit.texture_matrix)));
+            uniform("texture matrix", fmt::format("texture_matrix({});", c_floats(unit.texture_matrix)));
         write_generated(unit, effects.texture);
-        uniform("texture color", fmt::format("texture_env_color({});", c_.floats(unit.env_color)));
+        uniform("texture color", fmt::format("texture_env_color({});", c_floats(unit.env_color)));
     }
     void write_generated(const TextureUnit& unit, const TextureEffects& effects) {
         for (const GeneratedCoordinate& one : unit.generated) {
             if (effects.generated[static_cast<std::size_t>(one.coordinate)] != Generated::kLinear) continue;
             const bool is_eye = one.mode == kGL_EYE_LINEAR;
             const std::string name = fmt::format("{}Plane{}[0]", is_eye ? "Eye" : "Object", "STRQ"[one.coordinate]);
-            uniform(name, fmt::format("{}_plane(\"{}\", {});", is_eye ? "eye" : "object", name, c_.floats(one.plane)));
+            uniform(name, fmt::format("{}_plane(\"{}\", {});", is_eye ? "eye" : "object", name, c_floats(one.plane)));
         }
     }
     Enum target_of(const Texture& texture) const {
@@ -358,11 +292,9 @@ class Writer {
         for (std::size_t i = 0; i < kinds_.size(); ++i) {
             std::vector<std::string> list;
             for (const Attribute& attribute : attributes(kinds_[i].effects))
-                list.push_back(
-                    c_.list(fmt::format("\"{}\", {}", with_words(attribute.name, kept_names()), attribute.size)));
-            load +=
-                fmt::format("    load_kind({}, {}, {}{});\n", i + 1, list.size(),
-                            c_.is_c() ? "(struct attribute[])" : "", c_.list(fmt::format("{}", fmt::join(list, ", "))));
+                list.push_back(fmt::format("{{\"{}\", {}}}", with_words(attribute.name, kept_names()), attribute.size));
+            load += fmt::format("    load_kind({}, {}, (struct attribute[]){{{}}});\n", i + 1, list.size(),
+                                fmt::join(list, ", "));
         }
         for (std::size_t i = 0; i < textures_.size(); ++i) load += texture_text(i + 1, *textures_[i]);
         return load;
@@ -382,75 +314,39 @@ class Writer {
             "void load_scene(void) {{\n{}}}\n\n"
             "void draw_scene(void) {{\n{}}}\n",
             printable(name), frame_.width, frame_.height, gl, version_ != Glsl::k130, kinds_.size(), textures_.size(),
-            c_.numbers(middle()), load, body_);
+            c_numbers(middle()), load, body_);
     }
 
     std::string texture_text(std::size_t number, const Texture& texture) {
-        // If the shader clamps, a linear filter must see half of the border. WebGL has no border.
-        const Enum clamped = texture.filters_linearly() && c_.is_c() ? kGL_CLAMP_TO_BORDER : kGL_CLAMP_TO_EDGE;
-        const auto wrap = [&](Enum mode) {
-            return enum_name(mode == kGL_CLAMP || (mode == kGL_CLAMP_TO_BORDER && !c_.is_c()) ? clamped : mode);
-        };
+        // If the shader clamps, a linear filter must see half of the border.
+        const Enum clamped = texture.filters_linearly() ? kGL_CLAMP_TO_BORDER : kGL_CLAMP_TO_EDGE;
+        const auto wrap = [&](Enum mode) { return enum_name(mode == kGL_CLAMP ? clamped : mode); };
         std::string levels;
         std::size_t count = 0;
         constexpr std::size_t kMostLevels = 16;
         for (const TextureImage& level : texture.levels) {
             if (level.texels.empty() || count == kMostLevels) break;
-            levels += (count++ == 0 ? "" : ", ") + c_.list(fmt::format("{}, {}, {}, {}", level.width, level.height,
-                                                                       level.depth, place_of(texels_of(level))));
+            levels += fmt::format("{}{{{}, {}, {}, {}}}", count++ == 0 ? "" : ", ", level.width, level.height,
+                                  level.depth, place_of(texels_of(level)));
         }
-        const auto name = [&](const char* member, Enum value) { return c_.member(member, enum_name(value)) + ", "; };
-        const std::string members =
-            name("target", target_of(texture)) + name("min_filter", texture.min_filter) +
-            name("mag_filter", texture.mag_filter) + c_.member("wrap_s", wrap(texture.wrap_s)) + ", " +
-            c_.member("wrap_t", wrap(texture.wrap_t)) + ", " + c_.member("wrap_r", wrap(texture.wrap_r)) +
-            ",\n        " + c_.member("border_color", c_.list(c_.numbers(texture.border_texel()))) + ", " +
-            c_.member("level_count", fmt::format("{}", count)) + ", " + c_.member("levels", c_.list(levels));
-        std::string of_depths;
-        if (texture.has_depths()) of_depths += ",\n        " + c_.member("has_depths", "1");
-        if (texture.compares()) of_depths += ", " + c_.member("compare_func", enum_name(texture.compare_func));
-        std::string load =
-            fmt::format("    load_texture({}, {});\n", number, c_.structure("texture", members + of_depths));
+        std::string load = fmt::format(
+            "    load_texture({}, (struct texture){{\n        .target = {}, .min_filter = {}, .mag_filter = {}, "
+            ".wrap_s = "
+            "{}, .wrap_t = {}, .wrap_r = {},\n        .border_color = {{{}}}, .level_count = {}, .levels = {{{}}}",
+            number, enum_name(target_of(texture)), enum_name(texture.min_filter), enum_name(texture.mag_filter),
+            wrap(texture.wrap_s), wrap(texture.wrap_t), wrap(texture.wrap_r), c_numbers(texture.border_texel()), count,
+            levels);
+        if (texture.has_depths()) load += ",\n        .has_depths = 1";
+        if (texture.compares()) load += fmt::format(", .compare_func = {}", enum_name(texture.compare_func));
+        load += "});\n";
         const auto limit = [&](const char* parameter, double lod, double initial) {
             if (lod != initial)
                 load += fmt::format("    glTexParameterf({}, {}, {});\n", enum_name(target_of(texture)), parameter,
-                                    c_.number(lod));
+                                    c_number(lod));
         };
         limit("GL_TEXTURE_MIN_LOD", texture.min_lod, Texture().min_lod);
         limit("GL_TEXTURE_MAX_LOD", texture.max_lod, Texture().max_lod);
-        return c_.statement(load);
-    }
-
-    // ---- The page ----
-
-    void note_unsupported(const Draw& draw) {
-        const RasterState& raster = draw.raster;
-        const Texture* texture = draw.texture.texture.get();
-        const auto has_border = [&](Enum wrap) {
-            return texture->filters_linearly() && (wrap == kGL_CLAMP || wrap == kGL_CLAMP_TO_BORDER);
-        };
-        const auto note = [&](const char* what, bool is_used) { unsupported_[what] |= is_used; };
-        note("line width", draw.draws_lines() && raster.line_width != 1);
-        note("smooth lines", draw.draws_lines() && raster.line_smooth);
-        note("logical operations", draw.fragment.logic_op.has_value());
-        note("polygon mode", draw.draws_borders());
-        note("border colours of textures", texture && (has_border(texture->wrap_s) || has_border(texture->wrap_t) ||
-                                                       (texture->is_volume() && has_border(texture->wrap_r))));
-        note("GL_TEXTURE_LOD_BIAS", texture && draw.texture.lod_bias != 0);
-        const auto& stencil = draw.fragment.stencil;
-        const auto values = [](const StencilFace& face) { return std::tuple(face.ref, face.mask, face.write_mask); };
-        if (stencil)
-            note("stencil values and masks that differ between faces", values(stencil->front) != values(stencil->back));
-        note("a depth range from far to near", raster.depth_near > raster.depth_far);
-    }
-    std::string unsupported_text() const {
-        std::vector<std::string> used, unused;
-        for (const auto& [what, is_used] : unsupported_) (is_used ? used : unused).push_back(what);
-        std::string text;
-        if (!used.empty()) text += fmt::format("WebGL lacks, and this scene uses: {}. ", fmt::join(used, ", "));
-        if (!unused.empty())
-            text += fmt::format("WebGL lacks, but this scene does not use: {}.", fmt::join(unused, ", "));
-        return text;
+        return load;
     }
 
     std::string readme(const std::string& name) const {
@@ -478,9 +374,7 @@ class Writer {
     const Frame& frame_;
     Options options_;
     const Glsl version_;
-    const Spelling c_;
-    std::map<std::string, bool> unsupported_;  // what WebGL lacks; true if a Draw uses it
-    std::vector<Kind> kinds_;
+    std::vector<Code> kinds_;
     std::vector<std::shared_ptr<const Texture>> textures_;
     std::vector<std::uint32_t> words_;                          // scene.bin
     std::map<std::vector<std::uint32_t>, std::size_t> places_;  // of what is in words_
@@ -494,39 +388,24 @@ class Writer {
 
 }  // namespace
 
-std::string why_not_kept(const Frame& frame) {
+std::string why_not_in_files(const Frame& frame) {
+    if (std::string why = why_not_kept(frame); !why.empty()) return why;
     if (accumulates(frame)) return "it uses the accumulation buffer (glAccum), which core GL lacks";
-    if (frame.copies_pixels) return "it copies pixels of its picture (glCopyPixels)";
     for (const Draw* draw : frame.draws()) {
-        if (!draw->further_units.empty()) return "it uses more than one texture unit (glActiveTexture)";
         if (draw->texture.texture && draw->texture.texture->is_cube()) return "it uses a cube map";
         if (!draw->secondary_colors.empty()) return "it adds secondary colours without lighting (glSecondaryColor)";
         if (!draw->fog_coords.empty()) return "it uses fog coordinates (glFogCoord)";
-        if (draw->combines_textures()) return "it combines textures with GL_COMBINE (glTexEnv)";
         if (draw->raster.line_stipple) return "it uses a line stipple, which core GL lacks";
         if (draw->raster.polygon_stipple) return "it uses a polygon stipple, which core GL lacks";
         if (draw->raster.point_sprite) return "it uses point sprites (GL_POINT_SPRITE)";
-        if (draw->raster.point_parameters.depends_on_distance())
-            return "its points become smaller with the distance (glPointParameter)";
         if (draw->raster.point_smooth) return "it uses smooth points, which core GL lacks";
-        if (!draw->lighting.enabled) continue;
-        if (draw->lighting.light_model.spectrum) return "it multiplies colours as spectra (#pragma twinlight spectrum)";
-        for (std::size_t i = kMostKeptLights; i < draw->lighting.lights.size(); ++i)
-            if (draw->lighting.lights[i].enabled)
-                return fmt::format("it uses {}, and they have at most {} lights", light_name(static_cast<int>(i)),
-                                   kMostKeptLights);
     }
     return "";
 }
 
 std::vector<NamedFile> kept_files(const Frame& frame, const Options& options, Glsl version, const std::string& name) {
-    if (const std::string why = why_not_kept(frame); !why.empty()) throw std::runtime_error(why);
-    return Writer(frame, options, version, Language::kC).files(name);
-}
-
-std::string kept_page(const Frame& frame, const Options& options, const std::string& name) {
-    if (const std::string why = why_not_kept(frame); !why.empty()) throw std::runtime_error(why);
-    return Writer(frame, options, Glsl::k300es, Language::kJavaScript).page(name);
+    if (const std::string why = why_not_in_files(frame); !why.empty()) throw std::runtime_error(why);
+    return Writer(frame, options, version).files(name);
 }
 
 }  // namespace twinlight::programmable

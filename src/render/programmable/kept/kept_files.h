@@ -20,13 +20,10 @@ struct NamedFile {
 };
 
 // kindN.vert and kindN.frag, scene.c, scene.bin, loader.c, loader.h and README.md. Of the options only the shading
-// counts. `name` is the scene's. Throws std::runtime_error if why_not_kept() has a reason.
+// counts. `name` is the scene's. Throws std::runtime_error if why_not_in_files() has a reason.
 std::vector<NamedFile> kept_files(const Frame& frame, const Options& options, Glsl version, const std::string& name);
 
-// One page that draws the scene with WebGL 2: the shaders in GLSL ES 3.00, loader.js and the data.
-std::string kept_page(const Frame& frame, const Options& options, const std::string& name);
-
-// What in the frame these shaders cannot do; empty if they can draw it.
-std::string why_not_kept(const Frame& frame);
+// What in the frame the files cannot draw; empty if they can draw it.
+std::string why_not_in_files(const Frame& frame);
 
 }  // namespace twinlight::programmable

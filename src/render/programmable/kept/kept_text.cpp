@@ -7,6 +7,8 @@ const Words& kept_names() {
                                  {"a_normal", "Normal"},
                                  {"a_color", "Color"},
                                  {"a_tex_coord", "MultiTexCoord0"},
+                                 {"a_secondary_color", "SecondaryColor"},
+                                 {"a_fog_coord", "FogCoord"},
                                  {"a_pixel_ndc", "PixelNdc"},
                                  {"u_clip_from_object", "ModelViewProjectionMatrix"},
                                  {"u_eye_from_object", "ModelViewMatrix"},

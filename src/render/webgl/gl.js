@@ -14,7 +14,9 @@ export class Renderer {
         gl.disable(gl.DITHER);
         gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
         this.subpixelBits = gl.getParameter(gl.SUBPIXEL_BITS);
+        this.attributeCount = gl.getParameter(gl.MAX_VERTEX_ATTRIBS);
         this.programs = new Map();  // by both texts
+        this.loaded = null;  // the words, buffers and textures of the last frame
         this.width = this.height = 0;
         this.framebuffer = gl.createFramebuffer();
         gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
@@ -32,35 +34,41 @@ export class Renderer {
         const gl = this.gl;
         if (gl.isContextLost()) throw new Error("The browser took WebGL away from this page; reload it.");
         this.resize(header.width, header.height);
-        const buffers = [gl.ARRAY_BUFFER, gl.ELEMENT_ARRAY_BUFFER].map((target) => {
-            const buffer = gl.createBuffer();
-            gl.bindBuffer(target, buffer);
-            gl.bufferData(target, words, gl.STATIC_DRAW);
-            return buffer;
-        });
-        let textures = [];
+        if (this.loaded?.words !== words) this.load(header.textures, words);
         this.used = new Set();
         try {
-            textures = header.textures.map((texture) => this.texture(texture, words));
             this.accumulation = null;
             this.clear({color: [0, 0, 0, 0], depth: 1, stencil: [0, 0xFF], colorMask: [true, true, true, true]});
             for (const item of header.items) {
                 if (item.clear) this.clear(item);
                 else if (item.accumulate) this.accumulate(item);
-                else this.drawItem(item, header.programs[item.program], textures, header.textures);
+                else this.drawItem(item, header);
             }
             const error = gl.getError();
             if (error !== gl.NO_ERROR) throw new Error("WebGL error 0x" + error.toString(16));
             return this.pixels();
         } finally {
-            textures.forEach((texture) => gl.deleteTexture(texture));
-            buffers.forEach((buffer) => gl.deleteBuffer(buffer));
             for (const [text, {program}] of this.programs)
                 if (!this.used.has(text)) {
                     gl.deleteProgram(program);
                     this.programs.delete(text);
                 }
         }
+    }
+
+    // Buffers and textures stay until other words come: the frames of a turning camera have the same ones.
+    load(textures, words) {
+        const gl = this.gl;
+        this.loaded?.buffers.forEach((buffer) => gl.deleteBuffer(buffer));
+        this.loaded?.textures.forEach((texture) => gl.deleteTexture(texture));
+        const buffers = [gl.ARRAY_BUFFER, gl.ELEMENT_ARRAY_BUFFER].map((target) => {
+            const buffer = gl.createBuffer();
+            gl.bindBuffer(target, buffer);
+            gl.bufferData(target, words, gl.STATIC_DRAW);
+            return buffer;
+        });
+        this.loaded = {words, buffers, textures: []};
+        for (const texture of textures) this.loaded.textures.push(this.texture(texture, words));
     }
 
     resize(width, height) {
@@ -122,8 +130,9 @@ export class Renderer {
         return {program, uniforms};
     }
 
-    setUniform({place, type}, values) {
-        const gl = this.gl;
+    setUniform(uniform, values) {
+        const gl = this.gl, {place, type} = uniform;
+        uniform.values = values;  // the program keeps them
         switch (type) {
             case gl.FLOAT: return gl.uniform1fv(place, values);
             case gl.FLOAT_VEC2: return gl.uniform2fv(place, values);
@@ -196,27 +205,30 @@ export class Renderer {
         if (item.accumulation) this.forEachAccumulated(item, (channels, i) => channels[i] = item.accumulation[i % 4]);
     }
 
-    drawItem(item, program, textures, texture_states) {
-        const gl = this.gl, {program: name, uniforms} = this.program(program);
-        gl.useProgram(name);
+    drawItem(item, header) {
+        const gl = this.gl, {attributes} = header.programs[item.program], {program, uniforms} = this.program(header.programs[item.program]);
+        gl.useProgram(program);
         this.setRaster(item);
         this.setFragments(item);
         for (const [unit, sampler, number] of item.textures) {
             gl.activeTexture(gl.TEXTURE0 + unit);
-            gl.bindTexture(texture_states[number].target, textures[number]);
+            gl.bindTexture(header.textures[number].target, this.loaded.textures[number]);
             if (uniforms.has(sampler)) gl.uniform1i(uniforms.get(sampler).place, unit);
         }
-        const stride = 4 * program.attributes.reduce((sum, floats) => sum + floats, 0);
+        const stride = 4 * attributes.reduce((sum, floats) => sum + floats, 0);
         let offset = 4 * item.vertices[0];
-        for (let i = 0; i < gl.getParameter(gl.MAX_VERTEX_ATTRIBS); ++i) gl.disableVertexAttribArray(i);
-        program.attributes.forEach((floats, i) => {
+        for (let i = attributes.length; i < this.attributeCount; ++i) gl.disableVertexAttribArray(i);
+        attributes.forEach((floats, i) => {
             gl.enableVertexAttribArray(i);
             gl.vertexAttribPointer(i, floats, gl.FLOAT, false, stride, offset);
             offset += 4 * floats;
         });
         for (const pass of item.passes) {
-            for (const [uniform, values] of Object.entries(pass))
-                if (uniforms.has(uniform)) this.setUniform(uniforms.get(uniform), values);
+            for (const number of pass)
+                for (const [name, values] of Object.entries(header.uniforms[number])) {
+                    const uniform = uniforms.get(name);
+                    if (uniform && uniform.values !== values) this.setUniform(uniform, values);
+                }
             for (const [mode, first, count] of item.parts) gl.drawElements(mode, count, gl.UNSIGNED_INT, 4 * first);
         }
     }
@@ -306,7 +318,7 @@ export class Renderer {
         gl.useProgram(program);
         this.setUniform(uniforms.get("corner"), [x, y]);
         gl.uniform1i(uniforms.get("colors").place, 0);
-        for (let i = 0; i < gl.getParameter(gl.MAX_VERTEX_ATTRIBS); ++i) gl.disableVertexAttribArray(i);
+        for (let i = 0; i < this.attributeCount; ++i) gl.disableVertexAttribArray(i);
         gl.drawArrays(gl.TRIANGLES, 0, 3);
         gl.deleteTexture(texture);
     }

@@ -1,27 +1,41 @@
-#include "app/web/webgl_frame.h"
+#include "render/webgl/webgl_frame.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <map>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
-#include "app/web/json_text.h"
 #include "render/programmable/draw_values.h"
 #include "render/programmable/kept/core_elements.h"
+#include "render/programmable/kept/kept_code.h"
+#include "render/programmable/kept/kept_text.h"
 #include "render/programmable/shader_assembly.h"
 #include "render/programmable/surface_values.h"
 #include "render/programmable/vertex_attributes.h"
 #include "render/reference/primitive_assembly.h"
+#include "render/webgl/kept_values.h"
 
-namespace twinlight::web {
+namespace twinlight::webgl {
 
 namespace {
 
 using programmable::Form, programmable::Uniforms;
+
+// The numbers of one pass over a Draw's primitives, in groups.
+using Pass = std::vector<Json>;
+
+Json numbers_in(const Uniforms& uniforms) {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < uniforms.size(); ++i) json[std::string(uniforms[i].name)] = uniforms[i].values;
+    return json;
+}
 
 Json box(const Viewport& v) { return {v.x, v.y, v.width, v.height}; }
 Json color_of(const glm::dvec4& c) { return {c.r, c.g, c.b, c.a}; }
@@ -106,7 +120,7 @@ class Writer {
                     add_planned(*draw);
                 } else if (!last || !are_one_shape(*last, *draw)) {
                     for (const auto& surface : programmable::surface_programs(*draw, options_))
-                        add(surface.draw, surface.code, surface.passes);
+                        add(surface.draw, surface.code, passes_of(surface.passes));
                 }
                 last = draw;
             }
@@ -114,24 +128,36 @@ class Writer {
         Json missing = Json::array();
         for (const auto& [message, place] : missing_)
             missing.push_back({{"line", place.line}, {"column", place.column}, {"message", message}});
-        const Json header = {{"width", frame_.width}, {"height", frame_.height}, {"programs", programs_},
-                             {"textures", textures_}, {"items", items_},         {"missing", missing}};
-        return {dumped(header), std::move(words_)};
+        Json header = {{"width", frame_.width},
+                       {"height", frame_.height},
+                       {"programs", std::move(programs_)},
+                       {"textures", std::move(textures_)},
+                       {"uniforms", std::move(uniforms_)},
+                       {"items", std::move(items_)},
+                       {"missing", std::move(missing)}};
+        if (options_.for_any_pose) header["middle"] = {middle_eye_.x, middle_eye_.y, middle_eye_.z};
+        return {std::move(header), std::move(words_)};
     }
 
   private:
     // ---- Words ----
 
-    Json append(const std::vector<std::uint32_t>& words) {
+    // Appends words, unless they are there already; returns their place.
+    template <class Word>
+    Json place_of(const std::vector<Word>& words) {
+        static_assert(sizeof(Word) == 4);
+        const auto bytes = [&](const void* at) {
+            return std::string_view(static_cast<const char*>(at), 4 * words.size());
+        };
+        const std::size_t hash = std::hash<std::string_view>()(bytes(words.data()));
+        for (auto [at, end] = places_.equal_range(hash); at != end; ++at) {
+            const auto [first, count] = at->second;
+            if (count == words.size() && bytes(words_.data() + first) == bytes(words.data())) return {first, count};
+        }
         const std::size_t first = words_.size();
-        words_.insert(words_.end(), words.begin(), words.end());
+        for (const Word word : words) words_.push_back(std::bit_cast<std::uint32_t>(word));
+        places_.emplace(hash, std::pair(first, words.size()));
         return {first, words.size()};
-    }
-    Json append(const std::vector<float>& values) {
-        const std::size_t first = words_.size();
-        words_.resize(first + values.size());
-        if (!values.empty()) std::memcpy(words_.data() + first, values.data(), 4 * values.size());
-        return {first, values.size()};
     }
 
     void miss(const Draw& draw, const char* what) { missing_.try_emplace(what, draw.place); }
@@ -149,6 +175,19 @@ class Writer {
             sizes.push_back(attribute.size);
         programs_.push_back({{"vertex", source.vertex}, {"fragment", source.fragment}, {"attributes", sizes}});
         return kinds_.size() - 1;
+    }
+
+    // ---- Uniforms ----
+
+    std::size_t number_of(const Json& uniforms) {
+        const auto [at, is_new] = uniform_numbers_.try_emplace(dumped(uniforms), uniforms_.size());
+        if (is_new) uniforms_.push_back(uniforms);
+        return at->second;
+    }
+    static std::vector<Pass> passes_of(const std::vector<Uniforms>& passes) {
+        std::vector<Pass> result;
+        for (const Uniforms& pass : passes) result.push_back({numbers_in(pass)});
+        return result;
     }
 
     // ---- Textures ----
@@ -197,7 +236,7 @@ class Writer {
         } else if (are_8_bits) {
             words_.push_back(programmable::texel_word(texel));
         } else {
-            append(std::vector<float>{texel.r, texel.g, texel.b, texel.a});
+            for (int i = 0; i < 4; ++i) words_.push_back(std::bit_cast<std::uint32_t>(texel[i]));
         }
     }
 
@@ -237,31 +276,49 @@ class Writer {
 
     void add_planned(const Draw& draw) {
         const Plan plan = plan_effects(draw, options_);
+        if (options_.for_any_pose) {
+            const programmable::Code code = programmable::kept_code(draw, plan, programmable::Glsl::k300es);
+            add(draw, code, {kept_values(draw, plan, code)});
+            add_to_middle(draw, plan);
+            return;
+        }
         programmable::DrawProgram program = programmable::draw_program(draw, plan, false);
-        add(draw, program.code, {program.numbers});
+        add(draw, program.code, passes_of({program.numbers}));
     }
 
-    void add(const Draw& draw, const programmable::Code& code, const std::vector<Uniforms>& passes) {
+    // The camera turns around the middle of the Draws' middles.
+    void add_to_middle(const Draw& draw, const Plan& plan) {
+        if (!plan.vertices.has_sphere) return;
+        const glm::dvec3 middle_eye(draw.eye_from_object * glm::dvec4(plan.vertices.center_object, 1));
+        middle_eye_ += (middle_eye - middle_eye_) / ++middles_;
+    }
+
+    void add(const Draw& draw, const programmable::Code& code, const std::vector<Pass>& passes) {
         const EffectSet effects = without_1d(code.effects);
         Form form = code.form;
         form.dialect = programmable::Glsl::k300es;
         if (draw.fragment.alpha_test) form.alpha_func = draw.fragment.alpha_func;
-        form.sizes_points = draw.draws_points() && !effects.attenuated_points;
+        form.sizes_points = draw.draws_points() && (form.kept || !effects.attenuated_points);
         Json item = {{"program", program_of(effects, form)}};
         const glm::dvec3 origin_object = code.origin_object.value_or(glm::dvec3(0));
-        item["vertices"] = append(programmable::vertex_array(draw, effects, {}, origin_object));
+        item["vertices"] = place_of(programmable::vertex_array(draw, effects, {}, origin_object));
         item["parts"] = parts_of(draw, effects);
-        for (const Uniforms& pass : passes) {
-            Json uniforms = Json::object();
-            for (std::size_t i = 0; i < pass.size(); ++i) uniforms[std::string(pass[i].name)] = pass[i].values;
-            if (form.alpha_func != kGL_ALWAYS) uniforms["u_alpha_ref"] = {static_cast<float>(draw.fragment.alpha_ref)};
-            if (form.sizes_points)
-                uniforms["u_point_size"] = {std::max(1.0, std::round(programmable::point_size(draw)))};
-            item["passes"].push_back(std::move(uniforms));
+        const auto name_of = [&](const char* name) {
+            return form.kept ? programmable::with_words(name, programmable::kept_names()) : name;
+        };
+        Json own = Json::object();
+        if (form.alpha_func != kGL_ALWAYS) own[name_of("u_alpha_ref")] = {static_cast<float>(draw.fragment.alpha_ref)};
+        if (form.sizes_points)
+            own[name_of("u_point_size")] = {std::max(1.0, std::round(programmable::point_size(draw)))};
+        for (const Pass& pass : passes) {
+            Json numbers = Json::array();
+            for (const Json& group : pass) numbers.push_back(number_of(group));
+            if (!own.empty()) numbers.push_back(number_of(own));
+            item["passes"].push_back(std::move(numbers));
         }
         item["textures"] = Json::array();
         if (effects.has_texture()) {
-            item["textures"].push_back({0, "u_texture", texture_of(draw.texture.texture)});
+            item["textures"].push_back({0, name_of("u_texture"), texture_of(draw.texture.texture)});
             miss_of_texture(draw, draw.texture);
         }
         for (const UnitEffects& unit : effects.units)
@@ -285,13 +342,17 @@ class Writer {
                 miss(draw, "edges of flat polygons have the colours of their own ends");
             if (draw.raster.polygon_offset.line || draw.raster.polygon_offset.point)
                 miss(draw, "GL_POLYGON_OFFSET_LINE and GL_POLYGON_OFFSET_POINT are left out");
+            const RasterState& raster = draw.raster;
+            if (options_.for_any_pose && (raster.cull_enabled || raster.polygon_mode_front != raster.polygon_mode_back))
+                miss(draw, "after a turn, faces keep the glPolygonMode and culling of the first view");
         } else {
-            auto [mode, indices] = programmable::core_elements(draw, effects.shading == Shading::kFlat);
+            auto [mode, indices] =
+                programmable::core_elements(draw, effects.shading == Shading::kFlat || options_.for_any_pose);
             parts.push_back({mode, std::move(indices)});
         }
         Json list = Json::array();
         for (const Part& part : parts) {
-            const Json place = append(part.indices);
+            const Json place = place_of(part.indices);
             list.push_back({part.mode, place[0], place[1]});
         }
         return list;
@@ -342,14 +403,19 @@ class Writer {
     const Frame& frame_;
     PlanOptions options_;
     std::vector<std::uint32_t> words_;
+    std::unordered_multimap<std::size_t, std::pair<std::size_t, std::size_t>>
+        places_;  // in words_, by the hash of what is there
     std::vector<std::pair<EffectSet, Form>> kinds_;
-    Json programs_ = Json::array(), textures_ = Json::array(), items_ = Json::array();
+    Json programs_ = Json::array(), textures_ = Json::array(), uniforms_ = Json::array(), items_ = Json::array();
+    std::map<std::string, std::size_t> uniform_numbers_;  // by their text
     std::map<const Texture*, std::size_t> texture_numbers_;
     std::map<std::string, Place> missing_;  // the first place of each
+    glm::dvec3 middle_eye_{0};
+    double middles_ = 0;
 };
 
 }  // namespace
 
 WebglFrame webgl_frame(const Frame& frame, const PlanOptions& options) { return Writer(frame, options).written(); }
 
-}  // namespace twinlight::web
+}  // namespace twinlight::webgl

@@ -1,0 +1,27 @@
+// Values in C, for scene.c.
+#pragma once
+
+#include <string>
+
+#include "scene/state/frame.h"
+
+namespace twinlight::programmable {
+
+// A scene's name or place, for comments and HTML.
+std::string printable(std::string text);
+
+std::string c_number(double x);
+std::string c_floats(const glm::dvec4& v);  // an array
+std::string c_floats(const glm::dmat4& m);
+std::string c_material(const Material& m);
+std::string c_light(const LightSource& light);
+
+// "1, 2, 3"
+template <class Vector>
+std::string c_numbers(const Vector& v) {
+    std::string text;
+    for (int i = 0; i < Vector::length(); ++i) text += (i == 0 ? "" : ", ") + c_number(v[i]);
+    return text;
+}
+
+}  // namespace twinlight::programmable

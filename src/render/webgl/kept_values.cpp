@@ -1,0 +1,103 @@
+#include "render/webgl/kept_values.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "base/math/directions.h"
+#include "render/programmable/draw_values.h"
+
+namespace twinlight::webgl {
+namespace {
+
+// The nearest float, as the shortest number that a reader takes for it: 0.1, not 0.10000000149011612.
+double short_number(double x) { return std::strtod(fmt::format("{}", programmable::to_float(x)).c_str(), nullptr); }
+
+Json list_of(double x) { return {short_number(x)}; }
+template <int kLength>
+Json list_of(const glm::vec<kLength, double>& v) {
+    Json list = Json::array();
+    for (int i = 0; i < kLength; ++i) list.push_back(short_number(v[i]));
+    return list;
+}
+// Column by column, in double precision: matrices are multiplied before they become floats.
+Json list_of(const glm::dmat4& m) {
+    Json list = Json::array();
+    for (int i = 0; i < 16; ++i) list.push_back(m[i / 4][i % 4]);
+    return list;
+}
+
+void add_material(Json& values, const std::string& face, const Material& m) {
+    values[face + ".emission"] = list_of(m.emission);
+    values[face + ".ambient"] = list_of(m.ambient);
+    values[face + ".diffuse"] = list_of(m.diffuse);
+    values[face + ".specular"] = list_of(m.specular);
+    values[face + ".shininess"] = list_of(m.shininess);
+}
+
+Json light_of(const LightSource& light, int number) {
+    const std::string source = fmt::format("LightSource[{}].", number);
+    Json values;
+    values[source + "ambient"] = list_of(light.ambient);
+    values[source + "diffuse"] = list_of(light.diffuse);
+    values[source + "specular"] = list_of(light.specular);
+    values[source + "position"] = list_of(light.position_eye);
+    values[source + "spotDirection"] = list_of(light.spot_direction_eye);
+    values[source + "spotExponent"] = list_of(light.spot_exponent);
+    values[source + "spotCutoff"] = list_of(light.spot_cutoff_deg);
+    values[source + "spotCosCutoff"] = list_of(cos_deg(light.spot_cutoff_deg));
+    values[source + "constantAttenuation"] = list_of(light.constant_attenuation);
+    values[source + "linearAttenuation"] = list_of(light.linear_attenuation);
+    values[source + "quadraticAttenuation"] = list_of(light.quadratic_attenuation);
+    if (light.smooth_cone) {
+        const programmable::SmoothConeValues cone = programmable::smooth_cone_values(light);
+        values[fmt::format("u_light{}_cos_outer", number)] = list_of(cone.cos_outer);
+        values[fmt::format("u_light{}_cone_slope", number)] = list_of(cone.slope);
+    }
+    return values;
+}
+
+Json fog_of(const Fog& fog) {
+    // RULING: linear fog with end = start is a step there.
+    constexpr double kStep = 1e30;
+    return {{"Fog.color", list_of(fog.color)},
+            {"Fog.density", list_of(fog.density)},
+            {"Fog.start", list_of(fog.start)},
+            {"Fog.end", list_of(fog.end)},
+            {"Fog.scale", list_of(fog.end == fog.start ? kStep : 1 / (fog.end - fog.start))}};
+}
+
+Json texture_of(const TextureUnit& unit) {
+    Json values = {{"TextureMatrix", list_of(unit.texture_matrix)}, {"TextureEnvColor", list_of(unit.env_color)}};
+    for (const GeneratedCoordinate& one : unit.generated)
+        if (!one.needs_normal())
+            values[fmt::format("{}Plane{}", one.mode == kGL_EYE_LINEAR ? "Eye" : "Object", "STRQ"[one.coordinate])] =
+                list_of(one.plane);
+    return values;
+}
+
+}  // namespace
+
+std::vector<Json> kept_values(const Draw& draw, const Plan& plan, const programmable::Code& code) {
+    std::vector<Json> groups = {
+        {{"ModelViewMatrix", list_of(draw.eye_from_object)}, {"ProjectionMatrix", list_of(draw.clip_from_eye)}}};
+    if (code.effects.lighting) {
+        groups.push_back({{"LightModel.ambient", list_of(glm::dvec4(plan.constant_ambient, 1))}});
+        add_material(groups.back(), "FrontMaterial", plan.lighting.front);
+        if (code.effects.two_side) add_material(groups.back(), "BackMaterial", plan.lighting.back);
+        for (const int number : code.form.kept->lights)
+            groups.push_back(light_of(plan.lighting.lights[static_cast<std::size_t>(number)], number));
+    }
+    if (draw.raster.clip_plane_count() > 0) {
+        Json planes = Json::array();
+        for (const auto& plane_eye : draw.raster.clip_planes_eye)
+            for (const Json& part : list_of(plane_eye.value_or(glm::dvec4(0)))) planes.push_back(part);
+        groups.push_back({{"ClipPlane", planes}});
+    }
+    if (code.effects.has_fog()) groups.push_back(fog_of(draw.fog));
+    if (code.effects.has_texture()) groups.push_back(texture_of(draw.texture));
+    return groups;
+}
+
+}  // namespace twinlight::webgl

@@ -1,0 +1,137 @@
+// The exported page: draws its scene with Renderer (gl.js). The camera turns, lights can be switched off, and shading changes: all of
+// this changes GL's state, which the scene's uniforms have under GL's names.
+
+const at = (id) => document.getElementById(id);
+const scene = JSON.parse(at("scene").textContent);
+const words = Uint8Array.from(atob(at("words").textContent), (c) => c.charCodeAt(0)).buffer;
+const light_is_off = [];
+let renderer, turn_deg = 0, tilt_deg = 0, shading = "scene";
+
+// ---- Shading ----
+
+// The same shader with flat or smooth colours: section 2.14.7.
+function shaded(name) {
+    const text = at(name).textContent.trim() + "\n";
+    if (shading === "smooth") return text.replace(/^flat (in|out) /gm, "$1 ");
+    if (shading === "flat") return text.replace(/^(in|out) (vec[34] v_(front|back)_(primary|secondary);)/gm, "flat $1 $2");
+    return text;
+}
+
+// ---- Matrices, column by column ----
+
+function product(a, b) {
+    return Array.from({length: 16}, (_, i) => {
+        let sum = 0;
+        for (let k = 0; k < 4; ++k) sum += a[4 * k + i % 4] * b[4 * (i >> 2) + k];
+        return sum;
+    });
+}
+// The upper three rows of the matrix times (x, y, z, w).
+const moved = (matrix, [x, y, z, w]) =>
+    [0, 1, 2].map((row) => matrix[row] * x + matrix[4 + row] * y + matrix[8 + row] * z + matrix[12 + row] * w);
+const length_of = (v) => Math.hypot(v[0], v[1], v[2]);
+
+// Turns around the scene's middle: by turn_deg around the vertical axis, then by tilt_deg around the horizontal one.
+function camera() {
+    const s = Math.sin(turn_deg * Math.PI / 180), c = Math.cos(turn_deg * Math.PI / 180);
+    const sx = Math.sin(tilt_deg * Math.PI / 180), cx = Math.cos(tilt_deg * Math.PI / 180);
+    const matrix = [c, sx * s, -cx * s, 0, 0, cx, sx, 0, s, -sx * c, cx * c, 0, 0, 0, 0, 1];
+    const middle = moved(matrix, [...scene.middle, 0]);
+    for (let row = 0; row < 3; ++row) matrix[12 + row] = scene.middle[row] - middle[row];
+    return matrix;
+}
+
+// ---- Uniforms, as the camera sees them ----
+
+function matrices(model_view, projection) {
+    // The transposed inverse: cross products of two columns, divided by the determinant. A singular matrix gives 0.
+    const m = model_view, normals = [];
+    for (let column = 0; column < 3; ++column) {
+        const a = 4 * ((column + 1) % 3), b = 4 * ((column + 2) % 3);
+        for (let i = 0; i < 3; ++i)
+            normals.push(m[a + (i + 1) % 3] * m[b + (i + 2) % 3] - m[a + (i + 2) % 3] * m[b + (i + 1) % 3]);
+    }
+    const determinant = m[0] * normals[0] + m[1] * normals[1] + m[2] * normals[2];
+    const inverse = normals.map((x) => determinant === 0 ? 0 : x / determinant);
+    return {
+        ModelViewMatrix: m,
+        ModelViewProjectionMatrix: product(projection, m),
+        NormalMatrix: inverse,
+        NormalScale: [1 / (length_of(inverse.slice(6)) || 1)],
+    };
+}
+
+function light(source, property, values, eye) {
+    switch (property) {
+        case "position": {
+            const position = moved(eye, values);
+            // Halfway between the light's direction and the viewer at infinity, (0, 0, 1).
+            const half = [position[0], position[1], position[2] + length_of(position)], size = length_of(half) || 1;
+            return {[source + "position"]: [...position, values[3]], [source + "halfVector"]: [...half.map((x) => x / size), 0]};
+        }
+        case "spotDirection": return {[source + property]: moved(eye, [...values, 0])};
+        default: return {};
+    }
+}
+
+// Planes, four numbers each. A plane is a row: it is multiplied by the inverse of the camera's matrix, which only turns and moves.
+function planes(values, eye) {
+    const result = [];
+    for (let i = 0; i < values.length; i += 4) {
+        const normal = moved(eye, [...values.slice(i, i + 3), 0]);
+        result.push(...normal, values[i + 3] - normal[0] * eye[12] - normal[1] * eye[13] - normal[2] * eye[14]);
+    }
+    return result;
+}
+
+function seen(uniforms, eye) {
+    const result = {...uniforms};
+    for (const [name, values] of Object.entries(uniforms)) {
+        const [, source, number, property] = /^(LightSource\[(\d+)\]\.)(\w+)$/.exec(name) ?? [];
+        if (name === "ModelViewMatrix") Object.assign(result, matrices(product(eye, values), uniforms.ProjectionMatrix));
+        else if (name === "ClipPlane" || name.startsWith("EyePlane")) result[name] = planes(values, eye);
+        else if (source && light_is_off[number] && ["ambient", "diffuse", "specular"].includes(property)) result[name] = [0, 0, 0, 0];
+        else if (source) Object.assign(result, light(source, property, values, eye));
+    }
+    return result;
+}
+
+// ---- The page ----
+
+function display() {
+    const eye = camera();
+    const programs = scene.programs.map((one) => ({...one, vertex: shaded(one.vertex), fragment: shaded(one.fragment)}));
+    const uniforms = scene.uniforms.map((one) => seen(one, eye));
+    const pixels = renderer.draw({header: {...scene, programs, uniforms}, words});
+    for (let i = 3; i < pixels.length; i += 4) pixels[i] = 255;  // opaque, as a window
+    at("picture").getContext("2d").putImageData(new ImageData(pixels, scene.width), 0, 0);
+    const off = [...light_is_off.keys()].filter((i) => light_is_off[i]).map((i) => "GL_LIGHT" + i);
+    at("state").textContent =
+        (off.length ? "Off: " + off.join(", ") + ". " : "") + (shading === "scene" ? "" : "Shading: " + shading + ".");
+}
+
+function show() {
+    try {
+        renderer ??= new Renderer();
+        display();
+    } catch (error) {
+        at("error").textContent = error.message;
+        throw error;
+    }
+}
+
+at("picture").addEventListener("pointerdown", (event) => event.target.setPointerCapture(event.pointerId));
+at("picture").addEventListener("pointermove", (event) => {
+    if (!(event.buttons & 1)) return;
+    turn_deg += 0.5 * event.movementX;
+    tilt_deg += 0.5 * event.movementY;
+    show();
+});
+document.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (/^[1-8]$/.test(event.key)) light_is_off[event.key - 1] = !light_is_off[event.key - 1];
+    else if (event.key === "f") shading = shading === "flat" ? "smooth" : "flat";
+    else return;
+    show();
+});
+show();
