@@ -87,6 +87,21 @@ TEST(WebglFrame, DrawsBordersWithoutTheDiagonal) {
     EXPECT_EQ(parts[0][2], 8);
 }
 
+// WebGL refuses a depth range from far to near: z changes its sign instead.
+TEST(WebglFrame, HasDepthRangesFromNearToFar) {
+    const auto drawn = [](const std::string& range) {
+        const Json header = header_of(range + " glTranslatef(0, 0, 0.25); glRectf(-1, -1, 1, 1);");
+        return std::pair(header["items"][0]["depthRange"],
+                         uniforms_of(header["items"][0], header)["u_clip_from_object"]);
+    };
+    const auto [range, clip_from_object] = drawn("glDepthRange(0.2, 0.9);");
+    EXPECT_EQ(range, (Json{0.2, 0.9}));
+    EXPECT_EQ(clip_from_object[14], 0.25);
+    const auto [reversed_range, reversed_clip_from_object] = drawn("glDepthRange(0.9, 0.2);");
+    EXPECT_EQ(reversed_range, (Json{0.2, 0.9}));
+    EXPECT_EQ(reversed_clip_from_object[14], -0.25);
+}
+
 TEST(WebglFrame, NamesWhatWebglLacks) {
     const Json missing =
         header_of("glLineWidth(3);\nglBegin(GL_LINES); glVertex2f(0, 0); glVertex2f(1, 1); glEnd();")["missing"];

@@ -206,7 +206,8 @@ TEST_F(ExportedPage, NamesWhatWebglLacks) {
               std::string::npos);
 }
 
-// What the page for browsers can draw as well: polygons as edges, the accumulation buffer, a stencil, cube maps.
+// What the page for browsers can draw as well: polygons as edges, the accumulation buffer, a stencil, a depth range from
+// far to near, cube maps.
 TEST_F(ExportedPage, DrawsWhatThePageForBrowsersDraws) {
     const std::string scene = folder_ / "scene.gl";
     write_file_atomically(scene, R"(
@@ -217,6 +218,13 @@ glEnable(GL_STENCIL_TEST); glStencilFunc(GL_ALWAYS, 1, 1); glStencilOp(GL_KEEP, 
 glRectf(-0.9, 0.1, -0.5, 0.9);
 glStencilFunc(GL_NOTEQUAL, 1, 1); glColor3f(0.2, 0.3, 1); glRectf(-0.7, 0.3, -0.1, 0.7);
 glDisable(GL_STENCIL_TEST);
+glEnable(GL_DEPTH_TEST); glDepthRange(1, 0); glDepthFunc(GL_GREATER);
+glClearDepth(0); glClear(GL_DEPTH_BUFFER_BIT);
+glBegin(GL_TRIANGLES);
+glVertex3f(-0.9, -0.1, 0.5); glVertex3f(-0.3, -0.1, 0.5); glVertex3f(-0.6, 0.3, -0.5);
+glColor3f(0.3, 1, 0.4); glVertex3f(-0.9, 0.1, 0); glVertex3f(-0.3, -0.05, 0); glVertex3f(-0.3, 0.2, 0);
+glEnd();
+glDepthRange(0, 1); glDepthFunc(GL_LESS); glClearDepth(1); glClear(GL_DEPTH_BUFFER_BIT);
 GLubyte texels[] = {250, 30, 50, 255};
 GLubyte others[] = {20, 200, 90, 255};
 glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);

@@ -47,6 +47,14 @@ EffectSet without_1d(EffectSet effects) {
     return effects;
 }
 
+// WebGL allows no depth range from far to near (its specification, "Viewport Depth Range"). The same depths result from clip coordinates with
+// the opposite z.
+bool is_reversed(const Draw& draw) { return draw.raster.depth_near > draw.raster.depth_far; }
+void reverse(Draw& draw) {
+    std::swap(draw.raster.depth_near, draw.raster.depth_far);
+    for (int column = 0; column < 4; ++column) draw.clip_from_eye[column].z *= -1;
+}
+
 // ---- Polygons as edges and corners (3.5.4), which OpenGL ES lacks ----
 
 // Positive for triangles that are counter-clockwise in the window, also where w is negative.
@@ -416,6 +424,13 @@ class Writer {
 
 }  // namespace
 
-WebglFrame webgl_frame(const Frame& frame, const PlanOptions& options) { return Writer(frame, options).written(); }
+WebglFrame webgl_frame(const Frame& frame, const PlanOptions& options) {
+    if (std::ranges::none_of(frame.draws(), [](const Draw* draw) { return is_reversed(*draw); }))
+        return Writer(frame, options).written();
+    Frame forward = frame;
+    for (auto& item : forward.items)
+        if (Draw* draw = std::get_if<Draw>(&item); draw && is_reversed(*draw)) reverse(*draw);
+    return Writer(forward, options).written();
+}
 
 }  // namespace twinlight::webgl
