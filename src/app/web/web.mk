@@ -43,9 +43,11 @@ $(WEB)/flags: $(if $(subst |$(EMXX) $(CXXFLAGS_web) $(LDFLAGS_web)|,,|$(file <$(
 	@printf '%s\n' '$(EMXX) $(CXXFLAGS_web) $(LDFLAGS_web)' >$@
 
 $(OBJECTS_web): $(WEB)/flags
+# A room's list of sources is written only if it changed, so that a new file compiles its own room and no other.
 define room_web
-$(WEB)/objects/$(1).room.cpp: $(call sources_web,$(1)) $(BUILD)/files
-	@mkdir -p $$(@D); printf '#include "%s"\n' $(call sources_web,$(1)) >$$@
+$(WEB)/objects/$(1).room.cpp: $(BUILD)/files src/app/web/web.mk
+	@mkdir -p $$(@D); printf '#include "%s"\n' $(call sources_web,$(1)) >$$@.new
+	@cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@
 endef
 $(foreach name,$(ROOMS_web),$(eval $(call room_web,$(name))))
 $(WEB)/objects/%.room.o: $(WEB)/objects/%.room.cpp
