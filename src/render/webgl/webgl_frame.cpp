@@ -428,8 +428,8 @@ WebglFrame webgl_frame(const Frame& frame, const PlanOptions& options) {
     if (std::ranges::none_of(frame.draws(), [](const Draw* draw) { return is_reversed(*draw); }))
         return Writer(frame, options).written();
     Frame forward = frame;
-    for (auto& item : forward.items)
-        if (Draw* draw = std::get_if<Draw>(&item); draw && is_reversed(*draw)) reverse(*draw);
+    for (Draw* draw : forward.editable_draws())
+        if (is_reversed(*draw)) reverse(*draw);
     return Writer(forward, options).written();
 }
 
