@@ -29,11 +29,12 @@ void keep_freed_memory();
 
 std::string_view context_provider();  // what made the context: "OSMesa", "EGL", "GLUT"; each program links one
 
-// The colour buffer of the current context (the back buffer of a window), row 0 at the top.
-Image read_pixels(int width, int height);
+// A rectangle of the colour buffer of the current context (the back buffer of a window), row 0 at the top. x, y: its lower left
+// corner, in GL's window coordinates.
+Image read_pixels(int width, int height, int x = 0, int y = 0);
 // The depth buffer in the same way, as red, green and blue.
-Image read_depths(int width, int height);
+Image read_depths(int width, int height, int x = 0, int y = 0);
 // The stencil buffer in the same way, in 1/255.
-Image read_stencils(int width, int height);
+Image read_stencils(int width, int height, int x = 0, int y = 0);
 
 }  // namespace twinlight

@@ -211,9 +211,10 @@ struct PreparedDraw {
 
 struct Replay::Impl {
     Impl(const Frame& frame, const ReplayOptions& options)
-        : width(frame.width), height(frame.height), whole(frame, [&](const Frame& picture, CopiedBuffer buffer) {
-              const auto draw = [&] { Replay(picture, options).draw(); };
-              return CopySource{.picture = drawn_to_copy(picture, buffer, draw)};
+        : width(frame.width),
+          height(frame.height),
+          whole(frame, [&](const Frame& picture, CopiedBuffer buffer, const Viewport& area) {
+              return drawn_to_copy(picture, buffer, area, [&] { Replay(picture, options).draw(); });
           }) {}
 
     int width, height;

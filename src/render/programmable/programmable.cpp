@@ -286,9 +286,8 @@ class Preparation {
 
 // Copies pixels (3.8.2) of pictures that the renderer draws.
 DrawableFrame drawable(const Frame& frame, Renderer& renderer, const Options& options) {
-    return {frame, [&](const Frame& picture, CopiedBuffer buffer) {
-                const auto draw = [&] { renderer.draw(picture, options); };
-                return CopySource{.picture = drawn_to_copy(picture, buffer, draw)};
+    return {frame, [&](const Frame& picture, CopiedBuffer buffer, const Viewport& area) {
+                return drawn_to_copy(picture, buffer, area, [&] { renderer.draw(picture, options); });
             }};
 }
 

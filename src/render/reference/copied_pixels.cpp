@@ -61,14 +61,14 @@ CopySource values_with_range(const Frame& frame, Options options, CopiedBuffer b
 }  // namespace
 
 DrawableFrame drawable(const Frame& frame, const Options& options) {
-    return {frame, [&options](const Frame& picture, CopiedBuffer buffer) {
+    return {frame, [&options](const Frame& picture, CopiedBuffer buffer, const Viewport&) {
                 return buffer == CopiedBuffer::kColors ? CopySource{.picture = render(picture, options)}
                                                        : values(picture, options, buffer);
             }};
 }
 
 DrawableFrame drawable_with_ranges(const Frame& frame, const Options& options) {
-    return {frame, [&options](const Frame& picture, CopiedBuffer buffer) {
+    return {frame, [&options](const Frame& picture, CopiedBuffer buffer, const Viewport&) {
                 return buffer == CopiedBuffer::kColors ? source_with_range(picture, options)
                                                        : values_with_range(picture, options, buffer);
             }};

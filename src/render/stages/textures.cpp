@@ -132,20 +132,21 @@ bool are_same(const Texture& a, const Texture& b) {
 
 }  // namespace
 
-Image drawn_to_copy(const Frame& picture, CopiedBuffer buffer, const std::function<void()>& draw) {
-    const auto drawn = [&] {
+CopySource drawn_to_copy(const Frame& picture, CopiedBuffer buffer, const Viewport& area,
+                         const std::function<void()>& draw) {
+    const auto drawn = [&]() -> CopySource {
         draw();
         const auto read = buffer == CopiedBuffer::kColors   ? read_pixels
                           : buffer == CopiedBuffer::kDepths ? read_depths
                                                             : read_stencils;
-        return read(picture.width, picture.height);
+        return {.picture = read(area.width, area.height, area.x, area.y), .corner = {area.x, area.y}};
     };
     if (!picture.is_object) return drawn();
     const RenderTarget target(picture.width, picture.height, ColorBuffer::kUnorm8);
     target.bind();
-    Image image = drawn();
+    CopySource source = drawn();
     target.release();
-    return image;
+    return source;
 }
 
 Textures::~Textures() {

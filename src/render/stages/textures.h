@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/image/image.h"
+#include "scene/state/copied_texels.h"
 #include "scene/state/frame.h"
 
 namespace twinlight {
@@ -17,9 +17,10 @@ namespace twinlight {
 // to the start of the border.
 enum class Clamping : std::uint8_t { kDriver, kShader };
 
-// Calls draw(), and returns what textures copy of the picture. That of a framebuffer object is drawn into a buffer of its own,
-// another into the current one.
-Image drawn_to_copy(const Frame& picture, CopiedBuffer buffer, const std::function<void()>& draw);
+// A DrawSource: calls draw(), and returns the area. The picture of a framebuffer object is drawn into a buffer of its own, another
+// into the current one.
+CopySource drawn_to_copy(const Frame& picture, CopiedBuffer buffer, const Viewport& area,
+                         const std::function<void()>& draw);
 
 // Texture units with their numbers.
 using TextureUnits = std::vector<std::pair<std::size_t, TextureUnit>>;

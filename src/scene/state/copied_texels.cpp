@@ -32,25 +32,44 @@ struct TakenPixels {
     }
 };
 
-// A pixel of a copy from an image, y up. A frame that was resized has a rectangle of another size than its copy: then the copy
-// has the pixel at the centre.
-Rgba taken_pixel(const Image& image, const CopiedPixels& size, const Viewport& from, int i, int j, float outside) {
-    const double x = from.x + std::floor((i + 0.5) * from.width / size.width),
-                 y = from.y + std::floor((j + 0.5) * from.height / size.height);
+// The smallest rectangle around both.
+Viewport around(const Viewport& a, const Viewport& b) {
+    if (a.width == 0 || a.height == 0) return b;
+    if (b.width == 0 || b.height == 0) return a;
+    const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+    return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
+}
+
+// What of the rectangle is inside a picture.
+Viewport inside(const Viewport& area, int width, int height) {
+    const int x = std::clamp(area.x, 0, width), y = std::clamp(area.y, 0, height);
+    return {x, y, std::clamp(area.x + area.width, x, width) - x, std::clamp(area.y + area.height, y, height) - y};
+}
+
+// A pixel of a copy from a picture, of which `image` has at least what the copy needs. A frame that was resized has a rectangle
+// of another size than its copy: then the copy has the pixel at the centre.
+Rgba taken_pixel(const Image& image, const glm::ivec2& corner, const CopiedPixels& size, const Viewport& from, int i,
+                 int j, float outside) {
+    const auto scaled = [](int place, int wide, int narrow) {
+        return wide == narrow ? place : static_cast<int>(std::floor((place + 0.5) * wide / narrow));
+    };
+    const int x = from.x + scaled(i, from.width, size.width) - corner.x,
+              y = from.y + scaled(j, from.height, size.height) - corner.y;
     const bool is_inside = x >= 0 && x < image.width && y >= 0 && y < image.height;
     Rgba pixel{outside, outside, outside, outside};
-    if (is_inside) pixel = image.at(static_cast<int>(x), image.height - 1 - static_cast<int>(y));
+    if (is_inside) pixel = image.at(x, image.height - 1 - y);
     if (size.buffer == CopiedBuffer::kColors)
         for (float& channel : pixel) channel = static_cast<float>(channel_code(channel)) / 255.0F;
     return pixel;
 }
 
 // All pixels of a copy.
-std::vector<Rgba> cut(const Image& image, const CopiedPixels& copy, const Viewport& from, float outside) {
+std::vector<Rgba> cut(const Image& image, const glm::ivec2& corner, const CopiedPixels& copy, const Viewport& from,
+                      float outside) {
     std::vector<Rgba> pixels;
     pixels.reserve(static_cast<std::size_t>(copy.width) * static_cast<std::size_t>(copy.height));
     for (int j = 0; j < copy.height; ++j)
-        for (int i = 0; i < copy.width; ++i) pixels.push_back(taken_pixel(image, copy, from, i, j, outside));
+        for (int i = 0; i < copy.width; ++i) pixels.push_back(taken_pixel(image, corner, copy, from, i, j, outside));
     return pixels;
 }
 
@@ -63,7 +82,7 @@ void fill_pixels(Draw& draw, const CopySource& from) {
     const bool has_range = !from.low.pixels.empty();
     const auto taken = [&](const Image& image, std::size_t vertex, float outside) {
         const glm::ivec2& place = groups->places[vertex];
-        return taken_pixel(image, *groups->source.pixels, groups->source.from, place.x, place.y, outside);
+        return taken_pixel(image, from.corner, *groups->source.pixels, groups->source.from, place.x, place.y, outside);
     };
     if (groups->source.pixels->buffer == CopiedBuffer::kColors) {
         std::vector<Vertex>& vertices = draw.vertices.edit();
@@ -168,6 +187,12 @@ class Copier {
         hidden_.clear();
         shown_.clear();
         sources_.clear();
+        areas_.clear();
+        for (const FrameItem& item : items)
+            if (const TakePixels* copy = copy_from_here(item)) {
+                Viewport& area = areas_[copy->pixels->buffer];
+                area = around(area, copy->from);
+            }
         for (const FrameItem& item : items) {
             if (std::holds_alternative<TakePixels>(item)) {
                 if (is_used(item)) take(std::get<TakePixels>(item));
@@ -177,7 +202,8 @@ class Copier {
             std::optional<CopySource> copied;
             if (given && given->pixels && given->pixels->copied) {
                 const CopiedPixels& from = *given->pixels->copied->source.pixels;
-                copied = from.drawn ? source(*from.drawn, from.buffer) : source(from.buffer);
+                copied = from.drawn ? source(*from.drawn, from.buffer, given->pixels->copied->source.from)
+                                    : source(from.buffer);
             }
             sources_.clear();
             shown_.push_back(item);
@@ -191,20 +217,30 @@ class Copier {
         }
     }
 
-    // A picture of what is shown now.
+    // What the item copies of the picture that these items draw, if anything.
+    const TakePixels* copy_from_here(const FrameItem& item) const {
+        if (is_used(item)) return std::get_if<TakePixels>(&item);
+        const Draw* draw = std::get_if<Draw>(&item);
+        if (!draw || !draw->pixels || !draw->pixels->copied) return nullptr;
+        const TakePixels& source = draw->pixels->copied->source;
+        return source.pixels->drawn ? nullptr : &source;
+    }
+
+    // A picture of what is shown now, at least of areas_.
     const CopySource& source(CopiedBuffer buffer) {
         auto source = sources_.find(buffer);
         if (source == sources_.end()) {
             Frame picture = frame_without_items();
             picture.items = std::move(shown_);
-            source = sources_.emplace(buffer, draw_(picture, buffer)).first;
+            const Viewport area = inside(areas_[buffer], frame_.width, frame_.height);
+            source = sources_.emplace(buffer, draw_(picture, buffer, area)).first;
             shown_ = std::move(picture.items);
         }
         return source->second;
     }
 
     // A picture of what a framebuffer object shows.
-    CopySource source(const ObjectPicture& object, CopiedBuffer buffer) {
+    CopySource source(const ObjectPicture& object, CopiedBuffer buffer, const Viewport& area) {
         Frame picture = frame_without_items();
         picture.width = object.width;
         picture.height = object.height;
@@ -215,22 +251,22 @@ class Copier {
             if (!draw) continue;
             if (draw->pixels && draw->pixels->copied) {
                 const CopiedPixels& from = *draw->pixels->copied->source.pixels;
-                fill_pixels(*draw, source(*from.drawn, from.buffer));
+                fill_pixels(*draw, source(*from.drawn, from.buffer, draw->pixels->copied->source.from));
             }
             fill(*draw);
         }
-        return draw_(picture, buffer);
+        return draw_(picture, buffer, inside(area, object.width, object.height));
     }
 
     void take(const TakePixels& copy) { take(source(copy.pixels->buffer), *copy.pixels, copy.from); }
     void take(const CopySource& source, const CopiedPixels& copy, const Viewport& from) {
-        const auto& [picture, low, high] = source;
+        const auto& [picture, low, high, corner] = source;
         TakenPixels& taken = taken_[&copy];
         taken.width = copy.width;
-        taken.picture = cut(picture, copy, from, 0);
+        taken.picture = cut(picture, corner, copy, from, 0);
         if (low.pixels.empty()) return;
-        taken.low = cut(low, copy, from, 0);
-        taken.high = cut(high, copy, from, 1);
+        taken.low = cut(low, corner, copy, from, 0);
+        taken.high = cut(high, corner, copy, from, 1);
         has_range_ = true;
     }
     // The pixels that framebuffer objects have drawn into an image.
@@ -239,7 +275,8 @@ class Copier {
         for (const ImagePart& part : image.parts) {
             if (!part.copied || !part.copied->drawn || taken_.contains(part.copied.get())) continue;
             const CopiedPixels& copy = *part.copied;
-            take(source(*copy.drawn, copy.buffer), copy, {copy.x, copy.y, copy.width, copy.height});
+            const Viewport area{copy.x, copy.y, copy.width, copy.height};
+            take(source(*copy.drawn, copy.buffer, area), copy, area);
         }
     }
 
@@ -295,6 +332,7 @@ class Copier {
     std::set<const CopiedPixels*> used_;          // by Draws
     FrameItems hidden_, shown_;                   // the picture so far: before and since the last Clear that hides all
     std::map<CopiedBuffer, CopySource> sources_;  // of shown_
+    std::map<CopiedBuffer, Viewport> areas_;      // what is copied while these items are gone through
     bool has_range_ = false;
     std::map<const CopiedPixels*, TakenPixels> taken_;
     std::map<const Texture*, std::shared_ptr<const Texture>> filled_;

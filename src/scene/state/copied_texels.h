@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <glm/vec2.hpp>
 #include <optional>
 
 #include "base/image/image.h"
@@ -15,11 +16,13 @@ struct CopySource {
     Image picture;
     // What another renderer's picture may have; empty: the same picture.
     Image low{}, high{};
+    // The place of these images' lower left corner in the whole picture, y up.
+    glm::ivec2 corner{0};
 };
 
-// Draws a Frame in which all copies are filled in, and returns its colours, depths or stencil values. The picture of a
-// framebuffer object has its own size, and is drawn apart from the window's.
-using DrawSource = std::function<CopySource(const Frame&, CopiedBuffer)>;
+// Draws a Frame in which all copies are filled in, and returns its colours, depths or stencil values: those in the rectangle at
+// least, which lies inside the picture. The picture of a framebuffer object has its own size, and is drawn apart from the window's.
+using DrawSource = std::function<CopySource(const Frame&, CopiedBuffer, const Viewport&)>;
 
 // The frame with all copied texels in its textures and all copied pixels in its Draws, and without the commands that copied
 // texels. The Draws are the same, in the same order. RULING: pixels outside the window, which 3.8.2 and 4.3.2 leave undefined,

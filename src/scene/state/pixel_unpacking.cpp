@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "scene/state/packed_types.h"
@@ -293,9 +294,9 @@ void PixelRows::unpack(int y, std::vector<glm::dvec4>& row, int z) const {
 
 glm::vec4 stored(const glm::dvec4& rgba, const InternalFormat& format) {
     const auto rounded = [](double v, int bits) {
-        const double largest = std::exp2(bits) - 1;
+        const auto largest = static_cast<double>((std::uint64_t{1} << bits) - 1);
         const double inside = v > 0 ? std::min(v, 1.0) : 0;  // NaN is 0
-        return static_cast<float>(std::floor(inside * largest + 0.5) / largest);
+        return static_cast<float>(static_cast<double>(static_cast<std::uint64_t>(inside * largest + 0.5)) / largest);
     };
     const float r = rounded(rgba.r, format.red), a = rounded(rgba.a, format.alpha);
     switch (format.base_format) {  // table 3.15
