@@ -113,4 +113,10 @@ VertexFacts vertex_facts(const Draw& draw) {
     return facts;
 }
 
+bool have_one_plan_by_state(const VertexFacts& a, const VertexFacts& b) {
+    return a.w_is_1 == b.w_is_1 && a.has_w_0 == b.has_w_0 && a.q_is_1 == b.q_is_1 &&
+           a.normals_equal == b.normals_equal && a.colors_equal == b.colors_equal && a.color_low == b.color_low &&
+           a.color_high == b.color_high && a.materials == b.materials;
+}
+
 }  // namespace twinlight

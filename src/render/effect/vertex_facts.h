@@ -47,6 +47,9 @@ struct VertexFacts {
 
 VertexFacts vertex_facts(const Draw& draw);
 
+// Whether a plan by state (PlanOptions::for_any_pose) is the same with either, where matrices keep w.
+bool have_one_plan_by_state(const VertexFacts& a, const VertexFacts& b);
+
 // Whether the matrix keeps the w of positions or texture coordinates: its last row is 0, 0, 0, 1.
 inline bool keeps_w(const glm::dmat4& m) { return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1; }
 

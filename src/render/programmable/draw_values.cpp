@@ -135,9 +135,10 @@ constexpr auto specular_of_light = [](const LightSource& light) { return specula
 
 class DrawUniforms {
   public:
-    DrawUniforms(const Draw& draw, const Plan& plan, const Code& code)
+    DrawUniforms(const Draw& draw, const Plan& plan, const Code& code, const DrawProgram* like)
         : draw_(draw),
           plan_(plan),
+          like_(like),
           effects_(code.effects),
           form_(code.form),
           lights_(code.lights),
@@ -145,7 +146,7 @@ class DrawUniforms {
         if (origin_object_) eye_from_object_ = glm::translate(draw.eye_from_object, *origin_object_);
     }
 
-    Uniforms build() {
+    Uniforms build(DrawProgram::OfState& of_state) {
         const glm::dmat4 clip_from_object = draw_.clip_from_eye * eye_from_object_;
         matrix("u_clip_from_object", clip_from_object / clip_scale(clip_from_object, reach_object()));
         clip_planes();
@@ -158,6 +159,22 @@ class DrawUniforms {
         else
             eye_space();
 
+        of_state = {.colors = uniforms_.size(), .lights = 0, .unit = unit_};
+        if (like_)
+            uniforms_.append(like_->numbers, like_->of_state.colors, like_->of_state.lights);
+        else
+            colors();
+        of_state.lights = uniforms_.size();
+        if (like_ && has_lights_of_state(form_) && has_lights_of_state(like_->code.form) &&
+            like_->of_state.unit == unit_)
+            uniforms_.append(like_->numbers, like_->of_state.lights, like_->numbers.size());
+        else
+            lights();
+        return std::move(uniforms_);
+    }
+
+  private:
+    void colors() {
         const LightColor ambient{plan_.constant_ambient, {}};
         if (effects_.spectral_products)
             matrix("u_constant_ambient", product_matrix(model(), ambient));
@@ -166,15 +183,20 @@ class DrawUniforms {
         if (effects_.spectral_groups > 0) spectral_samples();
         face("front", plan_.lighting.front, effects_.front);
         if (effects_.two_side) face("back", plan_.lighting.back, effects_.back);
+    }
+
+    void lights() {
         for (std::size_t i = 0; i < lights_.size(); ++i) {
             light(i);
             if (!form_.loops.empty())
                 number("u_count_of_light" + std::to_string(i), static_cast<double>(lights_[i].size()));
         }
-        return std::move(uniforms_);
+    }
+    // Whether the lights' numbers follow from the state and the unit of length: the Draw's place and vertices do not matter.
+    static bool has_lights_of_state(const Form& form) {
+        return !form.object_space && !form.wide_range && !form.homogeneous;
     }
 
-  private:
     // These append to the uniform that was added last: repeated, they give an array.
     void put(double value) { uniforms_.push_back(to_float(value)); }
     template <int kLength, class Number, glm::qualifier kQualifier>
@@ -552,6 +574,7 @@ class DrawUniforms {
 
     const Draw& draw_;
     const Plan& plan_;
+    const DrawProgram* const like_;
     const EffectSet& effects_;
     const Form& form_;
     const std::vector<std::vector<std::size_t>>& lights_;
@@ -576,19 +599,20 @@ SmoothConeValues smooth_cone_values(const LightSource& light) {
     return {.cos_outer = outer - 2 * kCosineRounding, .slope = 1 / kCosineRounding};
 }
 
-DrawProgram draw_program(const Draw& draw, const Plan& plan, bool precise) {
+DrawProgram draw_program(const Draw& draw, const Plan& plan, bool precise, const DrawProgram* like) {
     if (precise && floats_suffice(draw, plan)) {
         Code code = precise_code(draw, plan);
         Uniforms numbers = precise_uniforms(draw, plan, code);
         return {std::move(code), std::move(numbers)};
     }
-    Code code = code_for(draw, plan);
-    Uniforms numbers = uniforms(draw, plan, code);
-    return {std::move(code), std::move(numbers)};
+    DrawProgram program{.code = code_for(draw, plan), .numbers = {}};
+    program.numbers = DrawUniforms(draw, plan, program.code, like).build(program.of_state);
+    return program;
 }
 
 Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code) {
-    return DrawUniforms(draw, plan, code).build();
+    DrawProgram::OfState of_state;
+    return DrawUniforms(draw, plan, code, nullptr).build(of_state);
 }
 
 std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, const std::vector<std::uint32_t>& vertices,

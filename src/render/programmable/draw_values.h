@@ -42,8 +42,15 @@ Uniforms uniforms(const Draw& draw, const Plan& plan, const Code& code);
 struct DrawProgram {
     Code code;
     Uniforms numbers;
+    // Which of the numbers other Draws with the same state may have too.
+    struct OfState {
+        std::size_t colors = 0, lights = 0;  // the first of each; after the lights there are no others
+        double unit = 1;                     // of lengths
+    };
+    OfState of_state{};
 };
-DrawProgram draw_program(const Draw& draw, const Plan& plan, bool precise);
+// like: null, or the program of a Draw whose plan differs at most in the vertices' facts. Then what both share is not computed again.
+DrawProgram draw_program(const Draw& draw, const Plan& plan, bool precise, const DrawProgram* like = nullptr);
 
 // The vertex attributes, one vertex after the other, in the order of attributes(effects). Positions are relative to
 // `origin_object`: Code::origin_object, or 0.

@@ -58,8 +58,12 @@ bool has_only_vertices(const Draw& draw) {
 bool have_one_state(const Draw& a, const Draw& b) {
     const bool is_known = is_known_to_be_one_state(a, b);
     // First what mostly differs.
-    return (is_known || a.eye_from_object == b.eye_from_object) && have_one_state_when_placed(a, b) &&
-           a.materials == b.materials && (is_known || have_one_material(a.lighting, b.lighting));
+    return (is_known || a.eye_from_object == b.eye_from_object) && have_one_state_anywhere(a, b);
+}
+
+bool have_one_state_anywhere(const Draw& a, const Draw& b) {
+    return have_one_state_when_placed(a, b) && a.materials == b.materials &&
+           (is_known_to_be_one_state(a, b) || have_one_material(a.lighting, b.lighting));
 }
 
 bool have_one_state_when_placed(const Draw& a, const Draw& b) {

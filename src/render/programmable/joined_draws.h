@@ -21,6 +21,9 @@ bool have_one_state(const Draw& a, const Draw& b);
 // The same for Draws that are placed (below): they may also differ in their modelview matrices and materials.
 bool have_one_state_when_placed(const Draw& a, const Draw& b);
 
+// The same for Draws at any place that have the same materials.
+bool have_one_state_anywhere(const Draw& a, const Draw& b);
+
 // Longer runs are cut, because all vertices of a run are uploaded again if one of them has changed.
 inline constexpr std::size_t kMostJoinedVertices = 4096;
 

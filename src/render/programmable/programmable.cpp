@@ -1,7 +1,9 @@
 #include "render/programmable/programmable.h"
 
 #include <algorithm>
+#include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -52,7 +54,13 @@ struct PreparedDraw {
     TextureUnits units;  // if the Draw combines textures
 };
 
-using Item = std::variant<Clear, PreparedDraw, Accumulate>;
+// A range of a PreparedDraw: others may be drawn between two of them.
+struct PreparedRange {
+    std::shared_ptr<const PreparedDraw> draw;
+    std::size_t range = 0;  // of its mesh
+};
+
+using Item = std::variant<Clear, PreparedRange, Accumulate>;
 
 // Plans and uploads a frame's items, one after the other.
 class Preparation {
@@ -119,14 +127,11 @@ class Preparation {
     void end_run() {
         if (run_.empty()) return;
         const bool is_placed = may_place() && may_be_placed(run_);
-        if (!placed_.empty() && !(is_placed && have_one_state_when_placed(*placed_.front(), *run_.front())))
-            end_placed();
-        if (is_placed) {
-            placed_.insert(placed_.end(), run_.begin(), run_.end());
-            placed_numbers_.insert(placed_numbers_.end(), run_numbers_.begin(), run_numbers_.end());
-        } else {
+        if (!is_placed) end_placed();
+        if (is_placed)
+            place_run();
+        else
             add(run_, run_numbers_);
-        }
         run_.clear();
         run_numbers_.clear();
         run_vertices_ = 0;
@@ -134,7 +139,7 @@ class Preparation {
 
     void end_all() {
         end_run();
-        if (!placed_.empty()) end_placed();
+        end_placed();
     }
 
     bool may_place() const {
@@ -142,39 +147,133 @@ class Preparation {
                !(options_.shading >= Shading::kPhong);
     }
 
-    // Adds the Draws of `placed_`, without keeping their vertices: most of them move.
-    void end_placed() {
-        if (!add_joined(placed_together(placed_)))
-            for (std::size_t i = 0; i < placed_.size(); ++i)
-                add(DrawRun(placed_).subspan(i, 1), std::span(placed_numbers_).subspan(i, 1));
-        placed_.clear();
-        placed_numbers_.clear();
+    void place_run() {
+        const auto has_its_state = [&](const Placed& placed) {
+            return have_one_state_when_placed(*placed.draws.front(), *run_.front());
+        };
+        auto placed = std::ranges::find_if(placed_, has_its_state);
+        if (placed == placed_.end()) {
+            constexpr std::size_t kMostStates = 8;  // each Draw is compared with all of them
+            if (placed_.size() == kMostStates) end_placed();
+            placed = placed_.emplace(placed_.end());
+        }
+        placed->draws.insert(placed->draws.end(), run_.begin(), run_.end());
+        placed->numbers.insert(placed->numbers.end(), run_numbers_.begin(), run_numbers_.end());
+        const auto state = static_cast<std::size_t>(placed - placed_.begin());
+        if (placed_order_.empty() || placed_order_.back().state != state) placed_order_.push_back({state, 0});
+        placed_order_.back().count += run_.size();
     }
 
-    // With one plan for all. Adds nothing and returns false if numbers are too large or small for that (wide_range.h).
-    bool add_joined(const JoinedDraws& all) {
+    // Adds the Draws of `placed_`, without keeping their vertices: most of them move.
+    void end_placed() {
+        std::vector<JoinedDraws> joined;
+        for (const Placed& placed : placed_) joined.push_back(placed_together(placed.draws));
+        std::vector<std::size_t> drawn(placed_.size());
+        for (const auto& [state, count] : placed_order_) {
+            joined[state].parts[drawn[state]].begins_range = true;
+            drawn[state] += count;
+        }
+        std::vector<std::shared_ptr<const PreparedDraw>> prepared;
+        for (const JoinedDraws& all : joined) prepared.push_back(prepared_together(all));
+        drawn.assign(placed_.size(), 0);
+        std::vector<std::size_t> ranges(placed_.size());
+        for (const auto& [state, count] : placed_order_) {
+            if (prepared[state]) {
+                take_(PreparedRange{prepared[state], ranges[state]++});
+            } else {
+                const auto& [draws, numbers] = placed_[state];
+                add_placed(DrawRun(draws).subspan(drawn[state], count),
+                           std::span(numbers).subspan(drawn[state], count));
+            }
+            drawn[state] += count;
+        }
+        placed_.clear();
+        placed_order_.clear();
+    }
+
+    void add_placed(DrawRun draws, std::span<const Numbered> numbers) {
+        if (add_joined(placed_together(draws))) return;
+        for (std::size_t i = 0; i < draws.size(); ++i) add(draws.subspan(i, 1), numbers.subspan(i, 1));
+    }
+
+    // With one plan for all. Null if numbers are too large or small for that (wide_range.h).
+    std::shared_ptr<const PreparedDraw> prepared_together(const JoinedDraws& all) const {
         const Draw* const draw = &all.draw;
         const Plan plan = plan_for({&draw, 1}, vertex_facts(*draw));
-        if (has_wide_range(*draw, plan)) return false;
-        DrawProgram program = draw_program(*draw, plan, options_.precise);
-        if (program.code.form.homogeneous) return false;
-        take_(PreparedDraw(*draw, std::move(program), [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+        if (has_wide_range(*draw, plan)) return nullptr;
+        DrawProgram program = program_of(*draw, plan);
+        if (program.code.form.homogeneous) return nullptr;
+        const auto mesh_of = [&](const EffectSet& effects, const glm::dvec3& origin_object) {
             return std::make_shared<const UploadedMesh>(all, effects, origin_object);
-        }));
+        };
+        return std::make_shared<const PreparedDraw>(*draw, std::move(program), mesh_of);
+    }
+
+    // Adds nothing and returns false where prepared_together() returns null.
+    bool add_joined(const JoinedDraws& all) {
+        std::shared_ptr<const PreparedDraw> prepared = prepared_together(all);
+        if (!prepared) return false;
+        take_(PreparedRange{std::move(prepared)});
         return true;
+    }
+
+    template <class... Arguments>
+    void take(Arguments&&... arguments) {
+        take_(PreparedRange{std::make_shared<const PreparedDraw>(std::forward<Arguments>(arguments)...)});
+    }
+
+    // What was planned for a Draw, and for others of its state.
+    struct Planned {
+        const Draw* draw;
+        Plan plan;
+        DrawProgram program;
+    };
+
+    bool plans_by_state(DrawRun draws) const {
+        constexpr std::size_t kFewVertices = 1024;
+        return shares_programs_ && count_vertices(draws) <= kFewVertices && !(options_.shading >= Shading::kPhong);
     }
 
     // Changing the program costs more time than lighting some vertices. So small Draws of a large frame are planned
     // by state only, and those that differ only in where things are get the same program.
-    Plan plan_for(DrawRun draws, const VertexFacts& facts) const {
+    Plan plan_for(DrawRun draws, const VertexFacts& facts, const Planned* like = nullptr) const {
+        if (like) {
+            Plan plan = like->plan;
+            plan.vertices = facts;
+            return plan;
+        }
         const Draw& draw = *draws.front();
-        constexpr std::size_t kFewVertices = 1024;
-        const bool may_share =
-            shares_programs_ && count_vertices(draws) <= kFewVertices && !(options_.shading >= Shading::kPhong);
-        if (!may_share || options_.for_any_pose) return plan_effects(draw, options_, facts);
+        if (!plans_by_state(draws)) return plan_effects(draw, options_, facts);
         PlanOptions by_state = options_;
         by_state.for_any_pose = true;
         return plan_effects(draw, by_state, facts);
+    }
+
+    DrawProgram program_of(const Draw& draw, const Plan& plan, const Planned* like = nullptr) const {
+        return draw_program(draw, plan, options_.precise, like ? &like->program : nullptr);
+    }
+
+    // Only of the frame's own Draws: by_stencil_value() makes others, which are gone before the next ones.
+    bool may_share_plan(DrawRun draws) const {
+        const Draw& draw = *draws.front();
+        return plans_by_state(draws) && !options_.precise && keeps_w(draw.eye_from_object) && !draw.pixels;
+    }
+
+    // Null if none of the last few Draws has the same plan.
+    const Planned* like(DrawRun draws, const VertexFacts& facts) const {
+        const Draw& draw = *draws.front();
+        if (!may_share_plan(draws)) return nullptr;
+        const auto found = std::ranges::find_if(planned_, [&](const Planned& planned) {
+            return have_one_plan_by_state(planned.plan.vertices, facts) && have_one_state_anywhere(*planned.draw, draw);
+        });
+        return found == planned_.end() ? nullptr : &*found;
+    }
+
+    void note_planned(DrawRun draws, const Plan& plan, const DrawProgram& program) {
+        if (!may_share_plan(draws)) return;
+        constexpr std::size_t kFew = 4;
+        if (planned_.size() == kFew) planned_.pop_back();
+        planned_.push_front({draws.front(), plan, program});
     }
 
     // draws: with one state.
@@ -192,13 +291,15 @@ class Preparation {
     bool add_kept(DrawRun draws, const Numbered& numbered) {
         const Draw& draw = *draws.front();
         const auto known = kept_->known(draws);
-        Plan plan = plan_for(draws, known->facts);
+        const Planned* const planned = like(draws, known->facts);
+        Plan plan = plan_for(draws, known->facts, planned);
         if (draws.size() > 1 && has_wide_range(draws, plan)) return false;
-        DrawProgram program = draw_program(draw, plan, options_.precise);
+        DrawProgram program = program_of(draw, plan, planned);
         if (draws.size() > 1 && program.code.form.homogeneous) return false;
-        take_(PreparedDraw(draw, std::move(program), [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+        if (!planned) note_planned(draws, plan, program);
+        take(draw, std::move(program), [&](const EffectSet& effects, const glm::dvec3& origin_object) {
             return kept_->mesh(*known, draws, effects, origin_object);
-        }));
+        });
         keep(std::move(plan), draw, numbered);
         return true;
     }
@@ -210,7 +311,7 @@ class Preparation {
         std::size_t first = 0;
         for (std::size_t i = 0; i < draws.size(); ++i) {
             Plan plan = plan_for(draws.subspan(i, 1), vertex_facts(*draws[i]));
-            DrawProgram next = draw_program(*draws[i], plan, options_.precise);
+            DrawProgram next = program_of(*draws[i], plan);
             keep(std::move(plan), *draws[i], numbers[i]);
             if (program && !are_one_program(*program, next)) {
                 add_with_program(draws.subspan(first, i - first), std::move(*program));
@@ -228,18 +329,18 @@ class Preparation {
 
     void add_with_program(DrawRun draws, DrawProgram program) {
         const Draw& draw = *draws.front();
-        take_(PreparedDraw(draw, std::move(program), [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+        take(draw, std::move(program), [&](const EffectSet& effects, const glm::dvec3& origin_object) {
             return draws.size() > 1
                        ? std::make_shared<const UploadedMesh>(joined(draws), effects, origin_object)
                        : std::make_shared<const UploadedMesh>(draw, effects, options_.patches, origin_object);
-        }));
+        });
     }
 
     void add_surfaces(const Draw& draw, const Numbered& numbered) {
         for (SurfaceProgram& surface : surface_programs(draw, options_)) {
             const auto rectangle =
                 std::make_shared<const UploadedMesh>(surface.draw, surface.code.effects, false, glm::dvec3(0));
-            for (const Uniforms& pass : surface.passes) take_(PreparedDraw(surface, pass, rectangle));
+            for (const Uniforms& pass : surface.passes) take(surface, pass, rectangle);
             keep(std::move(surface.plan), draw, numbered);
         }
     }
@@ -276,12 +377,22 @@ class Preparation {
     KeptMeshes* const kept_;
     const bool shares_programs_;
 
+    std::deque<Planned> planned_;  // by state, of a few Draws of the frame
     // Draws that will be drawn as one.
     std::vector<const Draw*> run_;  // have_one_state()
     std::vector<Numbered> run_numbers_;
     std::size_t run_vertices_ = 0;
-    std::vector<const Draw*> placed_;  // small Draws after each other that will be placed and drawn as one
-    std::vector<Numbered> placed_numbers_;
+    // Small Draws after each other that will be placed. Those of one state are planned and uploaded together, also where others lie
+    // between them.
+    struct Placed {
+        std::vector<const Draw*> draws;
+        std::vector<Numbered> numbers;
+    };
+    struct PlacedRun {
+        std::size_t state, count;  // in placed_, of its next Draws
+    };
+    std::vector<Placed> placed_;
+    std::vector<PlacedRun> placed_order_;
 };
 
 // Copies pixels (3.8.2) of pictures that the renderer draws.
@@ -332,7 +443,7 @@ class Renderer::Drawing {
     }
 
     void draw(const Item& item) {
-        if (const auto* prepared = std::get_if<PreparedDraw>(&item)) return draw(*prepared);
+        if (const auto* prepared = std::get_if<PreparedRange>(&item)) return draw(*prepared->draw, prepared->range);
         if (const auto* clear = std::get_if<Clear>(&item)) {
             stages_.clear(*clear);
             accumulation_.clear(*clear);
@@ -349,7 +460,7 @@ class Renderer::Drawing {
     }
 
   private:
-    void draw(const PreparedDraw& prepared) {
+    void draw(const PreparedDraw& prepared, std::size_t range) {
         if (raster_ != prepared.raster) {
             FixedStages::set(prepared.raster, raster_ ? &*raster_ : nullptr);
             raster_ = prepared.raster;
@@ -362,7 +473,7 @@ class Renderer::Drawing {
         if (code.effects.has_texture()) renderer_.textures.bind(prepared.texture);
         if (!prepared.units.empty()) renderer_.textures.bind_units(prepared.units);
         renderer_.programs.use(code.effects, code.form, prepared.program.numbers, tier_);
-        prepared.mesh->draw();
+        prepared.mesh->draw(range);
         if (!prepared.units.empty()) Textures::release_units(prepared.units);
     }
 

@@ -36,6 +36,15 @@ void Uniforms::add(std::string_view name, std::initializer_list<std::string_view
     entry.first = static_cast<std::uint32_t>(floats_.size());
 }
 
+void Uniforms::append(const Uniforms& other, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+        const auto [name, values] = other[i];
+        add(name);
+        floats_.insert(floats_.end(), values.begin(), values.end());
+        entries_.back().count = static_cast<std::uint32_t>(values.size());
+    }
+}
+
 void Uniforms::set(std::string_view name, std::span<const float> values) {
     const std::optional<std::size_t> place = find(name);
     if (!place) {

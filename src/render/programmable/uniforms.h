@@ -42,6 +42,8 @@ class Uniforms {
         floats_.push_back(value);
         ++entries_.back().count;
     }
+    // Adds the other's uniforms with the numbers first, first + 1, ... last - 1.
+    void append(const Uniforms& other, std::size_t first, std::size_t last);
     // Replaces a uniform's values, or adds it.
     void set(std::string_view name, std::span<const float> values);
     void set(std::string_view name, std::initializer_list<float> values) {

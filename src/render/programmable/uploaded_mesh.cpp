@@ -58,9 +58,9 @@ UploadedMesh::~UploadedMesh() {
     glDeleteVertexArrays(1, &array_);
 }
 
-void UploadedMesh::draw() const {
+void UploadedMesh::draw(std::size_t range) const {
     glBindVertexArray(array_);
-    elements_.draw();
+    elements_.draw(range);
 }
 
 }  // namespace twinlight::programmable

@@ -34,8 +34,8 @@ class UploadedMesh {
     UploadedMesh(const UploadedMesh&) = delete;
     UploadedMesh& operator=(const UploadedMesh&) = delete;
 
-    // Draws with the current program.
-    void draw() const;
+    // Draws a range of it (ElementsPart::begins_range) with the current program.
+    void draw(std::size_t range = 0) const;
 
     std::size_t bytes() const { return bytes_ + elements_.bytes(); }  // size of the buffers
 

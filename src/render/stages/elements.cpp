@@ -113,7 +113,9 @@ Elements::Elements(const Draw& draw, const std::vector<ElementsPart>& given)
     bool may_continue = false;  // whether the next part's primitives may follow in the same array
     for (const ElementsPart& part : parts) {
         const std::size_t count = has_indices ? part.indices : part.vertices;
-        const bool is_new_run = runs_.empty() || runs_.back().mode != part.mode;
+        const bool is_new_range = ranges_.empty() || part.begins_range;
+        if (is_new_range) ranges_.push_back(runs_.size());
+        const bool is_new_run = is_new_range || runs_.back().mode != part.mode;
         if (is_new_run) runs_.push_back({part.mode, {}, {}, {}});
         Run& run = runs_.back();
         if (!is_new_run && may_continue) {
@@ -134,9 +136,11 @@ Elements::Elements(const Draw& draw, const std::vector<ElementsPart>& given)
 
 Elements::~Elements() { glDeleteBuffers(1, &indices_); }
 
-void Elements::draw_runs() const {
+void Elements::draw_runs(std::size_t range) const {
     if (indices_ != 0) glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
-    for (const Run& run : runs_) {
+    const std::size_t end = range + 1 < ranges_.size() ? ranges_[range + 1] : runs_.size();
+    for (std::size_t i = ranges_[range]; i < end; ++i) {
+        const Run& run = runs_[i];
         const auto count = static_cast<GLsizei>(run.counts.size());
         if (indices_ != 0)
             glMultiDrawElements(run.mode, run.counts.data(), GL_UNSIGNED_INT, run.offsets.data(), count);
@@ -147,8 +151,8 @@ void Elements::draw_runs() const {
     }
 }
 
-void Elements::draw() const {
-    if (!runs_.empty()) return draw_runs();
+void Elements::draw(std::size_t range) const {
+    if (!runs_.empty()) return draw_runs(range);
     if (indices_ == 0) return glDrawArrays(mode_, 0, count_);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
     if (patched_.patches.empty()) return glDrawElements(mode_, count_, GL_UNSIGNED_INT, nullptr);

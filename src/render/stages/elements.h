@@ -14,6 +14,7 @@ struct ElementsPart {
     Enum mode = kGL_TRIANGLES;
     std::size_t vertices = 0, indices = 0;  // how many
     bool cuts_quads = false;                // see cuts_quadrilaterals()
+    bool begins_range = false;              // a range of parts that are drawn apart from those before
 
     friend bool operator==(const ElementsPart&, const ElementsPart&) = default;
 };
@@ -34,8 +35,8 @@ class Elements {
     // The order in which the arrays must have the Draw's vertices; empty: unchanged.
     const std::vector<std::uint32_t>& vertices() const { return patched_.old_from_new; }
 
-    // Draws from the enabled arrays. Binds the index buffer, if there is one.
-    void draw() const;
+    // Draws a range of the parts, or all if no part begins one, from the enabled arrays. Binds the index buffer, if there is one.
+    void draw(std::size_t range = 0) const;
 
     std::size_t bytes() const { return bytes_; }  // size of the buffer
 
@@ -46,12 +47,13 @@ class Elements {
         std::vector<int> firsts, counts;
         std::vector<const void*> offsets;  // of the indices, in bytes; empty if there are none
     };
-    void draw_runs() const;
+    void draw_runs(std::size_t range) const;
 
     Enum mode_;
     int count_ = 0;
-    std::vector<Run> runs_;  // empty: one part
-    unsigned indices_ = 0;   // 0: 0, 1, 2, ...
+    std::vector<Run> runs_;            // empty: one part
+    std::vector<std::size_t> ranges_;  // the first run of each
+    unsigned indices_ = 0;             // 0: 0, 1, 2, ...
     std::size_t bytes_ = 0;
     PatchedTriangles patched_;
 };

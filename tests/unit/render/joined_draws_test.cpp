@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -14,6 +16,7 @@
 #include "../hand_built_draws.h"
 #include "base/image/difference.h"
 #include "judge/fuzz/fuzzer.h"
+#include "render/programmable/draw_values.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
 #include "scene/state/recorded_frame.h"
@@ -366,6 +369,101 @@ TEST(PlacedDraws, GiveThePictureOfTheDrawsOneByOne) {
     EXPECT_GT(covered, apart.pixels.size() / 2);
     EXPECT_EQ(live.counters().made + live.counters().hits, 5u)
         << "normals that are made unit in another way end a group";
+}
+
+// Overlapping squares and outlines that are blended, so that their order shows, in more states than are placed together.
+TEST(PlacedDraws, KeepTheirOrderThoughThoseOfOneStateAreUploadedTogether) {
+    const auto context = make_offscreen_context(kSize, kSize);
+    Frame frame = many_places();
+    for (std::size_t i = 0; i < frame.items.size(); ++i) {
+        Draw& draw = std::get<Draw>(frame.items[i]);
+        draw.lighting.normalize = draw.lighting.rescale_normal = false;
+        draw.lighting.front.diffuse.a = 0.7;
+        draw.eye_from_object = glm::dmat4(0.5) * draw.eye_from_object;
+        draw.eye_from_object[3] = {0.04 * static_cast<double>(i % 7), 0.05 * static_cast<double>(i % 5), 0, 1};
+        if (i % 2 == 1) draw.mode = kGL_LINE_LOOP;
+        if (i >= 20) draw.raster.line_width = static_cast<double>(i % 11 + 1) / 2;
+        draw.fragment.blend = true;
+        draw.fragment.blend_src = kGL_SRC_ALPHA;
+        draw.fragment.blend_dst = kGL_ONE_MINUS_SRC_ALPHA;
+    }
+    Renderer live, separate;
+    live.draw(frame, kLive);
+    const Image picture = read_pixels(kSize, kSize);
+    const Image apart = separate.render(one_by_one(frame), {}).image;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+        for (int c = 0; c < 4; ++c) EXPECT_NEAR(picture.pixels[i][c], apart.pixels[i][c], 1.01 / 255) << i;
+    EXPECT_EQ(live.counters().made + live.counters().hits, frame.items.size()) << "no neighbours have one state";
+    Frame reversed = frame;
+    std::ranges::reverse(reversed.items);
+    live.draw(reversed, kLive);
+    EXPECT_NE(read_pixels(kSize, kSize).pixels, picture.pixels) << "the order does not show";
+}
+
+// ---- Draws with one plan ----
+
+TEST(PlansByState, AreSharedByDrawsWhoseFactsDecideTheSame) {
+    Draw draw = square(lit());
+    const VertexFacts facts = vertex_facts(draw);
+    Draw other = draw;
+    for (Vertex& vertex : other.vertices.edit()) vertex.position_object += glm::dvec4(3, 2, 1, 0);
+    EXPECT_TRUE(have_one_plan_by_state(facts, vertex_facts(other)));
+    const std::vector<std::function<void(Vertex&)>> changes = {
+        [](Vertex& v) { v.position_object.w = 2; }, [](Vertex& v) { v.position_object.w = 0; },
+        [](Vertex& v) { v.normal_object.x = 1; },   [](Vertex& v) { v.color.r = 0.5; },
+        [](Vertex& v) { v.tex_coord.q = 2; },
+    };
+    for (const auto& change : changes) {
+        other = draw;
+        change(other.vertices.edit()[0]);
+        EXPECT_FALSE(have_one_plan_by_state(facts, vertex_facts(other)));
+    }
+    other = draw;
+    other.materials.resize(1);
+    EXPECT_FALSE(have_one_plan_by_state(facts, vertex_facts(other)));
+}
+
+// Draws of random scenes at other places, larger and smaller: what is shared is what would be computed again.
+TEST(PlansByState, GiveTheProgramsAndNumbersThatEachDrawWouldGet) {
+    const std::vector<glm::dmat4> moves = {
+        glm::dmat4(1),
+        glm::dmat4(0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0.3, 0.2, -4, 1),
+        glm::dmat4(2, 0, 0, 0, 0, 3, 0, 0, 0, 1, 0.5, 0, 0, 0, 0, 1),
+        glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -1e12, 1),
+        glm::dmat4(1e-12, 0, 0, 0, 0, 1e-12, 0, 0, 0, 0, 1e-12, 0, 0, 0, 0, 1),
+        glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1e6, 0, 0, 1),
+    };
+    PlanOptions by_state{};
+    by_state.for_any_pose = true;
+    std::size_t with_colors = 0, with_lights = 0;
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        const Frame frame = make_frame(fuzz::random_scene({}, seed), {.width = 64, .height = 48});
+        for (const Draw* draw : frame.draws()) {
+            if (!keeps_w(draw->eye_from_object) || draw->count() == 0) continue;
+            const Plan known = plan_effects(*draw, by_state);
+            const DrawProgram like = draw_program(*draw, known, false);
+            for (const glm::dmat4& move : moves) {
+                Draw other = *draw;
+                other.eye_from_object = move * draw->eye_from_object;
+                other.vertices.edit()[0].position_object.x *= 2;
+                if (!have_one_state_anywhere(*draw, other)) continue;
+                const Plan fresh = plan_effects(other, by_state);
+                if (!have_one_plan_by_state(known.vertices, fresh.vertices)) continue;
+                Plan shared = known;
+                shared.vertices = fresh.vertices;
+                EXPECT_EQ(shared.effects, fresh.effects) << seed;
+                const DrawProgram alone = draw_program(other, fresh, false);
+                const DrawProgram with = draw_program(other, shared, false, &like);
+                EXPECT_EQ(with.code.form, alone.code.form) << seed;
+                EXPECT_EQ(with.numbers, alone.numbers) << seed;
+                with_colors += alone.code.effects.lighting;
+                with_lights += alone.code.effects.lighting && !alone.code.form.wide_range &&
+                               alone.of_state.unit == like.of_state.unit;
+            }
+        }
+    }
+    EXPECT_GT(with_colors, 100u);
+    EXPECT_GT(with_lights, 50u);
 }
 
 }  // namespace
