@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -102,12 +104,77 @@ TEST(WebglFrame, HasDepthRangesFromNearToFar) {
     EXPECT_EQ(reversed_clip_from_object[14], -0.25);
 }
 
+// Two triangles, whose corners are 1.5 of 64 pixels above and below the line's ends.
+TEST(WebglFrame, DrawsWideLinesAsRectangles) {
+    PageScene scene;
+    scene.open("glLineWidth(3); glBegin(GL_LINES); glVertex2f(-0.5, 0); glVertex2f(0.5, 0.25); glEnd();", "scene", "",
+               {64, 64});
+    const webgl::WebglFrame frame = scene.webgl_frame({});
+    const Json header = frame.header, item = header["items"][0];
+    EXPECT_EQ(header["missing"], Json::array());
+    EXPECT_EQ(item["parts"][0][0], kGL_TRIANGLES);
+    EXPECT_EQ(item["parts"][0][2], 6);
+    const Json sizes = header["programs"][0]["attributes"];
+    EXPECT_EQ(sizes, (Json{4, 4, 3})) << "position, colour, place beside it";
+    const std::size_t first = item["vertices"][0], stride = 11;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        float beside[3];
+        std::memcpy(beside, frame.words.data() + first + corner * stride + 8, sizeof beside);
+        EXPECT_EQ(beside[0], 0);
+        EXPECT_EQ(beside[1], corner % 2 == 0 ? -3.0F / 64 : 3.0F / 64) << corner;
+        EXPECT_EQ(beside[2], 0);
+    }
+}
+
+// Whether any fragment shader of the scene has this text.
+bool has_fragment_text(const Json& header, const char* text) {
+    return std::ranges::any_of(header["programs"], [&](const Json& program) {
+        return program["fragment"].get<std::string>().find(text) != std::string::npos;
+    });
+}
+
+TEST(WebglFrame, KeepsToTheVisiblePartOfClippedLines) {
+    const char* const test = "if (!is_on_line(";
+    EXPECT_TRUE(has_fragment_text(
+        header_of("glLineWidth(3); glBegin(GL_LINES); glVertex2f(0, 0); glVertex2f(2, 1); glEnd();"), test));
+    EXPECT_FALSE(has_fragment_text(
+        header_of("glLineWidth(3); glBegin(GL_LINES); glVertex2f(0, 0); glVertex2f(0.5, 0.5); glEnd();"), test));
+}
+
+TEST(WebglFrame, StipplesInTheFragmentShader) {
+    const Json lines = header_of(
+        "glEnable(GL_LINE_STIPPLE); glLineStipple(3, 0x3F3F); glBegin(GL_LINES); glVertex2f(0, 0); glVertex2f(0.5, 0); "
+        "glEnd();");
+    EXPECT_EQ(lines["missing"], Json::array());
+    EXPECT_TRUE(has_fragment_text(lines, "u_line_stipple_pattern >> (count / u_line_stipple_factor % 16)"));
+    EXPECT_EQ(uniforms_of(lines["items"][0], lines)["u_line_stipple_factor"], (Json{3}));
+    EXPECT_EQ(uniforms_of(lines["items"][0], lines)["u_line_stipple_pattern"], (Json{0x3F3F}));
+
+    const Json polygons = header_of("glEnable(GL_POLYGON_STIPPLE); glRectf(-1, -1, 1, 1);");
+    EXPECT_EQ(polygons["missing"], Json::array());
+    EXPECT_TRUE(has_fragment_text(polygons, "u_polygon_stipple[pixel.y] >> pixel.x & 1u"));
+    EXPECT_EQ(uniforms_of(polygons["items"][0], polygons)["u_polygon_stipple"].size(), 32u);
+}
+
+// The edges of a back face are triangles that gl_FrontFacing knows as such.
+TEST(WebglFrame, DrawsEdgesOfBackFacesAsRectanglesIfTheyHaveTheirOwnColours) {
+    const std::string scene =
+        "glEnable(GL_LIGHTING); glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1); glMaterialfv(GL_BACK, GL_EMISSION, "
+        "(GLfloat[]){1, 0, 0, 1}); glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); ";
+    const Json front = header_of(scene + "glRectf(-0.5, -0.5, 0.5, 0.5);"),
+               back = header_of(scene + "glRectf(0.5, -0.5, -0.5, 0.5);");
+    EXPECT_EQ(front["items"][0]["parts"][0][0], kGL_LINES);
+    EXPECT_EQ(back["items"][0]["parts"][0][0], kGL_TRIANGLES);
+    EXPECT_EQ(back["items"][0]["parts"][0][2], 24);
+    EXPECT_EQ(back["missing"], Json::array());
+}
+
 TEST(WebglFrame, NamesWhatWebglLacks) {
-    const Json missing =
-        header_of("glLineWidth(3);\nglBegin(GL_LINES); glVertex2f(0, 0); glVertex2f(1, 1); glEnd();")["missing"];
+    const Json missing = header_of(
+        "glEnable(GL_LINE_SMOOTH);\nglBegin(GL_LINES); glVertex2f(0, 0); glVertex2f(1, 1); glEnd();")["missing"];
     ASSERT_EQ(missing.size(), 1u);
     EXPECT_EQ(missing[0]["line"], 2);
-    EXPECT_EQ(missing[0]["message"], "lines are 1 pixel wide");
+    EXPECT_EQ(missing[0]["message"], "GL_LINE_SMOOTH and GL_POINT_SMOOTH are left out");
 }
 
 TEST(PageScene, ShowsErrorsAtTheirPlaces) {

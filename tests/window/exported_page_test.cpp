@@ -246,6 +246,45 @@ glTranslatef(0.5, 0.5, 0); glutSolidSphere(0.4, 24, 12);
     EXPECT_EQ(page_.find("lacks a part"), std::string::npos);
 }
 
+// One line leads behind the eye, so that its rectangle's sides cross there.
+TEST_F(ExportedPage, DrawsWideLinesStipplesAndTheLodBias) {
+    const std::string scene = folder_ / "scene.gl";
+    std::string text = R"(
+glMatrixMode(GL_PROJECTION); gluPerspective(60, 4.0 / 3.0, 0.1, 100); glMatrixMode(GL_MODELVIEW); glTranslatef(0, 0, -2);
+glLineWidth(7); glColor3f(1, 0.8, 0.1);
+glBegin(GL_LINES); glVertex3f(-1.1, 0.83, 0); glVertex3f(0.17, 0.21, 0.3); glVertex3f(0.4, -0.7, -1); glVertex3f(0.3, -0.2, 4); glEnd();
+glEnable(GL_LINE_STIPPLE); glLineStipple(3, 0x3F35); glLineWidth(4); glColor3f(0.2, 0.9, 0.9);
+glBegin(GL_LINE_STRIP); glVertex2f(-1.2, -0.9); glVertex2f(-0.51, -0.13); glVertex2f(0.1, -0.93); glEnd();
+glDisable(GL_LINE_STIPPLE);
+GLubyte stipple[] = {STIPPLE};
+glPolygonStipple(stipple); glEnable(GL_POLYGON_STIPPLE); glColor3f(0.9, 0.3, 0.7); glRectf(-1.13, 0.11, -0.52, 0.59);
+glDisable(GL_POLYGON_STIPPLE); glColor3f(1, 1, 1);
+GLubyte texels[] = {250, 30, 250, 30,  30, 250, 30, 250,  250, 30, 250, 30,  30, 250, 30, 250};
+glTexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE, 4, 4, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, texels);
+glTexImage2D(GL_TEXTURE_2D, 1, GL_LUMINANCE, 2, 2, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, texels);
+glTexImage2D(GL_TEXTURE_2D, 2, GL_LUMINANCE, 1, 1, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, texels);
+glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 6.2);
+glEnable(GL_TEXTURE_2D);
+glBegin(GL_QUADS);
+glTexCoord2f(0, 0); glVertex2f(0.61, 0.1); glTexCoord2f(1, 0); glVertex2f(1.19, 0.1);
+glTexCoord2f(1, 1); glVertex2f(1.19, 0.8); glTexCoord2f(0, 1); glVertex2f(0.61, 0.8);
+glEnd();
+)";
+    std::string stipple;
+    for (int i = 0; i < 128; ++i) stipple += i % 3 == 0 ? "0x0F, " : "0xCC, ";
+    write_file_atomically(scene, text.replace(text.find("STIPPLE}"), 7, stipple));
+    const json told = used(scene);
+    expect_close(scene, picture_of(told), {});
+    EXPECT_GT(told["turned"], 10'000);
+    EXPECT_EQ(told["turned_back"], 0);
+    EXPECT_NE(
+        page_.find("because WebGL does:</p>\n<ul>\n<li>line 4: after a turn, wide lines, line stipples, edges and "
+                   "culling are still those of the first view</li>\n</ul>"),
+        std::string::npos);
+}
+
 TEST_F(ExportedPage, DrawsTexturesOfDepths) {
     const std::string scene = folder_ / "scene.gl";
     write_file_atomically(scene,

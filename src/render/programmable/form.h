@@ -69,6 +69,13 @@ struct Form {
     Glsl dialect = Glsl::k130;
     Enum alpha_func = kGL_ALWAYS;  // core GL and OpenGL ES lack the alpha test
     bool sizes_points = false;     // sets glPointSize's size, which OpenGL ES lacks
+    // Vertices are corners of rectangles that replace lines and points; line_attributes() has their places. OpenGL ES lacks wide
+    // lines, stipples, and GL_TEXTURE_LOD_BIAS.
+    bool widened = false;
+    bool line_stipple = false;  // only if widened, as the next
+    bool line_ends = false;     // some lines are partly outside the view volume
+    bool polygon_stipple = false;
+    bool lod_bias = false;
     std::optional<KeptForm> kept{};
 
     friend auto operator<=>(const Form&, const Form&) = default;  // NOLINT

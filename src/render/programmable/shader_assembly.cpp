@@ -26,6 +26,7 @@ struct Varying {
     std::string value;  // in the vertex shader
     std::string comment{};
     bool is_color = false;  // "flat" takes the provoking vertex's value (section 2.14.7, table 2.12)
+    bool is_flat = false;   // the same at all vertices
 };
 
 class Assembler {
@@ -113,7 +114,9 @@ class Assembler {
     std::string attributes_text(const std::string& body) const {
         std::vector<Definition> all;
         int location = 0;
-        for (const Attribute& attribute : attributes(effects_)) {
+        std::vector<Attribute> taken = attributes(effects_);
+        for (const Attribute& attribute : line_attributes(form_)) taken.push_back(attribute);
+        for (const Attribute& attribute : taken) {
             const std::string name = form_.kept ? with_words(attribute.name, kept_names()) : attribute.name;
             const bool is_located = form_.dialect != Glsl::k130;
             const std::string layout = is_located ? fmt::format("layout(location = {}) ", location++) : "";
@@ -172,14 +175,22 @@ class Assembler {
                             effects_.vertex_w ? "  // z and w" : ""});
         for (int i = 0; discards_clipped() && i < effects_.clip_plane_count; ++i)
             list.push_back({"float", fmt::format("v_clip_distance{}", i), clip_distance(i)});
+        if (form_.line_ends)
+            list.push_back(
+                {.type = "vec4", .name = "v_line_ends_window", .value = "a_line_ends_window", .is_flat = true});
+        if (form_.line_stipple)
+            list.push_back({.type = "vec3", .name = "v_line_count", .value = "a_line_count", .is_flat = true});
         return list;
     }
     std::string declared(const char* direction) const {
         const char* interpolation = effects_.shading == Shading::kFlat ? "flat " : "";
         std::string text;
         for (const Varying& varying : varyings())
-            text += fmt::format("{}{} {} {};{}\n", varying.is_color ? interpolation : "", direction, varying.type,
-                                varying.name, varying.comment);
+            text += fmt::format("{}{} {} {};{}\n",
+                                varying.is_flat    ? "flat "
+                                : varying.is_color ? interpolation
+                                                   : "",
+                                direction, varying.type, varying.name, varying.comment);
         return text;
     }
     std::string outputs_text() const {
@@ -430,8 +441,8 @@ class Assembler {
             scope.inserts = {{"texture_environment", ""}};
             scope.words = texture_words(texture, false);
             Words names;
-            for (const char* name :
-                 {"texel", "depth", "tex_coord", "v_tex_coord", "per_x", "per_y", "texture_end", "u_texture"})
+            for (const char* name : {"texel", "depth", "tex_coord", "v_tex_coord", "per_x", "per_y", "texture_end",
+                                     "u_texture", "u_texture_lod_bias"})
                 names[name] = fmt::format("{}{}", name, unit.number);
             text += with_words(preprocessed("texture.glsl", scope), names);
         }
@@ -519,6 +530,26 @@ class Assembler {
         return "";
     }
 
+    // Sections 3.4.2 and 3.5.2.
+    std::string stipples() const {
+        std::string text;
+        if (form_.line_ends)
+            text += fmt::format("    if ({}!is_on_line(v_line_ends_window, gl_FragCoord.xy, u_line_width)) discard;\n",
+                                form_.kept ? "u_line_width > 0.0 && " : "");
+        if (form_.line_stipple)
+            text +=
+                "    // glLineStipple (section 3.4.2): the fragment's number on its line chooses a bit of the "
+                "pattern.\n"
+                "    int count = int(dot(v_line_count, vec3(floor(gl_FragCoord.xy), 1.0)));\n"
+                "    if ((u_line_stipple_pattern >> (count / u_line_stipple_factor % 16) & 1) == 0) discard;\n";
+        if (form_.polygon_stipple)
+            text +=
+                "    // glPolygonStipple (section 3.5.2): a bit for each pixel of 32 rows.\n"
+                "    uvec2 pixel = uvec2(gl_FragCoord.xy) % 32u;\n"
+                "    if ((u_polygon_stipple[pixel.y] >> pixel.x & 1u) == 0u) discard;\n";
+        return text;
+    }
+
     // Section 4.1.4.
     std::string alpha_test() const {
         const auto passes = [&]() -> const char* {
@@ -550,11 +581,12 @@ class Assembler {
 
     // ---- The files' switches and words ----
 
-    static std::map<std::string, bool, std::less<>> texture_switches(const TextureEffects& texture) {
+    std::map<std::string, bool, std::less<>> texture_switches(const TextureEffects& texture) const {
         return {{"EFFECT_TEXTURE_MATRIX", texture.matrix},       {"EFFECT_TEXTURE_Q", texture.q},
                 {"EFFECT_TEXTURE_CLAMP_S", texture.clamp_s},     {"EFFECT_TEXTURE_CLAMP_T", texture.clamp_t},
                 {"EFFECT_TEXTURE_CLAMP_R", texture.clamp_r},     {"EFFECT_TEXTURE_CLAMP", texture.clamps()},
-                {"EFFECT_TEXTURE_GRADIENTS", texture.gradients}, {"EFFECT_TEXTURE_DEPTHS", texture.depth_mode != 0}};
+                {"EFFECT_TEXTURE_GRADIENTS", texture.gradients}, {"EFFECT_TEXTURE_DEPTHS", texture.depth_mode != 0},
+                {"EFFECT_TEXTURE_LOD_BIAS", form_.lod_bias}};
     }
     static std::string sampler_of(const TextureEffects& texture) {
         if (texture.cube) return "samplerCube";
@@ -564,7 +596,7 @@ class Assembler {
                (texture.compares ? "Shadow" : "");
     }
     // of_ray: the coordinates are those of an exact surface's point.
-    static Words texture_words(const TextureEffects& texture, bool of_ray) {
+    Words texture_words(const TextureEffects& texture, bool of_ray) const {
         // Samplers of shadows take s, t and r in one dimension too.
         const bool one = texture.one_dimensional, q = texture.q, compares = texture.compares;
         const bool three = texture.three_dimensional, has_r = texture.needs_r(), one_number = one && !has_r;
@@ -590,6 +622,9 @@ class Assembler {
                                               : "tex_coord.st"},
                 {"TEX_COORD_S", one_number ? "tex_coord" : "tex_coord.s"},
                 {"TEXTURE_LOOKUP", q ? "textureProj" : "texture"},
+                {"CLAMPED_ARGUMENTS", form_.lod_bias ? "tex_coord, u_texture_lod_bias" : "tex_coord"},
+                {"LOOKUP_ARGUMENTS",
+                 (texture.sprite ? sprite : "v_tex_coord") + (form_.lod_bias ? ", u_texture_lod_bias" : "")},
                 {"LOOKED_UP", texture.depth_mode != 0 ? "float depth" : "vec4 texel"},
                 {"LOOKED_UP_PART", texture.depth_mode != 0 && !compares ? ".r" : ""},
                 {"DEPTH_TEXEL", texture.depth_mode == kGL_ALPHA       ? "vec4(vec3(0.0), depth)"
@@ -640,6 +675,10 @@ class Assembler {
                         {"point_size", point_size()},
                         {"clip_distances", has_ray() || discards_clipped() ? "" : clip_distances},
                         {"clip_discards", discards_clipped() ? clip_discards : ""},
+                        {"beside_line", form_.widened ? "    gl_Position.xyz += a_beside_ndc * gl_Position.w;  // a "
+                                                        "corner of a wide line (section 3.4.2.1)\n"
+                                                      : ""},
+                        {"stipples", stipples()},
                         {"alpha_test", alpha_test()},
                         {"within_clip_planes", within_clip_planes},
                         {"texture_environment", texture_environment()},

@@ -38,6 +38,14 @@ std::vector<Attribute> attributes(const EffectSet& effects) {
     return list;
 }
 
+std::vector<Attribute> line_attributes(const Form& form) {
+    std::vector<Attribute> list;
+    if (form.widened) list.push_back({"a_beside_ndc", 3, "vec3"});
+    if (form.line_ends) list.push_back({"a_line_ends_window", 4});
+    if (form.line_stipple) list.push_back({"a_line_count", 3, "vec3"});
+    return list;
+}
+
 bool makes_normals_unit(const EffectSet& effects) {
     using enum GeneratedNormal;
     const GeneratedNormal generated = effects.generated_normal();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/effect/effect_set.h"
+#include "render/programmable/form.h"
 
 namespace twinlight::programmable {
 
@@ -31,6 +32,9 @@ struct Attribute {
 // Attribute numbers are positions in this list. A vertex's floats have the same order: the position, then as needed the
 // normal, colour, texture coordinates and material properties.
 std::vector<Attribute> attributes(const EffectSet& effects);
+
+// Those that follow in the program of a Form whose lines and points are rectangles.
+std::vector<Attribute> line_attributes(const Form& form);
 
 // Whether the program scales normals to length 1; then the array may have them in any length.
 bool makes_normals_unit(const EffectSet& effects);

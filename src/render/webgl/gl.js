@@ -141,6 +141,7 @@ export class Renderer {
             case gl.FLOAT_MAT3: return gl.uniformMatrix3fv(place, false, values);
             case gl.FLOAT_MAT4: return gl.uniformMatrix4fv(place, false, values);
             case gl.INT: return gl.uniform1iv(place, values);
+            case gl.UNSIGNED_INT: return gl.uniform1uiv(place, values);
             default: throw new Error("a uniform of the type 0x" + type.toString(16));
         }
     }

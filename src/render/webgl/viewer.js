@@ -12,8 +12,9 @@ let renderer, turn_deg = 0, tilt_deg = 0, shading = "scene";
 // The same shader with flat or smooth colours: section 2.14.7.
 function shaded(name) {
     const text = at(name).textContent.trim() + "\n";
-    if (shading === "smooth") return text.replace(/^flat (in|out) /gm, "$1 ");
-    if (shading === "flat") return text.replace(/^(in|out) (vec[34] v_(front|back)_(primary|secondary);)/gm, "flat $1 $2");
+    const colors = /^(?:flat )?(in|out) (vec[34] v_(front|back)_(primary|secondary);)/gm;
+    if (shading === "smooth") return text.replace(colors, "$1 $2");
+    if (shading === "flat") return text.replace(colors, "flat $1 $2");
     return text;
 }
 
@@ -90,6 +91,7 @@ function seen(uniforms, eye) {
         const [, source, number, property] = /^(LightSource\[(\d+)\]\.)(\w+)$/.exec(name) ?? [];
         if (name === "ModelViewMatrix") Object.assign(result, matrices(product(eye, values), uniforms.ProjectionMatrix));
         else if (name === "ClipPlane" || name.startsWith("EyePlane")) result[name] = planes(values, eye);
+        else if (name === "LineWidth" && (turn_deg || tilt_deg)) result[name] = [0];  // the shader no longer knows where lines end
         else if (source && light_is_off[number] && ["ambient", "diffuse", "specular"].includes(property)) result[name] = [0, 0, 0, 0];
         else if (source) Object.assign(result, light(source, property, values, eye));
     }

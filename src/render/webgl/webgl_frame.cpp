@@ -5,9 +5,8 @@
 #include <bit>
 #include <cmath>
 #include <functional>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -19,8 +18,8 @@
 #include "render/programmable/shader_assembly.h"
 #include "render/programmable/surface_values.h"
 #include "render/programmable/vertex_attributes.h"
-#include "render/reference/primitive_assembly.h"
 #include "render/webgl/kept_values.h"
+#include "render/webgl/webgl_lines.h"
 
 namespace twinlight::webgl {
 
@@ -53,51 +52,6 @@ bool is_reversed(const Draw& draw) { return draw.raster.depth_near > draw.raster
 void reverse(Draw& draw) {
     std::swap(draw.raster.depth_near, draw.raster.depth_far);
     for (int column = 0; column < 4; ++column) draw.clip_from_eye[column].z *= -1;
-}
-
-// ---- Polygons as edges and corners (3.5.4), which OpenGL ES lacks ----
-
-// Positive for triangles that are counter-clockwise in the window, also where w is negative.
-double turn(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c) {
-    return glm::determinant(glm::dmat3(a.x, a.y, a.w, b.x, b.y, b.w, c.x, c.y, c.w));
-}
-
-struct Part {
-    Enum mode = kGL_TRIANGLES;
-    std::vector<std::uint32_t> indices;
-};
-
-// The faces, edges and corners of polygons, without those that are culled. shows_back: whether any are of a back face.
-std::vector<Part> bordered(const Draw& draw, bool& shows_back) {
-    const RasterState& raster = draw.raster;
-    const glm::dmat4 clip_from_object = draw.clip_from_eye * draw.eye_from_object;
-    std::vector<glm::dvec4> clip;
-    clip.reserve(draw.vertices.size());
-    for (const Vertex& vertex : draw.vertices) clip.push_back(clip_from_object * vertex.position_object);
-    Part faces{kGL_TRIANGLES, {}}, edges{kGL_LINES, {}}, corners{kGL_POINTS, {}};
-    for (const reference::Primitive& primitive : assemble(draw, reference::QuadCut::kFirstToThird)) {
-        const auto& v = primitive.vertices;
-        const bool is_front = (turn(clip[v[0]], clip[v[1]], clip[v[2]]) > 0) == (raster.front_face == kGL_CCW);
-        const bool is_culled = raster.cull_enabled &&
-                               (raster.cull_face == kGL_FRONT_AND_BACK || (raster.cull_face == kGL_FRONT) == is_front);
-        if (is_culled) continue;
-        const Enum mode = is_front ? raster.polygon_mode_front : raster.polygon_mode_back;
-        shows_back = shows_back || (!is_front && mode != kGL_FILL);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t next = (i + 1) % 3;
-            if (mode == kGL_FILL) {
-                faces.indices.push_back(v[i]);
-            } else if (mode == kGL_LINE && primitive.boundary[i]) {
-                edges.indices.insert(edges.indices.end(), {v[i], v[next]});
-            } else if (mode == kGL_POINT && primitive.boundary[i]) {
-                corners.indices.push_back(v[i]);
-            }
-        }
-    }
-    std::vector<Part> parts;
-    for (Part* part : {&faces, &edges, &corners})
-        if (!part->indices.empty()) parts.push_back(std::move(*part));
-    return parts;
 }
 
 // Whether WebGL's textures of 8 bits hold these texels exactly.
@@ -181,6 +135,8 @@ class Writer {
         Json sizes = Json::array();
         for (const programmable::Attribute& attribute : programmable::attributes(effects))
             sizes.push_back(attribute.size);
+        for (const programmable::Attribute& attribute : programmable::line_attributes(form))
+            sizes.push_back(attribute.size);
         programs_.push_back({{"vertex", source.vertex}, {"fragment", source.fragment}, {"attributes", sizes}});
         return kinds_.size() - 1;
     }
@@ -256,7 +212,6 @@ class Writer {
         if (shows_border(texture.wrap_s) || (!texture.is_flat() && shows_border(texture.wrap_t)) ||
             (texture.is_volume() && shows_border(texture.wrap_r)))
             miss(draw, "the border colour of textures is replaced by their last texels");
-        if (unit.lod_bias != 0) miss(draw, "GL_TEXTURE_LOD_BIAS is left out");
     }
 
     // ---- Items ----
@@ -307,17 +262,27 @@ class Writer {
         form.dialect = programmable::Glsl::k300es;
         if (draw.fragment.alpha_test) form.alpha_func = draw.fragment.alpha_func;
         form.sizes_points = draw.draws_points() && (form.kept || !effects.attenuated_points);
-        Json item = {{"program", program_of(effects, form)}};
-        const glm::dvec3 origin_object = code.origin_object.value_or(glm::dvec3(0));
-        item["vertices"] = place_of(programmable::vertex_array(draw, effects, {}, origin_object));
-        item["parts"] = parts_of(draw, effects);
-        const auto name_of = [&](const char* name) {
+        form.lod_bias = false;
+        draw.for_each_unit([&](std::size_t, const TextureUnit& unit) { form.lod_bias |= unit.lod_bias != 0; });
+        Json item = Json::object();
+        const auto name_of = [&](const std::string& name) {
             return form.kept ? programmable::with_words(name, programmable::kept_names()) : name;
         };
         Json own = Json::object();
         if (form.alpha_func != kGL_ALWAYS) own[name_of("u_alpha_ref")] = {static_cast<float>(draw.fragment.alpha_ref)};
         if (form.sizes_points)
             own[name_of("u_point_size")] = {std::max(1.0, std::round(programmable::point_size(draw)))};
+        const RasterState& raster = draw.raster;
+        if (draw.draws_lines()) own[name_of("u_line_width")] = {std::max(1.0, std::floor(raster.line_width + 0.5))};
+        if (raster.line_stipple) {
+            own[name_of("u_line_stipple_factor")] = {raster.line_stipple->factor};
+            own[name_of("u_line_stipple_pattern")] = {raster.line_stipple->pattern};
+        }
+        if (raster.polygon_stipple) own[name_of("u_polygon_stipple")] = *raster.polygon_stipple;
+        draw.for_each_unit([&](std::size_t number, const TextureUnit& unit) {
+            const std::string suffix = effects.has_texture() ? "" : std::to_string(number);
+            if (form.lod_bias) own[name_of("u_texture_lod_bias" + suffix)] = {unit.lod_bias};
+        });
         for (const Pass& pass : passes) {
             Json numbers = Json::array();
             for (const Json& group : pass) numbers.push_back(number_of(group));
@@ -337,33 +302,59 @@ class Writer {
             });
         add_raster(item, draw);
         add_fragment(item, draw);
-        items_.push_back(std::move(item));
+        add_parts(item, draw, effects, form, code.origin_object.value_or(glm::dvec3(0)));
     }
 
-    Json parts_of(const Draw& draw, const EffectSet& effects) {
-        std::vector<Part> parts;
-        if (draw.draws_borders()) {
-            bool shows_back = false;
-            parts = bordered(draw, shows_back);
-            if (shows_back && effects.two_side) miss(draw, "edges and corners of back faces have the front's colours");
-            if (effects.shading == Shading::kFlat)
-                miss(draw, "edges of flat polygons have the colours of their own ends");
-            if (draw.raster.polygon_offset.line || draw.raster.polygon_offset.point)
-                miss(draw, "GL_POLYGON_OFFSET_LINE and GL_POLYGON_OFFSET_POINT are left out");
-            const RasterState& raster = draw.raster;
-            if (options_.for_any_pose && (raster.cull_enabled || raster.polygon_mode_front != raster.polygon_mode_back))
-                miss(draw, "after a turn, faces keep the glPolygonMode and culling of the first view");
-        } else {
-            auto [mode, indices] =
-                programmable::core_elements(draw, effects.shading == Shading::kFlat || options_.for_any_pose);
-            parts.push_back({mode, std::move(indices)});
-        }
-        Json list = Json::array();
-        for (const Part& part : parts) {
+    void miss_of_turned(const Draw& draw, const Part& part) {
+        const RasterState& raster = draw.raster;
+        const bool shows_sides =
+            draw.draws_borders() && (raster.cull_enabled || raster.polygon_mode_front != raster.polygon_mode_back);
+        if (options_.for_any_pose && (shows_sides || part.is_widened()))
+            miss(draw, "after a turn, wide lines, line stipples, edges and culling are still those of the first view");
+    }
+
+    // An item for each part.
+    void add_parts(const Json& state, const Draw& draw, const EffectSet& effects, const Form& form,
+                   const glm::dvec3& origin_object) {
+        // A viewer of any pose may switch to flat shading.
+        const bool is_flat = effects.shading == Shading::kFlat || options_.for_any_pose;
+        if (draw.draws_borders() && effects.shading == Shading::kFlat)
+            miss(draw, "edges of flat polygons have the colours of their own ends");
+        std::optional<Json> whole;  // the place of the Draw's vertices
+        for (const Part& part : parts_of(draw, is_flat, effects.two_side)) {
+            miss_of_turned(draw, part);
+            Form form_of_part = form;
+            form_of_part.widened = part.is_widened();
+            form_of_part.line_stipple = part.counts;
+            form_of_part.line_ends = part.shows_ends;
+            form_of_part.polygon_stipple =
+                draw.raster.polygon_stipple && draws_polygons(part.mode) && !part.is_widened();
+            Json item = state;
+            item["program"] = program_of(effects, form_of_part);
+            if (part.is_widened()) {
+                item["vertices"] =
+                    place_of(interleaved(programmable::vertex_array(draw, effects, part.vertices, origin_object),
+                                         part.line_attributes, part.vertices.size()));
+            } else {
+                if (!whole) whole = place_of(programmable::vertex_array(draw, effects, {}, origin_object));
+                item["vertices"] = *whole;
+            }
             const Json place = place_of(part.indices);
-            list.push_back({part.mode, place[0], place[1]});
+            item["parts"] = {{part.mode, place[0], place[1]}};
+            items_.push_back(std::move(item));
         }
-        return list;
+    }
+
+    // Of each of `count` vertices the values of `a`, then those of `b`.
+    static std::vector<float> interleaved(const std::vector<float>& a, const std::vector<float>& b, std::size_t count) {
+        const std::size_t of_a = a.size() / count, of_b = b.size() / count;
+        std::vector<float> values;
+        values.reserve(a.size() + b.size());
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t j = 0; j < of_a; ++j) values.push_back(a[i * of_a + j]);
+            for (std::size_t j = 0; j < of_b; ++j) values.push_back(b[i * of_b + j]);
+        }
+        return values;
     }
 
     void add_raster(Json& item, const Draw& draw) {
@@ -376,9 +367,6 @@ class Writer {
         if (raster.polygon_offset.fill) item["offset"] = {raster.polygon_offset.factor, raster.polygon_offset.units};
         if (raster.depth_test) item["depthFunc"] = raster.depth_func;
         item["depthMask"] = raster.depth_mask;
-        if (draw.draws_lines() && raster.line_width >= 1.5) miss(draw, "lines are 1 pixel wide");
-        if (draw.draws_lines() && raster.line_stipple) miss(draw, "glLineStipple is left out");
-        if (draws_polygons(draw.mode) && raster.polygon_stipple) miss(draw, "glPolygonStipple is left out");
         if ((draw.draws_lines() && raster.line_smooth) || (draw.draws_points() && raster.point_smooth))
             miss(draw, "GL_LINE_SMOOTH and GL_POINT_SMOOTH are left out");
         if (draw.draws_sprites() && raster.point_parameters.sprite_coord_origin == kGL_LOWER_LEFT)

@@ -17,6 +17,11 @@ uniform vec4 EyePlaneR[1];
 uniform vec4 EyePlaneQ[1];
 uniform SAMPLER Texture0;  // of texture unit 0
 uniform vec4 TextureEnvColor[1];  // GL_TEXTURE_ENV_COLOR
+uniform float TextureLodBias;  // GL_TEXTURE_LOD_BIAS (section 3.8.8)
+uniform float LineWidth;  // glLineWidth (section 3.4.2.1), in whole pixels; 0 after a turn, when LineEndsWindow holds no longer
+uniform int LineStippleFactor;  // glLineStipple (section 3.4.2)
+uniform int LineStipplePattern;
+uniform uint PolygonStipple[32];  // glPolygonStipple (section 3.5.2): rows from the bottom, the leftmost pixel in the lowest bit
 uniform vec4 ClipPlane[8];  // glClipPlane, in eye coordinates (section 2.12)
 uniform float PointSize;  // glPointSize (section 3.3)
 uniform float AlphaRef;  // glAlphaFunc (section 4.1.4)

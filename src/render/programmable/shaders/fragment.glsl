@@ -20,6 +20,7 @@ void main() {
 #if EFFECT_SRGB_CODED
     color.rgb = srgb_coded(color.rgb);
 #endif
+#insert stipples
 #insert alpha_test
     fragment_color = color;
 }

@@ -8,6 +8,14 @@
 #if EFFECT_TEXTURE_GRADIENTS && !EFFECT_RAY_TEX_COORD
     GRADIENT_TYPE per_x = dFdx(TEX_COORD_PLACE), per_y = dFdy(TEX_COORD_PLACE);  // unclamped: they choose the level of detail
 #endif
+#if EFFECT_TEXTURE_LOD_BIAS && EFFECT_TEXTURE_GRADIENTS && !EFFECT_RAY_TEX_COORD
+    per_x *= exp2(u_texture_lod_bias);  // GL_TEXTURE_LOD_BIAS is added to the gradients' logarithm (section 3.8.8)
+    per_y *= exp2(u_texture_lod_bias);
+#endif
+#if EFFECT_TEXTURE_LOD_BIAS && EFFECT_RAY_TEX_COORD
+    tex_per_x *= exp2(u_texture_lod_bias);  // GL_TEXTURE_LOD_BIAS is added to the gradients' logarithm (section 3.8.8)
+    tex_per_y *= exp2(u_texture_lod_bias);
+#endif
 #if EFFECT_TEXTURE_CLAMP_S
     TEX_COORD_S = clamp(TEX_COORD_S, 0.0, texture_end);
 #endif
@@ -22,9 +30,9 @@
 #elif EFFECT_TEXTURE_GRADIENTS
     LOOKED_UP = textureGrad(u_texture, tex_coord, per_x, per_y)LOOKED_UP_PART;
 #elif EFFECT_TEXTURE_CLAMP
-    LOOKED_UP = texture(u_texture, tex_coord)LOOKED_UP_PART;
+    LOOKED_UP = texture(u_texture, CLAMPED_ARGUMENTS)LOOKED_UP_PART;
 #else
-    LOOKED_UP = TEXTURE_LOOKUP(u_texture, TEX_COORD)LOOKED_UP_PART;
+    LOOKED_UP = TEXTURE_LOOKUP(u_texture, LOOKUP_ARGUMENTS)LOOKED_UP_PART;
 #endif
 #if EFFECT_TEXTURE_DEPTHS
     vec4 texel = DEPTH_TEXEL;  // section 3.8.14: a depth, or 0 or 1 if it is compared with r

@@ -25,6 +25,11 @@ uniform vec3 u_point_sizes;  // glPointSize, GL_POINT_SIZE_MIN, GL_POINT_SIZE_MA
 uniform SAMPLER u_texture;
 uniform vec4 u_texture_env_color;
 uniform float u_point_size;  // glPointSize (section 3.3)
+uniform float u_texture_lod_bias;  // GL_TEXTURE_LOD_BIAS (section 3.8.8)
+uniform float u_line_width;  // glLineWidth (section 3.4.2.1), in whole pixels
+uniform int u_line_stipple_factor;  // glLineStipple (section 3.4.2)
+uniform int u_line_stipple_pattern;
+uniform uint u_polygon_stipple[32];  // glPolygonStipple (section 3.5.2): rows from the bottom, the leftmost pixel in the lowest bit
 uniform float u_alpha_ref;  // glAlphaFunc (section 4.1.4)
 uniform vec4 u_eye_z_from_object;  // the modelview matrix's third row
 uniform vec4 u_eye_w_from_object;  // the modelview matrix's fourth row

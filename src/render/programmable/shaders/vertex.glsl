@@ -4,6 +4,7 @@ void main() {
 #else
     vec4 position = POSITION;
 #insert clip_position
+#insert beside_line
 #endif
 #insert lit
 #insert generated
