@@ -207,6 +207,20 @@ try {
         return pictures;
     })()`);
 
+    // After a texture that could not be loaded, the same frame is drawn in full.
+    told.afterFailedUpload = await browser.value(`(async () => {
+        const [{loadTwinlight}, {Renderer}] = await Promise.all([import("/twinlight.js"), import("/gl.js")]);
+        const twinlight = await loadTwinlight(), renderer = new Renderer(), {gl} = renderer, upload = gl.texImage2D;
+        const {text} = twinlight.builtIn().find(({name}) => name === "texture-units");
+        twinlight.open({text, name: "upload", width: 64, height: 48});
+        const frame = twinlight.webglFrame("scene"), said = [];
+        const right = renderer.draw(frame).join(), without = {header: {...frame.header}, words: frame.words.slice(0)};
+        gl.texImage2D = () => { throw new Error("no texture"); };
+        try { renderer.draw(without); } catch ({message}) { said.push(message); }
+        gl.texImage2D = upload;
+        return [...said, renderer.draw(without).join() === right];
+    })()`);
+
     // A hundred edits leave nothing behind.
     told.leaks = await browser.value(`(async () => {
         const [{loadTwinlight}, {Renderer}] = await Promise.all([import("/twinlight.js"), import("/gl.js")]);

@@ -127,6 +127,7 @@ TEST(WebPage, DrawsEveryScene) {
     EXPECT_EQ(page["outdated"], "The scene has changed since this check.");
     EXPECT_EQ(page["solved"], "Right.");
     EXPECT_TRUE(page["prediction"].get<std::string>().starts_with("A is wrong; B is right.")) << page["prediction"];
+    EXPECT_EQ(page["afterFailedUpload"], (Json{"no texture", true}));
     EXPECT_EQ(page["leaks"][0], page["leaks"][1]) << "after 20 and 100 edits";
 
     EXPECT_TRUE(page["link"].get<std::string>().starts_with("#text=")) << page["link"];

@@ -114,6 +114,17 @@ std::optional<glm::dvec3> upload_origin(const Draw& draw, const VertexFacts& fac
     return facts.center_object;
 }
 
+void set_dialect(Code& code, const Draw& draw, Glsl dialect) {
+    Form& form = code.form;
+    form.dialect = dialect;
+    if (draw.fragment.alpha_test) form.alpha_func = draw.fragment.alpha_func;
+    if (dialect != Glsl::k300es) return;
+    form.sizes_points = draw.draws_points() && (form.kept || !code.effects.attenuated_points);
+    // 1D textures become 2D textures of height 1.
+    code.effects.texture.one_dimensional = false;
+    for (UnitEffects& unit : code.effects.units) unit.texture.one_dimensional = false;
+}
+
 Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface) {
     const bool is_surface = surface.kind != SurfaceKind::kNone;
     const bool wide_range = !is_surface && has_wide_range(draw, plan);

@@ -95,6 +95,8 @@ struct Code {
 std::optional<glm::dvec3> upload_origin(const Draw& draw, const VertexFacts& facts);
 
 Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface = {});
+// Sets the dialect, and what the program does because the dialect lacks it: the alpha test, sizes of points, 1D textures.
+void set_dialect(Code& code, const Draw& draw, Glsl dialect);
 // Form::sized_normals of a Draw that is a mesh.
 bool has_sized_normals(const Draw& draw, const Plan& plan);
 

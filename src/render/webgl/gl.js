@@ -59,8 +59,7 @@ export class Renderer {
     // Buffers and textures stay until other words come: the frames of a turning camera have the same ones.
     load(textures, words) {
         const gl = this.gl;
-        this.loaded?.buffers.forEach((buffer) => gl.deleteBuffer(buffer));
-        this.loaded?.textures.forEach((texture) => gl.deleteTexture(texture));
+        this.unload();
         const buffers = [gl.ARRAY_BUFFER, gl.ELEMENT_ARRAY_BUFFER].map((target) => {
             const buffer = gl.createBuffer();
             gl.bindBuffer(target, buffer);
@@ -68,7 +67,21 @@ export class Renderer {
             return buffer;
         });
         this.loaded = {words, buffers, textures: []};
-        for (const texture of textures) this.loaded.textures.push(this.texture(texture, words));
+        try {
+            for (const one of textures) {
+                this.loaded.textures.push(gl.createTexture());
+                this.fill(this.loaded.textures.at(-1), one, words);
+            }
+        } catch (error) {
+            this.unload();  // or the next drawing would take them for loaded
+            throw error;
+        }
+    }
+    unload() {
+        const gl = this.gl;
+        this.loaded?.buffers.forEach((buffer) => gl.deleteBuffer(buffer));
+        this.loaded?.textures.forEach((texture) => gl.deleteTexture(texture));
+        this.loaded = null;
     }
 
     resize(width, height) {
@@ -148,8 +161,8 @@ export class Renderer {
 
     // ---- Textures ----
 
-    texture({target, format, images, levels, anisotropy, parameters}, words) {
-        const gl = this.gl, texture = gl.createTexture();
+    fill(texture, {target, format, images, levels, anisotropy, parameters}, words) {
+        const gl = this.gl;
         const [internal, external, type, size] = {
             rgba8: [gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, 1],
             rgba32f: [gl.RGBA32F, gl.RGBA, gl.FLOAT, 4],
@@ -170,7 +183,6 @@ export class Renderer {
         for (const [name, value] of parameters)
             (Number.isInteger(value) ? gl.texParameteri : gl.texParameterf).call(gl, target, name, value);
         if (this.anisotropy && anisotropy > 1) gl.texParameterf(target, this.anisotropy.TEXTURE_MAX_ANISOTROPY_EXT, anisotropy);
-        return texture;
     }
 
     // ---- Items ----

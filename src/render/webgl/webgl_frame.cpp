@@ -39,13 +39,6 @@ Json numbers_in(const Uniforms& uniforms) {
 Json box(const Viewport& v) { return {v.x, v.y, v.width, v.height}; }
 Json color_of(const glm::dvec4& c) { return {c.r, c.g, c.b, c.a}; }
 
-// OpenGL ES has no 1D textures: they become 2D textures of height 1.
-EffectSet without_1d(EffectSet effects) {
-    effects.texture.one_dimensional = false;
-    for (UnitEffects& unit : effects.units) unit.texture.one_dimensional = false;
-    return effects;
-}
-
 // WebGL allows no depth range from far to near (its specification, "Viewport Depth Range"). The same depths result from clip coordinates with
 // the opposite z.
 bool is_reversed(const Draw& draw) { return draw.raster.depth_near > draw.raster.depth_far; }
@@ -256,13 +249,10 @@ class Writer {
         middle_eye_ += (middle_eye - middle_eye_) / ++middles_;
     }
 
-    void add(const Draw& draw, const programmable::Code& code, const std::vector<Pass>& passes) {
-        const EffectSet effects = without_1d(code.effects);
+    void add(const Draw& draw, programmable::Code code, const std::vector<Pass>& passes) {
+        programmable::set_dialect(code, draw, programmable::Glsl::k300es);
+        const EffectSet& effects = code.effects;
         Form form = code.form;
-        form.dialect = programmable::Glsl::k300es;
-        if (draw.fragment.alpha_test) form.alpha_func = draw.fragment.alpha_func;
-        form.sizes_points = draw.draws_points() && (form.kept || !effects.attenuated_points);
-        form.lod_bias = false;
         draw.for_each_unit([&](std::size_t, const TextureUnit& unit) { form.lod_bias |= unit.lod_bias != 0; });
         Json item = Json::object();
         const auto name_of = [&](const std::string& name) {

@@ -22,7 +22,6 @@ Code kept_code(const Draw& draw, const Plan& plan, Glsl version) {
     form.position_w = !plan.vertices.w_is_1;
     form.rescale = plan.lighting.rescale_normal && effects.needs_normal() && !effects.normalize &&
                    effects.shading != Shading::kPhong;
-    form.dialect = version;
     KeptForm kept;
     for (const PlannedLight& light : plan.lights) {
         kept.lights.push_back(light.number);
@@ -36,11 +35,8 @@ Code kept_code(const Draw& draw, const Plan& plan, Glsl version) {
         kept.eye_planes[i] = texture.generated[i] == Generated::kLinear && one.mode == kGL_EYE_LINEAR;
     }
     kept.rescales_generated = texture.generated_normal == GeneratedNormal::kUnchanged && draw.lighting.rescale_normal;
-    if (draw.fragment.alpha_test) form.alpha_func = draw.fragment.alpha_func;
-    // OpenGL ES has no 1D textures: they become 2D textures of height 1.
-    if (version == Glsl::k300es) effects.texture.one_dimensional = false;
-    form.sizes_points = version == Glsl::k300es && draw.mode == kGL_POINTS;
     form.kept = std::move(kept);
+    set_dialect(code, draw, version);
     return code;
 }
 
