@@ -169,6 +169,36 @@ TEST(WebglFrame, DrawsEdgesOfBackFacesAsRectanglesIfTheyHaveTheirOwnColours) {
     EXPECT_EQ(back["missing"], Json::array());
 }
 
+// A rim of one texel, only where the border shows.
+TEST(WebglFrame, PutsTheBordersColourAroundTextures) {
+    const std::string texture =
+        "GLubyte red[] = {255, 0, 0, 255}; glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, "
+        "red); glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, (GLfloat[]){0, 0, 1, 1}); "
+        "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER); glEnable(GL_TEXTURE_2D); ";
+    const std::string square =
+        "glBegin(GL_TRIANGLES); glVertex2f(0, 0); glTexCoord2f(2, 0); glVertex2f(1, 0); glVertex2f(0, 1); glEnd();";
+    PageScene scene;
+    scene.open(texture + "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST); " + square, "scene", "",
+               {64, 64});
+    const webgl::WebglFrame frame = scene.webgl_frame({});
+    const Json image = frame.header["textures"][0]["images"][0];
+    EXPECT_EQ(frame.header["textures"][0]["images"].size(), 1u);
+    EXPECT_EQ((Json{image[2], image[3], image[4]}), (Json{3, 1, 1}));
+    const std::size_t first = image[5];
+    EXPECT_EQ(frame.words[first], 0xFFFF0000u) << "blue";
+    EXPECT_EQ(frame.words[first + 1], 0xFF0000FFu) << "red";
+    EXPECT_EQ(frame.words[first + 2], 0xFFFF0000u);
+    const Json inside = uniforms_of(frame.header["items"][0], frame.header)["u_texture_inside"];
+    EXPECT_EQ(inside, (Json{1.0 / 3, 1, 1}));
+    EXPECT_EQ(frame.header["missing"], Json::array());
+
+    const Json mipmapped = header_of(texture + square);
+    EXPECT_EQ(mipmapped["textures"][0]["images"][0][2], 1);
+    ASSERT_EQ(mipmapped["missing"].size(), 1u);
+    EXPECT_EQ(mipmapped["missing"][0]["message"],
+              "the border colour of cube maps and textures with mipmaps is replaced by their last texels");
+}
+
 TEST(WebglFrame, NamesWhatWebglLacks) {
     const Json missing = header_of(
         "glEnable(GL_LINE_SMOOTH);\nglBegin(GL_LINES); glVertex2f(0, 0); glVertex2f(1, 1); glEnd();")["missing"];

@@ -285,6 +285,55 @@ glEnd();
         std::string::npos);
 }
 
+// GL_CLAMP_TO_BORDER and GL_CLAMP, which blends half of the border in; in two, one and three dimensions, with different filters, and
+// with a texture coordinate q.
+TEST_F(ExportedPage, DrawsBorderColoursOfTextures) {
+    const std::string scene = folder_ / "scene.gl";
+    write_file_atomically(scene, R"(
+glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+GLubyte texels[] = {250, 30, 50, 70, 90, 210, 130, 150, 10, 60, 100, 200};
+GLfloat border[] = {0.2, 0.9, 0.4, 1};
+glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 2, 2, 0, GL_RGB, GL_UNSIGNED_BYTE, texels);
+glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, border);
+glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP);
+glEnable(GL_TEXTURE_2D);
+glBegin(GL_QUADS);
+glTexCoord2f(-0.7, -0.6); glVertex2f(-0.9, -0.9); glTexCoord2f(1.8, -0.6); glVertex2f(-0.1, -0.9);
+glTexCoord2f(1.8, 1.7); glVertex2f(-0.1, -0.1); glTexCoord2f(-0.7, 1.7); glVertex2f(-0.9, -0.1);
+glEnd();
+glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+glBegin(GL_QUADS);
+glTexCoord4f(-0.73, -1.31, 0, 1); glVertex2f(0.1, -0.9); glTexCoord4f(3.7, -2.5, 0, 2); glVertex2f(0.9, -0.9);
+glTexCoord4f(3.7, 1.01, 0, 2); glVertex2f(0.9, -0.1); glTexCoord4f(-0.73, 2.2, 0, 1); glVertex2f(0.1, -0.1);
+glEnd();
+glDisable(GL_TEXTURE_2D);
+glTexImage1D(GL_TEXTURE_1D, 0, GL_RGB, 4, 0, GL_RGB, GL_UNSIGNED_BYTE, texels);
+glTexParameterfv(GL_TEXTURE_1D, GL_TEXTURE_BORDER_COLOR, border);
+glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_WRAP_S, GL_CLAMP);
+glEnable(GL_TEXTURE_1D);
+glBegin(GL_QUADS);
+glTexCoord1f(-0.4); glVertex2f(-0.9, 0.1); glTexCoord1f(1.5); glVertex2f(-0.1, 0.1);
+glTexCoord1f(1.5); glVertex2f(-0.1, 0.9); glTexCoord1f(-0.4); glVertex2f(-0.9, 0.9);
+glEnd();
+glDisable(GL_TEXTURE_1D);
+glTexImage3D(GL_TEXTURE_3D, 0, GL_LUMINANCE, 2, 2, 3, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, texels);
+glTexParameterfv(GL_TEXTURE_3D, GL_TEXTURE_BORDER_COLOR, border);
+glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_BORDER);
+glEnable(GL_TEXTURE_3D);
+glBegin(GL_QUADS);
+glTexCoord3f(0, 0, -0.4); glVertex2f(0.1, 0.1); glTexCoord3f(1, 0, 1.3); glVertex2f(0.9, 0.1);
+glTexCoord3f(1, 2, 1.3); glVertex2f(0.9, 0.9); glTexCoord3f(0, 2, -0.4); glVertex2f(0.1, 0.9);
+glEnd();
+)");
+    expect_close(scene, picture_of(used(scene)), {});
+    EXPECT_EQ(page_.find("lacks a part"), std::string::npos);
+}
+
 TEST_F(ExportedPage, DrawsTexturesOfDepths) {
     const std::string scene = folder_ / "scene.gl";
     write_file_atomically(scene,

@@ -76,6 +76,8 @@ struct Form {
     bool line_ends = false;     // some lines are partly outside the view volume
     bool polygon_stipple = false;
     bool lod_bias = false;
+    // A texture may have a rim of texels with the border's colour, which OpenGL ES lacks; u_texture_inside is the part within.
+    bool texture_rims = false;
     std::optional<KeptForm> kept{};
 
     friend auto operator<=>(const Form&, const Form&) = default;  // NOLINT

@@ -442,7 +442,7 @@ class Assembler {
             scope.words = texture_words(texture, false);
             Words names;
             for (const char* name : {"texel", "depth", "tex_coord", "v_tex_coord", "per_x", "per_y", "texture_end",
-                                     "u_texture", "u_texture_lod_bias"})
+                                     "u_texture", "u_texture_lod_bias", "u_texture_inside"})
                 names[name] = fmt::format("{}{}", name, unit.number);
             text += with_words(preprocessed("texture.glsl", scope), names);
         }
@@ -582,11 +582,16 @@ class Assembler {
     // ---- The files' switches and words ----
 
     std::map<std::string, bool, std::less<>> texture_switches(const TextureEffects& texture) const {
-        return {{"EFFECT_TEXTURE_MATRIX", texture.matrix},       {"EFFECT_TEXTURE_Q", texture.q},
-                {"EFFECT_TEXTURE_CLAMP_S", texture.clamp_s},     {"EFFECT_TEXTURE_CLAMP_T", texture.clamp_t},
-                {"EFFECT_TEXTURE_CLAMP_R", texture.clamp_r},     {"EFFECT_TEXTURE_CLAMP", texture.clamps()},
-                {"EFFECT_TEXTURE_GRADIENTS", texture.gradients}, {"EFFECT_TEXTURE_DEPTHS", texture.depth_mode != 0},
-                {"EFFECT_TEXTURE_LOD_BIAS", form_.lod_bias}};
+        return {{"EFFECT_TEXTURE_MATRIX", texture.matrix},
+                {"EFFECT_TEXTURE_Q", texture.q},
+                {"EFFECT_TEXTURE_CLAMP_S", texture.clamp_s},
+                {"EFFECT_TEXTURE_CLAMP_T", texture.clamp_t},
+                {"EFFECT_TEXTURE_CLAMP_R", texture.clamp_r},
+                {"EFFECT_TEXTURE_CLAMP", texture.clamps()},
+                {"EFFECT_TEXTURE_GRADIENTS", texture.gradients},
+                {"EFFECT_TEXTURE_DEPTHS", texture.depth_mode != 0},
+                {"EFFECT_TEXTURE_LOD_BIAS", form_.lod_bias},
+                {"EFFECT_TEXTURE_RIM", form_.texture_rims && !texture.cube}};
     }
     static std::string sampler_of(const TextureEffects& texture) {
         if (texture.cube) return "samplerCube";
@@ -620,6 +625,8 @@ class Assembler {
                 {"TEX_COORD_PLACE", !compares ? "tex_coord"
                                     : one     ? "tex_coord.s"
                                               : "tex_coord.st"},
+                {"TEXTURE_INSIDE", has_r ? "u_texture_inside" : "u_texture_inside.st"},
+                {"INSIDE_PLACE", three ? "u_texture_inside" : "u_texture_inside.st"},
                 {"TEX_COORD_S", one_number ? "tex_coord" : "tex_coord.s"},
                 {"TEXTURE_LOOKUP", q ? "textureProj" : "texture"},
                 {"CLAMPED_ARGUMENTS", form_.lod_bias ? "tex_coord, u_texture_lod_bias" : "tex_coord"},

@@ -20,6 +20,7 @@
 #include "render/programmable/vertex_attributes.h"
 #include "render/webgl/kept_values.h"
 #include "render/webgl/webgl_lines.h"
+#include "render/webgl/webgl_textures.h"
 
 namespace twinlight::webgl {
 
@@ -151,7 +152,7 @@ class Writer {
 
     std::size_t texture_of(const std::shared_ptr<const Texture>& texture) {
         const auto [at, is_new] = texture_numbers_.try_emplace(texture.get(), textures_.size());
-        if (is_new) textures_.push_back(json_of(*texture));
+        if (is_new) textures_.push_back(json_of(has_rim(*texture) ? with_rim(*texture) : *texture));
         return at->second;
     }
     Json json_of(const Texture& texture) {
@@ -198,13 +199,8 @@ class Writer {
     }
 
     void miss_of_texture(const Draw& draw, const TextureUnit& unit) {
-        const Texture& texture = *unit.texture;
-        const auto shows_border = [&](Enum mode) {
-            return mode == kGL_CLAMP_TO_BORDER || (mode == kGL_CLAMP && texture.filters_linearly());
-        };
-        if (shows_border(texture.wrap_s) || (!texture.is_flat() && shows_border(texture.wrap_t)) ||
-            (texture.is_volume() && shows_border(texture.wrap_r)))
-            miss(draw, "the border colour of textures is replaced by their last texels");
+        if (lacks_border(*unit.texture))
+            miss(draw, "the border colour of cube maps and textures with mipmaps is replaced by their last texels");
     }
 
     // ---- Items ----
@@ -253,7 +249,10 @@ class Writer {
         programmable::set_dialect(code, draw, programmable::Glsl::k300es);
         const EffectSet& effects = code.effects;
         Form form = code.form;
-        draw.for_each_unit([&](std::size_t, const TextureUnit& unit) { form.lod_bias |= unit.lod_bias != 0; });
+        draw.for_each_unit([&](std::size_t, const TextureUnit& unit) {
+            form.lod_bias |= unit.lod_bias != 0;
+            form.texture_rims |= has_rim(*unit.texture);
+        });
         Json item = Json::object();
         const auto name_of = [&](const std::string& name) {
             return form.kept ? programmable::with_words(name, programmable::kept_names()) : name;
@@ -271,7 +270,10 @@ class Writer {
         if (raster.polygon_stipple) own[name_of("u_polygon_stipple")] = *raster.polygon_stipple;
         draw.for_each_unit([&](std::size_t number, const TextureUnit& unit) {
             const std::string suffix = effects.has_texture() ? "" : std::to_string(number);
-            if (form.lod_bias) own[name_of("u_texture_lod_bias" + suffix)] = {unit.lod_bias};
+            if (form.lod_bias) own[name_of("u_texture_lod_bias") + suffix] = {unit.lod_bias};
+            if (!form.texture_rims) return;
+            const glm::dvec3 inside = part_inside(*unit.texture);
+            own[name_of("u_texture_inside") + suffix] = {inside.s, inside.t, inside.p};
         });
         for (const Pass& pass : passes) {
             Json numbers = Json::array();

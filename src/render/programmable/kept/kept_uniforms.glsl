@@ -18,6 +18,7 @@ uniform vec4 EyePlaneQ[1];
 uniform SAMPLER Texture0;  // of texture unit 0
 uniform vec4 TextureEnvColor[1];  // GL_TEXTURE_ENV_COLOR
 uniform float TextureLodBias;  // GL_TEXTURE_LOD_BIAS (section 3.8.8)
+uniform vec3 TextureInside;  // the part of s, t and r within a rim of one texel, which has the border's colour (section 3.8.7)
 uniform float LineWidth;  // glLineWidth (section 3.4.2.1), in whole pixels; 0 after a turn, when LineEndsWindow holds no longer
 uniform int LineStippleFactor;  // glLineStipple (section 3.4.2)
 uniform int LineStipplePattern;

@@ -2,7 +2,7 @@
     // GL_CLAMP (section 3.8.7) clamps to [0,1]. The end stays in the last texel, because the border begins beyond it.
     const float texture_end = 1.0 - 1.0 / 4194304.0;
 #endif
-#if EFFECT_TEXTURE_CLAMP || EFFECT_RAY_TEX_COORD
+#if EFFECT_TEXTURE_CLAMP || EFFECT_TEXTURE_RIM || EFFECT_RAY_TEX_COORD
     DIVIDED_TYPE tex_coord = DIVIDED_TEX_COORD;
 #endif
 #if EFFECT_TEXTURE_GRADIENTS && !EFFECT_RAY_TEX_COORD
@@ -25,11 +25,22 @@
 #if EFFECT_TEXTURE_CLAMP_R
     tex_coord.p = clamp(tex_coord.p, 0.0, texture_end);
 #endif
+#if EFFECT_TEXTURE_RIM
+    tex_coord = tex_coord * TEXTURE_INSIDE + (0.5 - 0.5 * TEXTURE_INSIDE);  // past the rim with the border's colour (section 3.8.7)
+#endif
+#if EFFECT_TEXTURE_RIM && EFFECT_TEXTURE_GRADIENTS && !EFFECT_RAY_TEX_COORD
+    per_x *= INSIDE_PLACE;
+    per_y *= INSIDE_PLACE;
+#endif
+#if EFFECT_TEXTURE_RIM && EFFECT_RAY_TEX_COORD
+    tex_per_x.st *= u_texture_inside.st;
+    tex_per_y.st *= u_texture_inside.st;
+#endif
 #if EFFECT_RAY_TEX_COORD
     LOOKED_UP = textureGrad(u_texture, tex_coord, tex_per_x.DIVIDED_PARTS, tex_per_y.DIVIDED_PARTS)LOOKED_UP_PART;
 #elif EFFECT_TEXTURE_GRADIENTS
     LOOKED_UP = textureGrad(u_texture, tex_coord, per_x, per_y)LOOKED_UP_PART;
-#elif EFFECT_TEXTURE_CLAMP
+#elif EFFECT_TEXTURE_CLAMP || EFFECT_TEXTURE_RIM
     LOOKED_UP = texture(u_texture, CLAMPED_ARGUMENTS)LOOKED_UP_PART;
 #else
     LOOKED_UP = TEXTURE_LOOKUP(u_texture, LOOKUP_ARGUMENTS)LOOKED_UP_PART;

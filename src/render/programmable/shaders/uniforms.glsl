@@ -26,6 +26,7 @@ uniform SAMPLER u_texture;
 uniform vec4 u_texture_env_color;
 uniform float u_point_size;  // glPointSize (section 3.3)
 uniform float u_texture_lod_bias;  // GL_TEXTURE_LOD_BIAS (section 3.8.8)
+uniform vec3 u_texture_inside;  // the part of s, t and r within a rim of one texel, which has the border's colour (section 3.8.7)
 uniform float u_line_width;  // glLineWidth (section 3.4.2.1), in whole pixels
 uniform int u_line_stipple_factor;  // glLineStipple (section 3.4.2)
 uniform int u_line_stipple_pattern;
