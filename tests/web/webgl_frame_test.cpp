@@ -1,6 +1,7 @@
 // What the page draws, without a browser.
 #include "render/webgl/webgl_frame.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -197,6 +198,39 @@ TEST(WebglFrame, PutsTheBordersColourAroundTextures) {
     ASSERT_EQ(mipmapped["missing"].size(), 1u);
     EXPECT_EQ(mipmapped["missing"][0]["message"],
               "the border colour of cube maps and textures with mipmaps is replaced by their last texels");
+}
+
+// Each primitive sees those before it, also those of its own draw. Where none overlap, one copy of the picture is enough.
+TEST(WebglFrame, CombinesEachPrimitiveWithThePictureBeforeIt) {
+    const auto counts_of = [](const std::string& commands) {
+        const Json header = header_of("glEnable(GL_COLOR_LOGIC_OP); glLogicOp(GL_XOR); " + commands);
+        EXPECT_EQ(header["missing"], Json::array());
+        EXPECT_TRUE(has_fragment_text(header, "color = vec4((source ^ stored) & 255u) / 255.0;"));
+        EXPECT_EQ(header["items"][0]["framebuffer"], "u_framebuffer");
+        Json counts = Json::array();
+        for (const Json& part : header["items"][0]["parts"]) counts.push_back(part[2]);
+        return counts;
+    };
+    const auto squares = [](double x) {
+        return fmt::format(
+            "glBegin(GL_QUADS); glVertex2f(-0.5, -0.5); glVertex2f(0, -0.5); glVertex2f(0, 0.5); glVertex2f(-0.5, "
+            "0.5); "
+            "glVertex2f({0}, -0.5); glVertex2f(0.9, -0.5); glVertex2f(0.9, 0.5); glVertex2f({0}, 0.5); glEnd();",
+            x);
+    };
+    EXPECT_EQ(counts_of(squares(0.3)), (Json{12})) << "apart";
+    EXPECT_EQ(counts_of(squares(0)), (Json{12})) << "a common edge";
+    EXPECT_EQ(counts_of(squares(-0.1)), (Json{6, 6}));
+    EXPECT_EQ(counts_of("glBegin(GL_TRIANGLE_STRIP); glVertex2f(0, 0); glVertex2f(0.5, 0); glVertex2f(0, 0.5); "
+                        "glVertex2f(0.5, 0.5); glVertex2f(0, 0.2); glEnd();"),
+              (Json{6, 3}))
+        << "the last triangle folds back";
+    EXPECT_EQ(counts_of("glBegin(GL_LINE_STRIP); glVertex2f(0, 0); glVertex2f(0.5, 0); glVertex2f(0, 0.5); glEnd();"),
+              (Json{2, 2}));
+
+    const Json header = header_of("glEnable(GL_COLOR_LOGIC_OP); glLogicOp(GL_COPY_INVERTED); " + squares(-0.1));
+    EXPECT_EQ(header["items"][0]["parts"].size(), 1u) << "needs no copy";
+    EXPECT_FALSE(header["items"][0].contains("framebuffer"));
 }
 
 TEST(WebglFrame, NamesWhatWebglLacks) {

@@ -200,9 +200,10 @@ TEST_F(ExportedPage, DrawsWhatTheReferenceDrawsAndAnswersKeysAndTheMouse) {
 
 TEST_F(ExportedPage, NamesWhatWebglLacks) {
     const std::string scene = folder_ / "scene.gl";
-    write_file_atomically(scene, "glEnable(GL_COLOR_LOGIC_OP);\nglRectf(-0.5, -0.5, 0.5, 0.5);\n");
+    write_file_atomically(scene, "glEnable(GL_POINT_SMOOTH);\nglBegin(GL_POINTS); glVertex2f(0, 0); glEnd();\n");
     used(scene);
-    EXPECT_NE(page_.find("This picture lacks a part, because WebGL does:</p>\n<ul>\n<li>line 2: glLogicOp is left out"),
+    EXPECT_NE(page_.find("This picture lacks a part, because WebGL does:</p>\n<ul>\n<li>line 2: GL_LINE_SMOOTH and "
+                         "GL_POINT_SMOOTH are left out"),
               std::string::npos);
 }
 
@@ -332,6 +333,32 @@ glEnd();
 )");
     expect_close(scene, picture_of(used(scene)), {});
     EXPECT_EQ(page_.find("lacks a part"), std::string::npos);
+}
+
+// Colours of 8 bits, so that no rounding changes a bit. Primitives overlap others, also of their own draw.
+TEST_F(ExportedPage, DrawsLogicOps) {
+    const std::string scene = folder_ / "scene.gl";
+    write_file_atomically(scene, R"(
+glClearColor(0.2, 0.4, 0.6, 1); glClear(GL_COLOR_BUFFER_BIT); glShadeModel(GL_FLAT);
+glEnable(GL_BLEND); glBlendFunc(GL_ONE, GL_ONE);
+glEnable(GL_COLOR_LOGIC_OP); glLogicOp(GL_XOR);
+glBegin(GL_QUADS);
+glColor3ub(250, 30, 90); glVertex2f(-0.91, -0.87); glVertex2f(-0.31, -0.87); glVertex2f(-0.31, -0.13); glVertex2f(-0.91, -0.13);
+glColor3ub(7, 201, 100); glVertex2f(-0.71, -0.67); glVertex2f(-0.11, -0.67); glVertex2f(-0.11, 0.07); glVertex2f(-0.71, 0.07);
+glEnd();
+glLogicOp(GL_INVERT);
+glBegin(GL_TRIANGLE_FAN);
+glVertex2f(0.51, -0.51); glVertex2f(0.91, -0.51); glVertex2f(0.51, -0.11); glVertex2f(0.11, -0.51); glVertex2f(0.51, -0.91); glVertex2f(0.89, -0.41);
+glVertex2f(0.31, 0.01);
+glEnd();
+glLogicOp(GL_AND_REVERSE); glLineWidth(5); glColor3ub(240, 170, 85);
+glBegin(GL_LINE_STRIP); glVertex2f(-0.93, 0.17); glVertex2f(-0.13, 0.83); glVertex2f(-0.17, 0.31); glVertex2f(-0.91, 0.71); glEnd();
+glLogicOp(GL_OR); glColorMask(1, 0, 1, 1); glPointSize(31);
+glBegin(GL_POINTS); glVertex2f(0.31, 0.51); glVertex2f(0.35, 0.57); glEnd();
+glColorMask(1, 1, 1, 1); glLogicOp(GL_COPY_INVERTED); glRectf(0.61, 0.21, 0.87, 0.83);
+)");
+    expect_close(scene, picture_of(used(scene)), {});
+    EXPECT_EQ(page_.find("glLogicOp is"), std::string::npos);
 }
 
 TEST_F(ExportedPage, DrawsTexturesOfDepths) {

@@ -114,6 +114,10 @@ std::optional<glm::dvec3> upload_origin(const Draw& draw, const VertexFacts& fac
     return facts.center_object;
 }
 
+bool reads_stored_color(Enum logic_op) {
+    return logic_op != kGL_CLEAR && logic_op != kGL_SET && logic_op != kGL_COPY && logic_op != kGL_COPY_INVERTED;
+}
+
 void set_dialect(Code& code, const Draw& draw, Glsl dialect) {
     Form& form = code.form;
     form.dialect = dialect;

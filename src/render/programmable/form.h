@@ -78,6 +78,7 @@ struct Form {
     bool lod_bias = false;
     // A texture may have a rim of texels with the border's colour, which OpenGL ES lacks; u_texture_inside is the part within.
     bool texture_rims = false;
+    Enum logic_op = kGL_COPY;  // glLogicOp, which OpenGL ES lacks
     std::optional<KeptForm> kept{};
 
     friend auto operator<=>(const Form&, const Form&) = default;  // NOLINT
@@ -97,6 +98,8 @@ struct Code {
 std::optional<glm::dvec3> upload_origin(const Draw& draw, const VertexFacts& facts);
 
 Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface = {});
+// Whether the outcome of glLogicOp's operation depends on the picture before it.
+bool reads_stored_color(Enum logic_op);
 // Sets the dialect, and what the program does because the dialect lacks it: the alpha test, sizes of points, 1D textures.
 void set_dialect(Code& code, const Draw& draw, Glsl dialect);
 // Form::sized_normals of a Draw that is a mesh.

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "render/programmable/kept/kept_text.h"
@@ -72,6 +73,7 @@ class Assembler {
         }
         std::set<std::string> types{sampler_of(effects_.texture)};
         for (const UnitEffects& unit : effects_.units) types.insert(sampler_of(unit.texture));
+        if (reads_stored_color(form_.logic_op)) types.insert("sampler2D");  // u_framebuffer
         std::string text = "300 es\nprecision highp float;\nprecision highp int;";
         for (const std::string& type : types) text += fmt::format("\nprecision highp {};", type);
         return text;
@@ -550,6 +552,41 @@ class Assembler {
         return text;
     }
 
+    // Section 4.1.10.
+    std::string logic_op() const {
+        const auto result = [&]() -> const char* {
+            switch (form_.logic_op) {
+                case kGL_CLEAR: return "uvec4(0u)";
+                case kGL_AND: return "source & stored";
+                case kGL_AND_REVERSE: return "source & ~stored";
+                case kGL_AND_INVERTED: return "~source & stored";
+                case kGL_NOOP: return "stored";
+                case kGL_XOR: return "source ^ stored";
+                case kGL_OR: return "source | stored";
+                case kGL_NOR: return "~(source | stored)";
+                case kGL_EQUIV: return "~(source ^ stored)";
+                case kGL_INVERT: return "~stored";
+                case kGL_OR_REVERSE: return "source | ~stored";
+                case kGL_COPY_INVERTED: return "~source";
+                case kGL_OR_INVERTED: return "~source | stored";
+                case kGL_NAND: return "~(source & stored)";
+                case kGL_SET: return "~uvec4(0u)";
+                default: return nullptr;  // GL_COPY
+            }
+        }();
+        if (result == nullptr) return "";
+        const std::string_view words = result;
+        std::string text =
+            "    // glLogicOp (section 4.1.10) combines the bits of the colour and of the picture before it.\n";
+        if (words.find("source") != std::string_view::npos)
+            text += "    uvec4 source = uvec4(floor(255.0 * clamp(color, 0.0, 1.0) + 0.5));\n";
+        if (reads_stored_color(form_.logic_op))
+            text +=
+                "    uvec4 stored = uvec4(floor(255.0 * texelFetch(u_framebuffer, ivec2(gl_FragCoord.xy), 0) + "
+                "0.5));\n";
+        return text + fmt::format("    color = vec4(({}) & 255u) / 255.0;\n", result);
+    }
+
     // Section 4.1.4.
     std::string alpha_test() const {
         const auto passes = [&]() -> const char* {
@@ -687,6 +724,7 @@ class Assembler {
                                                       : ""},
                         {"stipples", stipples()},
                         {"alpha_test", alpha_test()},
+                        {"logic_op", logic_op()},
                         {"within_clip_planes", within_clip_planes},
                         {"texture_environment", texture_environment()},
                         {"texture_lookups", texture_lookups()},

@@ -4,6 +4,9 @@
 // Enumerants that WebGL lacks.
 const ACCUMULATE = {ACCUM: 0x0100, LOAD: 0x0101, RETURN: 0x0102, MULT: 0x0103, ADD: 0x0104};
 
+// The texture unit of the picture's copy. WebGL 2 has at least 16, and OpenGL's scenes use at most 8.
+const COPY_UNIT = 15;
+
 export class Renderer {
     constructor(canvas = document.createElement("canvas")) {
         const gl = canvas.getContext("webgl2", {antialias: false, depth: false});
@@ -88,6 +91,8 @@ export class Renderer {
         if (width === this.width && height === this.height) return;
         const gl = this.gl;
         [this.width, this.height] = [width, height];
+        gl.deleteTexture(this.copy ?? null);
+        this.copy = null;
         this.renderbuffers?.forEach((buffer) => gl.deleteRenderbuffer(buffer));
         this.renderbuffers = [[gl.COLOR_ATTACHMENT0, gl.RGBA8], [gl.DEPTH_STENCIL_ATTACHMENT, gl.DEPTH24_STENCIL8]].map(([place, format]) => {
             const buffer = gl.createRenderbuffer();
@@ -242,8 +247,27 @@ export class Renderer {
                     const uniform = uniforms.get(name);
                     if (uniform && uniform.values !== values) this.setUniform(uniform, values);
                 }
-            for (const [mode, first, count] of item.parts) gl.drawElements(mode, count, gl.UNSIGNED_INT, 4 * first);
+            for (const [mode, first, count] of item.parts) {
+                if (item.framebuffer) this.copyPicture(uniforms.get(item.framebuffer).place);
+                gl.drawElements(mode, count, gl.UNSIGNED_INT, 4 * first);
+            }
         }
+    }
+
+    // For shaders that read the picture, which they cannot while they draw into it.
+    copyPicture(sampler) {
+        const gl = this.gl;
+        gl.activeTexture(gl.TEXTURE0 + COPY_UNIT);
+        if (!this.copy) {
+            this.copy = gl.createTexture();
+            gl.bindTexture(gl.TEXTURE_2D, this.copy);
+            gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, this.width, this.height);
+            gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+            gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+        }
+        gl.bindTexture(gl.TEXTURE_2D, this.copy);
+        gl.copyTexSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 0, 0, this.width, this.height);
+        gl.uniform1i(sampler, COPY_UNIT);
     }
 
     setRaster(item) {

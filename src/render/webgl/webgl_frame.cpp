@@ -20,6 +20,7 @@
 #include "render/programmable/vertex_attributes.h"
 #include "render/webgl/kept_values.h"
 #include "render/webgl/webgl_lines.h"
+#include "render/webgl/webgl_runs.h"
 #include "render/webgl/webgl_textures.h"
 
 namespace twinlight::webgl {
@@ -144,6 +145,7 @@ class Writer {
     }
     static std::vector<Pass> passes_of(const std::vector<Uniforms>& passes) {
         std::vector<Pass> result;
+        result.reserve(passes.size());
         for (const Uniforms& pass : passes) result.push_back({numbers_in(pass)});
         return result;
     }
@@ -253,10 +255,9 @@ class Writer {
             form.lod_bias |= unit.lod_bias != 0;
             form.texture_rims |= has_rim(*unit.texture);
         });
+        form.logic_op = draw.fragment.logic_op.value_or(kGL_COPY);
         Json item = Json::object();
-        const auto name_of = [&](const std::string& name) {
-            return form.kept ? programmable::with_words(name, programmable::kept_names()) : name;
-        };
+        const auto name_of = [&](const std::string& name) { return name_in(form, name); };
         Json own = Json::object();
         if (form.alpha_func != kGL_ALWAYS) own[name_of("u_alpha_ref")] = {static_cast<float>(draw.fragment.alpha_ref)};
         if (form.sizes_points)
@@ -297,6 +298,10 @@ class Writer {
         add_parts(item, draw, effects, form, code.origin_object.value_or(glm::dvec3(0)));
     }
 
+    static std::string name_in(const Form& form, const std::string& name) {
+        return form.kept ? programmable::with_words(name, programmable::kept_names()) : name;
+    }
+
     void miss_of_turned(const Draw& draw, const Part& part) {
         const RasterState& raster = draw.raster;
         const bool shows_sides =
@@ -331,10 +336,30 @@ class Writer {
                 if (!whole) whole = place_of(programmable::vertex_array(draw, effects, {}, origin_object));
                 item["vertices"] = *whole;
             }
-            const Json place = place_of(part.indices);
-            item["parts"] = {{part.mode, place[0], place[1]}};
+            add_elements(item, part, draw, form);
             items_.push_back(std::move(item));
         }
+    }
+
+    void add_elements(Json& item, const Part& part, const Draw& draw, const Form& form) {
+        if (!programmable::reads_stored_color(form.logic_op)) {
+            const Json place = place_of(part.indices);
+            item["parts"] = {{part.mode, place[0], place[1]}};
+            return;
+        }
+        const Part list = listed(part);
+        const Runs runs = runs_of(list, draw, options_.for_any_pose);
+        if (!runs.is_exact)
+            miss(draw, options_.for_any_pose ? "after a turn, glLogicOp is wrong where primitives of one draw overlap"
+                                             : "glLogicOp is wrong where primitives of one draw overlap");
+        const std::size_t first = place_of(list.indices)[0];
+        std::size_t begin = 0;
+        item["parts"] = Json::array();
+        for (const std::size_t end : runs.ends) {
+            item["parts"].push_back({list.mode, first + begin, end - begin});
+            begin = end;
+        }
+        item["framebuffer"] = name_in(form, "u_framebuffer");
     }
 
     // Of each of `count` vertices the values of `a`, then those of `b`.
@@ -380,8 +405,7 @@ class Writer {
             if (differ(&StencilFace::ref) || differ(&StencilFace::mask) || differ(&StencilFace::write_mask))
                 miss(draw, "the back's stencil reference and masks are the front's");
         }
-        if (fragment.logic_op) miss(draw, "glLogicOp is left out");
-        if (!fragment.blend) return;
+        if (!fragment.blend || fragment.logic_op) return;
         item["blend"] = {
             {"factors", {fragment.blend_src, fragment.blend_dst, fragment.blend_src_alpha, fragment.blend_dst_alpha}},
             {"equations", {fragment.blend_equation, fragment.blend_equation_alpha}},

@@ -19,7 +19,8 @@ struct WebglFrame {
     //        first]], "parameters": [[name, value]]}],
     //    "uniforms": [{name: [number, ...]}],
     //    "items": [{"clear": ...} | {"accumulate": ...} | {"program", "vertices", "parts": [[mode, first, count]],
-    //        "passes": [[index into uniforms, ...]], "textures": [[unit, sampler, texture]], ...}],
+    //        "passes": [[index into uniforms, ...]], "textures": [[unit, sampler, texture]],
+    //        "framebuffer": sampler of the picture before each part, ...}],
     //    "missing": [{"line", "column", "message"}],
     //    "middle": [x, y, z], what the camera turns around, in eye coordinates: only for any pose}
     Json header;

@@ -29,6 +29,7 @@ const Words& kept_names() {
                                  {"u_texture_env_color", "TextureEnvColor[0]"},
                                  {"u_texture_lod_bias", "TextureLodBias"},
                                  {"u_texture_inside", "TextureInside"},
+                                 {"u_framebuffer", "Framebuffer"},
                                  {"u_line_width", "LineWidth"},
                                  {"u_line_stipple_factor", "LineStippleFactor"},
                                  {"u_line_stipple_pattern", "LineStipplePattern"},

@@ -22,5 +22,6 @@ void main() {
 #endif
 #insert stipples
 #insert alpha_test
+#insert logic_op
     fragment_color = color;
 }
