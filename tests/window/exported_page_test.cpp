@@ -70,8 +70,7 @@ glPointSize(5); glColor3f(1, 1, 0);
 glBegin(GL_POINTS); glVertex3f(-1.03, 1.51, 0); glVertex3f(1.02, 1.52, 0); glEnd();
 )";
 
-std::string scene_with(const std::string& camera) {
-    std::string text = kScene;
+std::string scene_with(std::string text, const std::string& camera) {
     return text.replace(text.find("CAMERA"), 6, camera);
 }
 
@@ -150,6 +149,8 @@ class ExportedPage : public testing::Test {
         return image;
     }
 
+    void expect_close_after_a_turn(const std::string& text, const json& told);
+
     std::string program_, page_;
     TemporaryFolder folder_;
 };
@@ -172,9 +173,23 @@ void expect_close(const std::string& scene, const Image& picture, std::optional<
     EXPECT_LE(interior.differing_share(), kShare);
 }
 
+// The page turned by half a degree a pixel, first around the vertical axis, around the scene's middle. `text`: with CAMERA.
+void ExportedPage::expect_close_after_a_turn(const std::string& text, const json& told) {
+    std::smatch middle;
+    ASSERT_TRUE(std::regex_search(page_, middle, std::regex("\"middle\": \\[(\\S+),(\\S+),(\\S+)\\]")));
+    const auto shift = [&](const char* sign) {
+        return fmt::format("glTranslatef({0}({1}), {0}({2}), {0}({3}));", sign, middle.str(1), middle.str(2),
+                           middle.str(3));
+    };
+    const std::string turned = folder_ / "turned.gl";
+    write_file_atomically(
+        turned, scene_with(text, shift("+") + " glRotatef(10, 1, 0, 0); glRotatef(30, 0, 1, 0); " + shift("-")));
+    expect_close(turned, picture_of(told, "turned_picture"), {});
+}
+
 TEST_F(ExportedPage, DrawsWhatTheReferenceDrawsAndAnswersKeysAndTheMouse) {
     const std::string scene = folder_ / "scene.gl";
-    write_file_atomically(scene, scene_with(""));
+    write_file_atomically(scene, scene_with(kScene, ""));
     const json told = used(scene);
     expect_close(scene, picture_of(told), {});
     EXPECT_GT(told["without_light"], 10'000);
@@ -185,17 +200,7 @@ TEST_F(ExportedPage, DrawsWhatTheReferenceDrawsAndAnswersKeysAndTheMouse) {
     EXPECT_GT(told["turned"], 10'000);
     EXPECT_EQ(told["turned_back"], 0);
     EXPECT_EQ(page_.find("lacks a part"), std::string::npos);
-    // The page turned by half a degree a pixel, first around the vertical axis, around the scene's middle.
-    std::smatch middle;
-    ASSERT_TRUE(std::regex_search(page_, middle, std::regex("\"middle\": \\[(\\S+),(\\S+),(\\S+)\\]")));
-    const auto shift = [&](const char* sign) {
-        return fmt::format("glTranslatef({0}({1}), {0}({2}), {0}({3}));", sign, middle.str(1), middle.str(2),
-                           middle.str(3));
-    };
-    const std::string turned = folder_ / "turned.gl";
-    write_file_atomically(turned,
-                          scene_with(shift("+") + " glRotatef(10, 1, 0, 0); glRotatef(30, 0, 1, 0); " + shift("-")));
-    expect_close(turned, picture_of(told, "turned_picture"), {});
+    expect_close_after_a_turn(kScene, told);
 }
 
 TEST_F(ExportedPage, NamesWhatWebglLacks) {
@@ -388,6 +393,53 @@ glTexCoord2f(0, 3); glVertex2f(-0.8, 0.9);
 glEnd();
 )");
     expect_close(scene, picture_of(used(scene)), {});
+}
+
+// Two units, one of them with GL_COMBINE and coordinates from a plane in eye coordinates, and points that shrink with the distance.
+TEST_F(ExportedPage, DrawsTextureUnitsAndPointsByDistance) {
+    const std::string text = R"(
+glMatrixMode(GL_PROJECTION); gluPerspective(40, 4.0 / 3.0, 1, 100);
+glMatrixMode(GL_MODELVIEW); CAMERA gluLookAt(0, 2, 9,  0, 0, 0,  0, 1, 0);
+GLubyte texels[] = {250, 30, 50, 255,  90, 210, 130, 150,  10, 60, 100, 200,  240, 230, 20, 90};
+glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+glEnable(GL_TEXTURE_2D);
+glActiveTexture(GL_TEXTURE1);
+glTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+glTexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_EYE_LINEAR); glEnable(GL_TEXTURE_GEN_S);
+glTexGenfv(GL_S, GL_EYE_PLANE, (GLfloat[]){0.3, 0.25, 0.35, 0.2});
+glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
+glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_INTERPOLATE);
+glTexEnvi(GL_TEXTURE_ENV, GL_SRC2_RGB, GL_CONSTANT);
+glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, (GLfloat[]){0.4, 0.5, 0.6, 0.7});
+glEnable(GL_TEXTURE_1D); glEnable(GL_DEPTH_TEST);
+glBegin(GL_QUADS);
+glMultiTexCoord2f(GL_TEXTURE0, 0, 0); glVertex3f(-2, -1, 0.5); glMultiTexCoord2f(GL_TEXTURE0, 3, 0); glVertex3f(2, -1, -0.5);
+glMultiTexCoord2f(GL_TEXTURE0, 3, 2); glVertex3f(2, 1, -0.5); glMultiTexCoord2f(GL_TEXTURE0, 0, 2); glVertex3f(-2, 1, 0.5);
+glEnd();
+glDisable(GL_TEXTURE_1D); glActiveTexture(GL_TEXTURE0); glDisable(GL_TEXTURE_2D);
+glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, (GLfloat[]){0.1, 0, 0.01}); glPointSize(20); glColor3f(1, 1, 0);
+glBegin(GL_POINTS); glVertex3f(-1.03, 1.51, 2); glVertex3f(1.02, 1.52, 0); glVertex3f(2.13, 1.53, -3); glEnd();
+)";
+    const std::string scene = folder_ / "scene.gl";
+    write_file_atomically(scene, scene_with(text, ""));
+    const json told = used(scene);
+    expect_close(scene, picture_of(told), {});
+    EXPECT_EQ(page_.find("lacks a part"), std::string::npos);
+    expect_close_after_a_turn(text, told);
+}
+
+TEST_F(ExportedPage, DrawsCopiedPixelsOfTheFirstView) {
+    const std::string scene = folder_ / "scene.gl";
+    write_file_atomically(scene, R"(
+glColor3ub(250, 30, 50); glRectf(-0.9, -0.9, -0.5, -0.4); glColor3ub(20, 130, 250); glRectf(-0.7, -0.7, -0.3, -0.3);
+glWindowPos2i(330, 250);
+glCopyPixels(20, 30, 220, 200, GL_COLOR);
+)");
+    expect_close(scene, picture_of(used(scene)), {});
+    EXPECT_NE(page_.find("<li>line 4: after a turn, the pixels of glCopyPixels are still those of the first view</li>"),
+              std::string::npos);
 }
 
 TEST_F(ExportedPage, DrawsBuiltInScenes) {

@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -34,11 +35,12 @@ enum class Glsl : std::uint8_t { k130, k330, k300es };
 
 // Shaders to keep (kept/kept_files.h): their uniforms are GL's state with GL's names, without the prefix gl_.
 struct KeptForm {
-    std::vector<int> lights;           // for each light of the effects: its number in GL
-    int light_count = kMaxLights;      // the length of the array LightSource
-    std::vector<int> clip_planes;      // the numbers of the enabled ones
-    std::array<bool, 4> eye_planes{};  // of generated texture coordinates: GL_EYE_LINEAR
-    bool rescales_generated = false;   // GL_RESCALE_NORMAL, for those generated from the normal
+    std::vector<int> lights;       // for each light of the effects: its number in GL
+    int light_count = kMaxLights;  // the length of the array LightSource
+    std::vector<int> clip_planes;  // the numbers of the enabled ones
+    std::map<std::size_t, std::array<bool, 4>>
+        eye_planes;                   // of each texture unit's generated coordinates: GL_EYE_LINEAR
+    bool rescales_generated = false;  // GL_RESCALE_NORMAL, for those generated from the normal
 
     friend auto operator<=>(const KeptForm&, const KeptForm&) = default;  // NOLINT
 };

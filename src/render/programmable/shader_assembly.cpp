@@ -321,19 +321,20 @@ class Assembler {
 
     // In the vertex shader's main(): the vec4 tex_coord (section 2.11.4), or tex_coord0, tex_coord1, ...
     std::string generated() const {
-        if (effects_.units.empty()) return generated(effects_.texture);
+        if (effects_.units.empty()) return generated(effects_.texture, 0);
         std::string text;
         for (const UnitEffects& unit : effects_.units) {
             const std::string name = fmt::format("tex_coord{}", unit.number);
-            std::string block = generated(unit.texture);
+            std::string block = generated(unit.texture, unit.number);
             if (block.empty()) continue;
             // The names besides that of the coordinates are the same for each unit.
-            block = with_words(block, {{"tex_coord", name},
-                                       {"a_tex_coord", "a_" + name},
-                                       {"u_plane_s_object", fmt::format("u_plane_s_object{}", unit.number)},
-                                       {"u_plane_t_object", fmt::format("u_plane_t_object{}", unit.number)},
-                                       {"u_plane_r_object", fmt::format("u_plane_r_object{}", unit.number)},
-                                       {"u_plane_q_object", fmt::format("u_plane_q_object{}", unit.number)}});
+            Words names = {{"tex_coord", name}, {"a_tex_coord", "a_" + name}};
+            for (const char coordinate : {'s', 't', 'r', 'q'})
+                for (const char* space : {"object", "eye"}) {
+                    const std::string plane = fmt::format("u_plane_{}_{}", coordinate, space);
+                    names[plane] = fmt::format("{}{}", plane, unit.number);
+                }
+            block = with_words(block, names);
             const std::size_t declared = block.find("    vec4 " + name), end = block.find('\n', declared) + 1;
             text += block.substr(0, end) + "    {\n" + indented(block.substr(end)) + "    }\n";
         }
@@ -347,10 +348,10 @@ class Assembler {
         }
         return text;
     }
-    std::string generated(const TextureEffects& texture) const {
+    std::string generated(const TextureEffects& texture, std::size_t unit) const {
         if (!texture.generates()) return "";
         const auto is_eye_plane = [&](std::size_t i) {  // otherwise planes are in object coordinates
-            return form_.kept && form_.kept->eye_planes[i] && texture.generated[i] == Generated::kLinear;
+            return form_.kept && form_.kept->eye_planes.at(unit)[i] && texture.generated[i] == Generated::kLinear;
         };
         std::string text = fmt::format("    // glTexGen (section 2.11.4)\n    vec4 tex_coord = {};\n",
                                        !texture.generates_all() ? "a_tex_coord" : "vec4(0.0, 0.0, 0.0, 1.0)");
@@ -751,6 +752,12 @@ class Assembler {
                 const std::string name = fmt::format("{}{}", definition.name, unit.number);
                 definition.text = with_words(definition.text, {{definition.name, name}});
                 definition.name = name;
+                if (form_.kept) {
+                    definition.text = with_words(definition.text, kept_names());
+                    definition.name = with_words(definition.name, kept_names());
+                    // Texture0 is also the name of an only texture.
+                    std::erase_if(library, [&](const Definition& one) { return one.name == definition.name; });
+                }
                 library.push_back(std::move(definition));
             }
         }

@@ -11,6 +11,7 @@
 #include "base/text/page.h"
 #include "render/programmable/kept/c_text.h"
 #include "render/programmable/kept/kept_code.h"
+#include "render/reference/copied_pixels.h"
 #include "render/webgl/webgl_frame.h"
 
 namespace twinlight::webgl {
@@ -65,7 +66,16 @@ std::string exported_page(const Frame& frame, const Look& look, const std::strin
     if (const std::string why = programmable::why_not_kept(frame); !why.empty()) throw std::runtime_error(why);
     PlanOptions options{look};
     options.for_any_pose = true;
-    WebglFrame drawn = webgl_frame(frame, options);
+    const DrawableFrame drawable = reference::drawable(frame, {look});
+    WebglFrame drawn = webgl_frame(*drawable, options);
+    for (const Draw* draw : frame.draws())
+        if (draw->pixels && draw->pixels->copied) {
+            drawn.header["missing"].push_back(
+                {{"line", draw->place.line},
+                 {"column", draw->place.column},
+                 {"message", "after a turn, the pixels of glCopyPixels are still those of the first view"}});
+            break;
+        }
     const std::string missing = missing_text(drawn.header["missing"]);
     drawn.header.erase("missing");
     const std::string shaders = taken_shaders(drawn.header["programs"]);

@@ -68,12 +68,14 @@ Json fog_of(const Fog& fog) {
             {"Fog.scale", list_of(fog.end == fog.start ? kStep : 1 / (fog.end - fog.start))}};
 }
 
-Json texture_of(const TextureUnit& unit) {
-    Json values = {{"TextureMatrix", list_of(unit.texture_matrix)}, {"TextureEnvColor", list_of(unit.env_color)}};
+// `suffix`: the unit's number in a Draw that combines textures.
+Json texture_of(const TextureUnit& unit, const std::string& suffix) {
+    Json values = {{"TextureMatrix" + suffix, list_of(unit.texture_matrix)},
+                   {"TextureEnvColor" + suffix, list_of(unit.env_color)}};
     for (const GeneratedCoordinate& one : unit.generated)
         if (!one.needs_normal())
-            values[fmt::format("{}Plane{}", one.mode == kGL_EYE_LINEAR ? "Eye" : "Object", "STRQ"[one.coordinate])] =
-                list_of(one.plane);
+            values[fmt::format("{}Plane{}{}", one.mode == kGL_EYE_LINEAR ? "Eye" : "Object", "STRQ"[one.coordinate],
+                               suffix)] = list_of(one.plane);
     return values;
 }
 
@@ -96,7 +98,16 @@ std::vector<Json> kept_values(const Draw& draw, const Plan& plan, const programm
         groups.push_back({{"ClipPlane", planes}});
     }
     if (code.effects.has_fog()) groups.push_back(fog_of(draw.fog));
-    if (code.effects.has_texture()) groups.push_back(texture_of(draw.texture));
+    if (code.effects.has_texture()) groups.push_back(texture_of(draw.texture, ""));
+    if (!code.effects.units.empty())
+        draw.for_each_unit([&](std::size_t number, const TextureUnit& unit) {
+            groups.push_back(texture_of(unit, std::to_string(number)));
+        });
+    if (code.effects.attenuated_points) {
+        const PointParameters& parameters = draw.raster.point_parameters;
+        groups.push_back({{"PointAttenuation", list_of(parameters.distance_attenuation)},
+                          {"PointSizes", {draw.raster.point_size, parameters.size_min, parameters.size_max}}});
+    }
     return groups;
 }
 

@@ -290,7 +290,8 @@ class Writer {
         for (const UnitEffects& unit : effects.units)
             draw.for_each_unit([&](std::size_t number, const TextureUnit& state) {
                 if (number != unit.number) return;
-                item["textures"].push_back({number, "u_texture" + std::to_string(number), texture_of(state.texture)});
+                item["textures"].push_back(
+                    {number, name_of("u_texture" + std::to_string(number)), texture_of(state.texture)});
                 miss_of_texture(draw, state);
             });
         add_raster(item, draw);

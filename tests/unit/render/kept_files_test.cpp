@@ -172,6 +172,16 @@ TEST(KeptFiles, RefuseMoreThanThePage) {
     frame.items = {draw};
     EXPECT_EQ(why_not_kept(frame), "");
     EXPECT_NE(why_not_in_files(frame).find("polygon stipple"), std::string::npos);
+    draw = square(attenuated_cone());
+    draw.raster.point_parameters.distance_attenuation = {1, 0, 1};
+    frame.items = {draw};
+    EXPECT_EQ(why_not_kept(frame), "");
+    EXPECT_NE(why_not_in_files(frame).find("glPointParameter"), std::string::npos);
+    draw = square(attenuated_cone());
+    draw.further_units.resize(1);
+    frame.items = {draw};
+    EXPECT_EQ(why_not_kept(frame), "");
+    EXPECT_NE(why_not_in_files(frame).find("glActiveTexture"), std::string::npos);
     frame.items = {Accumulate{.op = kGL_RETURN}};
     EXPECT_EQ(why_not_kept(frame), "");
     EXPECT_NE(why_not_in_files(frame).find("glAccum"), std::string::npos);

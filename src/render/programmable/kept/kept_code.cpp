@@ -29,24 +29,29 @@ Code kept_code(const Draw& draw, const Plan& plan, Glsl version) {
     }
     for (int i = 0; i < kMaxClipPlanes; ++i)
         if (draw.raster.clip_planes_eye[static_cast<std::size_t>(i)]) kept.clip_planes.push_back(i);
-    const TextureEffects& texture = effects.texture;
-    for (const GeneratedCoordinate& one : draw.texture.generated) {
-        const auto i = static_cast<std::size_t>(one.coordinate);
-        kept.eye_planes[i] = texture.generated[i] == Generated::kLinear && one.mode == kGL_EYE_LINEAR;
-    }
-    kept.rescales_generated = texture.generated_normal == GeneratedNormal::kUnchanged && draw.lighting.rescale_normal;
+    const auto add_unit = [&](std::size_t number, const TextureEffects& texture, const TextureUnit& unit) {
+        std::array<bool, 4>& eye_planes = kept.eye_planes[number];
+        for (const GeneratedCoordinate& one : unit.generated) {
+            const auto i = static_cast<std::size_t>(one.coordinate);
+            eye_planes[i] = texture.generated[i] == Generated::kLinear && one.mode == kGL_EYE_LINEAR;
+        }
+        kept.rescales_generated = kept.rescales_generated || (texture.generated_normal == GeneratedNormal::kUnchanged &&
+                                                              draw.lighting.rescale_normal);
+    };
+    if (effects.has_texture()) add_unit(0, effects.texture, draw.texture);
+    for (const UnitEffects& effect : effects.units)
+        draw.for_each_unit([&](std::size_t number, const TextureUnit& unit) {
+            if (number == effect.number) add_unit(number, effect.texture, unit);
+        });
+    // Otherwise the size is a number: point_size().
+    if (!draw.raster.point_parameters.depends_on_distance()) effects.attenuated_points = false;
     form.kept = std::move(kept);
     set_dialect(code, draw, version);
     return code;
 }
 
 std::string why_not_kept(const Frame& frame) {
-    if (frame.copies_pixels) return "it copies pixels of its picture (glCopyPixels)";
     for (const Draw* draw : frame.draws()) {
-        if (!draw->further_units.empty()) return "it uses more than one texture unit (glActiveTexture)";
-        if (draw->combines_textures()) return "it combines textures with GL_COMBINE (glTexEnv)";
-        if (draw->raster.point_parameters.depends_on_distance())
-            return "its points become smaller with the distance (glPointParameter)";
         if (!draw->lighting.enabled) continue;
         if (draw->lighting.light_model.spectrum) return "it multiplies colours as spectra (#pragma twinlight spectrum)";
         for (std::size_t i = kMostKeptLights; i < draw->lighting.lights.size(); ++i)

@@ -390,8 +390,13 @@ class Writer {
 
 std::string why_not_in_files(const Frame& frame) {
     if (std::string why = why_not_kept(frame); !why.empty()) return why;
+    if (frame.copies_pixels) return "it copies pixels of its picture (glCopyPixels)";
     if (accumulates(frame)) return "it uses the accumulation buffer (glAccum), which core GL lacks";
     for (const Draw* draw : frame.draws()) {
+        if (!draw->further_units.empty()) return "it uses more than one texture unit (glActiveTexture)";
+        if (draw->combines_textures()) return "it combines textures with GL_COMBINE (glTexEnv)";
+        if (draw->raster.point_parameters.depends_on_distance())
+            return "its points become smaller with the distance (glPointParameter)";
         if (draw->texture.texture && draw->texture.texture->is_cube()) return "it uses a cube map";
         if (!draw->secondary_colors.empty()) return "it adds secondary colours without lighting (glSecondaryColor)";
         if (!draw->fog_coords.empty()) return "it uses fog coordinates (glFogCoord)";

@@ -26,6 +26,8 @@ uniform int LineStipplePattern;
 uniform uint PolygonStipple[32];  // glPolygonStipple (section 3.5.2): rows from the bottom, the leftmost pixel in the lowest bit
 uniform vec4 ClipPlane[8];  // glClipPlane, in eye coordinates (section 2.12)
 uniform float PointSize;  // glPointSize (section 3.3)
+uniform vec3 PointAttenuation;  // GL_POINT_DISTANCE_ATTENUATION (section 3.3)
+uniform vec3 PointSizes;  // glPointSize, GL_POINT_SIZE_MIN, GL_POINT_SIZE_MAX
 uniform float AlphaRef;  // glAlphaFunc (section 4.1.4)
 
 // glMaterial (section 2.14.2)

@@ -17,6 +17,10 @@ uniform vec4 u_plane_s_object;
 uniform vec4 u_plane_t_object;
 uniform vec4 u_plane_r_object;
 uniform vec4 u_plane_q_object;
+uniform vec4 u_plane_s_eye;  // of programs for any pose: GL_EYE_LINEAR's planes
+uniform vec4 u_plane_t_eye;
+uniform vec4 u_plane_r_eye;
+uniform vec4 u_plane_q_eye;
 uniform mat4 u_generated_eye_from_object;  // the modelview matrix; its scale does not matter
 uniform mat3 u_generated_normal_from_object;  // for normals, with GL_RESCALE_NORMAL's factor (section 2.11.3)
 uniform mat4 u_point_eye_from_object;  // the modelview matrix, in a unit of length that keeps squares in the range of floats
