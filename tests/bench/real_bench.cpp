@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,14 +34,25 @@ std::map<std::string, std::string> recordings() {
     return found;
 }
 
+// Nothing for a program that draws nothing, such as one that uses only shaders: then the reason is printed.
+std::optional<RecordedFrame> frame_of(const std::string& folder, bench::Results& results) {
+    try {
+        return make_recorded_frame(load_recording(folder + "/dump.txt"), {});
+    } catch (const SceneError& error) {
+        results.remark(error.what());
+        return {};
+    }
+}
+
 // Two comparisons for each. Prepared: all is in the driver's buffers. From commands: the fixed function executes the
 // program's commands; the shaders plan, look for what has not changed, and upload the rest.
 void measure_recordings(bench::Results& results) {
     std::vector<double> prepared, from_commands;
     double least = 1e300;
     for (const auto& [name, folder] : recordings()) {
-        const RecordedFrame recorded = make_recorded_frame(load_recording(folder + "/dump.txt"), {});
-        const Frame& frame = recorded.scene.frame;
+        const std::optional<RecordedFrame> recorded = frame_of(folder, results);
+        if (!recorded) continue;
+        const Frame& frame = recorded->scene.frame;
         const auto context = make_offscreen_context(frame.width, frame.height);
         const auto renderer = std::make_shared<programmable::Renderer>();
         const programmable::Options live = bench::options_for(programmable::Tier::kAuto, false);
@@ -56,7 +68,7 @@ void measure_recordings(bench::Results& results) {
                              bench::shader_way("shaders, prepared", frame, programmable::Tier::kUniform, true),
                              {"fixed, from commands",
                               [&] {
-                                  fixed::draw(recorded.scene);
+                                  fixed::draw(recorded->scene);
                                   glFinish();
                               }},
                              {"shaders, from commands", draw_live}});
