@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <initializer_list>
 #include <map>
 
 #include "scene/command/memory.h"
@@ -301,6 +302,7 @@ namespace {
 // What a window needs for the scene: the bits of glClear, and GLUT's names.
 struct Buffers {
     std::string bits = "GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT", modes = "GLUT_DEPTH";
+    bool is_single = false;
 };
 
 Buffers buffers_of(const CommandList& scene) {
@@ -314,6 +316,13 @@ Buffers buffers_of(const CommandList& scene) {
         buffers.bits += " | GL_ACCUM_BUFFER_BIT";
         buffers.modes += " | GLUT_ACCUM";
     }
+    // A program with GLUT_SINGLE: its scene draws to the front buffer alone.
+    const auto draws_to = [&](std::initializer_list<Enum> names) {
+        return uses([&](const Command& c) {
+            return c.id == CommandId::glDrawBuffer && std::ranges::find(names, c.enumerant(0)) != names.end();
+        });
+    };
+    buffers.is_single = draws_to({kGL_FRONT, kGL_FRONT_LEFT}) && !draws_to({kGL_BACK, kGL_BACK_LEFT});
     return buffers;
 }
 
@@ -342,12 +351,14 @@ std::string print_c_program(const CommandList& scene) {
         "    glMatrixMode(GL_MODELVIEW);\n    glLoadIdentity();\n"
         "    draw_scene();\n"
         "    glPopAttrib();\n"
-        "    glutSwapBuffers();\n"
+        "    " +
+        (buffers.is_single ? "glFlush" : "glutSwapBuffers") +
+        "();\n"
         "}\n\n"
         "int main(int argc, char** argv) {\n"
         "    glutInit(&argc, argv);\n"
-        "    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE | " +
-        buffers.modes +
+        "    glutInitDisplayMode(GLUT_RGBA | " +
+        (buffers.is_single ? "GLUT_SINGLE | " : "GLUT_DOUBLE | ") + buffers.modes +
         ");\n"
         "    glutInitWindowSize(640, 480);\n"
         "    glutCreateWindow(argv[0]);\n"

@@ -338,6 +338,20 @@ TEST(Printing, WritesACProgramThatReadsBackAsTheScene) {
     EXPECT_EQ(read(print_c_program(scene)), scene.commands);
 }
 
+// In a window with two buffers, what the scene draws to the front one would be hidden by the empty other one.
+TEST(Printing, OpensAWindowWithOneBufferForASceneThatDrawsToTheFront) {
+    const auto program = [](const std::string& text) { return print_c_program(read_scene(text, "scene.gl", "scene")); };
+    const std::string front = program("glDrawBuffer(GL_FRONT); glutSolidSphere(1, 8, 4);");
+    EXPECT_NE(front.find("GLUT_RGBA | GLUT_SINGLE | GLUT_DEPTH"), front.npos) << front;
+    EXPECT_NE(front.find("    glFlush();\n}"), front.npos) << front;
+    EXPECT_EQ(front.find("glutSwapBuffers"), front.npos) << front;
+    for (const char* draws_to : {"", "glDrawBuffer(GL_BACK);", "glDrawBuffer(GL_FRONT); glDrawBuffer(GL_BACK);"}) {
+        const std::string text = program(std::string(draws_to) + "glutSolidSphere(1, 8, 4);");
+        EXPECT_NE(text.find("GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH"), text.npos) << text;
+        EXPECT_NE(text.find("    glutSwapBuffers();\n}"), text.npos) << text;
+    }
+}
+
 TEST(Printing, DeclaresEachArrayOnce) {
     const CommandList scene = read_scene(
         "GLubyte v[] = {1, 2, 3, 4}; glTexSubImage1D(GL_TEXTURE_1D, 0, 0, 1, GL_RGB, GL_UNSIGNED_BYTE, v);"
