@@ -330,6 +330,7 @@ Buffers buffers_of(const CommandList& scene) {
 
 std::string print_c_program(const CommandList& scene) {
     const Buffers buffers = buffers_of(scene);
+    const WindowSize window = scene.window.value_or(WindowSize{});
     std::string title;  // without '*', so that the name cannot end the comment
     for (char c : scene.name) title += (c >= 0x20 && c < 0x7F && c != '*') ? c : '_';
     std::string text = fmt::format(
@@ -360,7 +361,9 @@ std::string print_c_program(const CommandList& scene) {
         "    glutInitDisplayMode(GLUT_RGBA | " +
         (buffers.is_single ? "GLUT_SINGLE | " : "GLUT_DOUBLE | ") + buffers.modes +
         ");\n"
-        "    glutInitWindowSize(640, 480);\n"
+        "    glutInitWindowSize(" +
+        fmt::format("{}, {}", window.width, window.height) +
+        ");\n"
         "    glutCreateWindow(argv[0]);\n"
         "    glutDisplayFunc(display);\n"
         "    glutMainLoop();\n"

@@ -97,6 +97,7 @@ std::vector<Command> mesh_commands(const Command& pragma) {
 
 CommandList with_pragmas_written_out(const CommandList& scene) {
     CommandList result{scene.name, {}};
+    result.window = scene.window;
     for (const Command& command : scene.commands) {
         if (command.id == CommandId::pragma_mesh) {
             std::ranges::copy(mesh_commands(command), std::back_inserter(result.commands));

@@ -342,6 +342,7 @@ CommandList commands_to_print(const Scene& scene) {
     // C compilers fail on functions that are much larger.
     constexpr std::size_t kMost = 1'000'000;
     CommandList commands(scene.name(), {});
+    commands.window = {scene.frame.width, scene.frame.height};
     // Loading has checked the memory.
     State state(
         {.width = scene.frame.width, .height = scene.frame.height, .memory = std::numeric_limits<std::size_t>::max()});

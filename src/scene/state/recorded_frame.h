@@ -45,8 +45,8 @@ RecordedFrame frame_to_see(const std::shared_ptr<const Recording>& recording, co
 // What people should know about the program's GL errors; empty if there are none.
 std::string note_of_errors(const RecordedFrame& recorded);
 
-// All commands up to the frame, to be printed. A command with a GL error has no effect, so it is left out; a scene's text
-// may have none. Throws SceneError if they are too many.
+// All commands up to the frame, to be printed, with the size of its picture as the window's. A command with a GL error has no
+// effect, so it is left out; a scene's text may have none. Throws SceneError if they are too many.
 CommandList commands_to_print(const Scene& scene);
 
 }  // namespace twinlight

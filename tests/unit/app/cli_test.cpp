@@ -468,6 +468,13 @@ TEST_F(Cli, ExportsAProgramThatCompiles) {
     EXPECT_EQ(compiled.status, 0) << compiled.err;
 }
 
+// blinkbox's window has 300 x 300 pixels, the picture of a scene without a program 640 x 480.
+TEST_F(Cli, ExportsAProgramWithTheWindowOfTheOneThatWasRecorded) {
+    const auto exported = [&](const std::string& name) { return run({"export", name, "--as", "c"}).out; };
+    EXPECT_NE(exported("tests/traces/blinkbox/dump.txt").find("glutInitWindowSize(300, 300);"), std::string::npos);
+    EXPECT_NE(exported("report").find("glutInitWindowSize(640, 480);"), std::string::npos);
+}
+
 TEST_F(Cli, ExportsTheShapesOfPragmasAsPrimitives) {
     const ProgramResult result = run({"export", "report", "--as", "c"});
     EXPECT_EQ(result.status, 0);

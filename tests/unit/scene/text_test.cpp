@@ -352,6 +352,13 @@ TEST(Printing, OpensAWindowWithOneBufferForASceneThatDrawsToTheFront) {
     }
 }
 
+TEST(Printing, OpensAWindowOfTheProgramsSize) {
+    CommandList scene = read_scene("glutSolidSphere(1, 8, 4);", "scene.gl", "scene");
+    EXPECT_NE(print_c_program(scene).find("glutInitWindowSize(640, 480);"), std::string::npos);
+    scene.window = {300, 200};
+    EXPECT_NE(print_c_program(scene).find("glutInitWindowSize(300, 200);"), std::string::npos);
+}
+
 TEST(Printing, DeclaresEachArrayOnce) {
     const CommandList scene = read_scene(
         "GLubyte v[] = {1, 2, 3, 4}; glTexSubImage1D(GL_TEXTURE_1D, 0, 0, 1, GL_RGB, GL_UNSIGNED_BYTE, v);"
