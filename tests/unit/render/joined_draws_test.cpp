@@ -423,6 +423,24 @@ TEST(PlansByState, AreSharedByDrawsWhoseFactsDecideTheSame) {
     EXPECT_FALSE(have_one_plan_by_state(facts, vertex_facts(other)));
 }
 
+// The attenuation of a tiny scene is counted in another unit of length.
+TEST(PlansByState, GiveEachDrawItsOwnUnitOfLength) {
+    Draw first = square(lit());
+    first.lighting.lights[0].position_eye = {0, 0, 1e-7, 1};
+    first.lighting.lights[0].linear_attenuation = 1;
+    Draw tiny = first;
+    first.eye_from_object[3].z = -4;
+    for (int i = 0; i < 3; ++i) tiny.eye_from_object[i] *= 1e-8;
+    PlanOptions by_state{};
+    by_state.for_any_pose = true;
+    ASSERT_TRUE(have_one_state_anywhere(first, tiny));
+    const Plan plan = plan_effects(first, by_state);
+    const DrawProgram like = draw_program(first, plan, false), alone = draw_program(tiny, plan, false);
+    ASSERT_EQ(like.code.form, alone.code.form);
+    ASSERT_NE(like.of_state.unit, alone.of_state.unit);
+    EXPECT_EQ(draw_program(tiny, plan, false, &like).numbers, alone.numbers);
+}
+
 // Draws of random scenes at other places, larger and smaller: what is shared is what would be computed again.
 TEST(PlansByState, GiveTheProgramsAndNumbersThatEachDrawWouldGet) {
     const std::vector<glm::dmat4> moves = {
