@@ -167,6 +167,7 @@ class Preparation {
     // Adds the Draws of `placed_`, without keeping their vertices: most of them move.
     void end_placed() {
         std::vector<JoinedDraws> joined;
+        joined.reserve(placed_.size());
         for (const Placed& placed : placed_) joined.push_back(placed_together(placed.draws));
         std::vector<std::size_t> drawn(placed_.size());
         for (const auto& [state, count] : placed_order_) {
@@ -174,6 +175,7 @@ class Preparation {
             drawn[state] += count;
         }
         std::vector<std::shared_ptr<const PreparedDraw>> prepared;
+        prepared.reserve(placed_.size());
         for (const JoinedDraws& all : joined) prepared.push_back(prepared_together(all));
         drawn.assign(placed_.size(), 0);
         std::vector<std::size_t> ranges(placed_.size());
