@@ -40,10 +40,13 @@ Viewport around(const Viewport& a, const Viewport& b) {
     return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
 }
 
-// What of the rectangle is inside a picture.
+// What of the rectangle is inside a picture. The rectangle may be anywhere.
 Viewport inside(const Viewport& area, int width, int height) {
+    const auto end = [](std::int64_t from, int size, int low, int high) {
+        return static_cast<int>(std::clamp<std::int64_t>(from + size, low, high));
+    };
     const int x = std::clamp(area.x, 0, width), y = std::clamp(area.y, 0, height);
-    return {x, y, std::clamp(area.x + area.width, x, width) - x, std::clamp(area.y + area.height, y, height) - y};
+    return {x, y, end(area.x, area.width, x, width) - x, end(area.y, area.height, y, height) - y};
 }
 
 // A pixel of a copy from a picture, of which `image` has at least what the copy needs. A frame that was resized has a rectangle
@@ -51,13 +54,13 @@ Viewport inside(const Viewport& area, int width, int height) {
 Rgba taken_pixel(const Image& image, const glm::ivec2& corner, const CopiedPixels& size, const Viewport& from, int i,
                  int j, float outside) {
     const auto scaled = [](int place, int wide, int narrow) {
-        return wide == narrow ? place : static_cast<int>(std::floor((place + 0.5) * wide / narrow));
+        return wide == narrow ? place : static_cast<std::int64_t>(std::floor((place + 0.5) * wide / narrow));
     };
-    const int x = from.x + scaled(i, from.width, size.width) - corner.x,
-              y = from.y + scaled(j, from.height, size.height) - corner.y;
+    const std::int64_t x = from.x + scaled(i, from.width, size.width) - corner.x,
+                       y = from.y + scaled(j, from.height, size.height) - corner.y;
     const bool is_inside = x >= 0 && x < image.width && y >= 0 && y < image.height;
     Rgba pixel{outside, outside, outside, outside};
-    if (is_inside) pixel = image.at(x, image.height - 1 - y);
+    if (is_inside) pixel = image.at(static_cast<int>(x), image.height - 1 - static_cast<int>(y));
     if (size.buffer == CopiedBuffer::kColors)
         for (float& channel : pixel) channel = static_cast<float>(channel_code(channel)) / 255.0F;
     return pixel;
@@ -191,7 +194,7 @@ class Copier {
         for (const FrameItem& item : items)
             if (const TakePixels* copy = copy_from_here(item)) {
                 Viewport& area = areas_[copy->pixels->buffer];
-                area = around(area, copy->from);
+                area = around(area, inside(copy->from, frame_.width, frame_.height));
             }
         for (const FrameItem& item : items) {
             if (std::holds_alternative<TakePixels>(item)) {
@@ -232,8 +235,7 @@ class Copier {
         if (source == sources_.end()) {
             Frame picture = frame_without_items();
             picture.items = std::move(shown_);
-            const Viewport area = inside(areas_[buffer], frame_.width, frame_.height);
-            source = sources_.emplace(buffer, draw_(picture, buffer, area)).first;
+            source = sources_.emplace(buffer, draw_(picture, buffer, areas_[buffer])).first;
             shown_ = std::move(picture.items);
         }
         return source->second;
