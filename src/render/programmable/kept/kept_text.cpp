@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <string>
 
+#include "scene/state/attributes.h"
+
 namespace twinlight::programmable {
 
 namespace {
-
-constexpr std::size_t kMostUnits = 8;  // GL_MAX_TEXTURE_UNITS
 
 // Also those of the texture units of a Draw that combines textures: "u_texture_matrix1" becomes "TextureMatrix1".
 Words names_with_units(Words names) {
@@ -16,7 +16,7 @@ Words names_with_units(Words names) {
         const bool is_unit = name == "a_tex_coord" || name.starts_with("u_texture") || name.starts_with("u_plane");
         if (!is_unit) continue;
         const std::size_t end = kept.find_first_of("0[");
-        for (std::size_t unit = 0; unit < kMostUnits; ++unit)
+        for (std::size_t unit = 0; unit < kMaxTextureUnits; ++unit)
             names[name + std::to_string(unit)] = kept.substr(0, end) + std::to_string(unit);
     }
     return names;
