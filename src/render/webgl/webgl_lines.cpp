@@ -127,8 +127,8 @@ class PartMaker {
         glm::dvec2 beside;  // in pixels
     };
 
-    // Two triangles that end with the last corner, which gives a flat colour. turns_left: whether the second corner is on the left
-    // of the way from the first to the third.
+    // Two triangles that end with the last corner, which gives a flat colour. turns_left: seen from the first corner toward the
+    // third, the second is on the left.
     void add_rectangle(Part& part, const Piece& piece, const std::array<RectangleCorner, 4>& corners, bool turns_left,
                        const std::vector<float>& further) {
         const RasterState& raster = draw_.raster;
