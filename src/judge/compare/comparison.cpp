@@ -146,6 +146,7 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     const bool all = !options.per_vertex_only;
     result.scene = scene.title();
     result.driver = options.driver;
+    result.precision = renderers.precision;
     result.width = frame.width;
     result.height = frame.height;
     result.unsupported = frame.unsupported;
@@ -169,8 +170,11 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
         result.allowed.edge[i] = of_phong.edge[i] = result.allowed.edge[i] || of_phong.edge[i];
     }
 
-    allow_ties(result.allowed, result.renders[kReference].image);
-    if (all) allow_ties(of_phong, result.renders[kReferencePhong].image);
+    const auto allow_precision = [&](AllowedDifference& allowed, const Render& right) {
+        allow_drawing(allowed, right.image, right.other_cut ? &*right.other_cut : nullptr, renderers.precision);
+    };
+    allow_precision(result.allowed, result.renders[kReference]);
+    if (all) allow_precision(of_phong, result.renders[kReferencePhong]);
 
     begin_step("differences");
     const AllowedDifference of_drivers = allowed_of_drivers(result.allowed, result.renders[kReference]);

@@ -27,7 +27,8 @@ struct Renderers {
     std::function<Image(const Frame&, const reference::Options&)> reference;
     // The edge pixels, where correct rasterisers may differ, and the allowed difference of all others ("interior").
     std::function<AllowedDifference(const Frame&, const reference::Options&)> allowed_difference;
-    DriversAnswers answers{};  // to the scene's queries; may be empty
+    DriversAnswers answers{};      // to the scene's queries; may be empty
+    DrawingPrecision precision{};  // of the driver; exact if it was not measured
 };
 
 struct Render {
@@ -65,7 +66,8 @@ struct SceneWarning {
 
 struct Comparison {
     std::string scene;
-    std::string driver;  // driver_name()
+    std::string driver;          // driver_name()
+    DrawingPrecision precision;  // of the driver
     int width = 0, height = 0;
     std::vector<Render> renders;
     std::vector<Pair> pairs;

@@ -16,32 +16,54 @@ bool may_cross(float channel, double error) {
     return std::abs(codes - std::floor(codes) - 0.5) <= 255 * error;
 }
 
-void allow_ties(AllowedDifference& allowed, const Image& reference) {
-    for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
-        for (std::size_t c = 0; c < reference.pixels[i].size(); ++c) {
-            if (may_cross(reference.pixels[i][c], kArithmetic))
-                allowed.channels.pixels[i][c] += static_cast<float>(kArithmetic);
+void allow_ties(AllowedDifference& allowed, const Image& reference) { allow_drawing(allowed, reference, nullptr, {}); }
+
+namespace {
+
+// The change of a channel from a pixel to the neighbours on both sides; to those at edges only where there are no others.
+float change_to(int dx, int dy, int x, int y, std::size_t c, const PixelMask& edge, const Image& reference) {
+    float within = -1, at_edges = 0;
+    for (const int side : {-1, 1}) {
+        const int to_x = x + side * dx, to_y = y + side * dy;
+        if (to_x < 0 || to_y < 0 || to_x >= reference.width || to_y >= reference.height) continue;
+        float& largest = edge[reference.index(to_x, to_y)] ? at_edges : within;
+        largest = std::max(largest, std::abs(reference.at(to_x, to_y)[c] - reference.at(x, y)[c]));
+    }
+    return within < 0 ? at_edges : within;
+}
+
+// The change of a channel on the way across and up to a place that is `way` pixels away.
+float change_on(float way, int x, int y, std::size_t c, const PixelMask& edge, const Image& reference) {
+    return way * (change_to(1, 0, x, y, c, edge, reference) + change_to(0, 1, x, y, c, edge, reference));
+}
+
+}  // namespace
+
+void allow_drawing(AllowedDifference& allowed, const Image& reference, const Image* other_cut,
+                   const DrawingPrecision& precision) {
+    const auto way = static_cast<float>(precision.position);
+    for (int y = 0; y < reference.height; ++y) {
+        for (int x = 0; x < reference.width; ++x) {
+            const std::size_t i = reference.index(x, y);
+            for (std::size_t c = 0; c < 4; ++c) {
+                double more = precision.conversion / 255;
+                if (way > 0) more += static_cast<double>(change_on(way, x, y, c, allowed.edge, reference));
+                const double error = kArithmetic + more;
+                float& channel = allowed.channels.pixels[i][c];
+                if (may_cross(reference.pixels[i][c], error) ||
+                    (more > 0 && (channel > 0 || (other_cut && may_cross(other_cut->pixels[i][c], error)))))
+                    channel += static_cast<float>(error);
+            }
         }
     }
 }
 
 void allow_rounded_positions(AllowedDifference& allowed, const Image& reference, int bits) {
     const float way = std::ldexp(0.5F, -bits);
-    // To the neighbours on both sides; to those at edges only where there are no others.
-    const auto change = [&](int x, int y, int dx, int dy, std::size_t c) {
-        float within = -1, at_edges = 0;
-        for (const int side : {-1, 1}) {
-            const int to_x = x + side * dx, to_y = y + side * dy;
-            if (to_x < 0 || to_y < 0 || to_x >= reference.width || to_y >= reference.height) continue;
-            float& largest = allowed.edge[reference.index(to_x, to_y)] ? at_edges : within;
-            largest = std::max(largest, std::abs(reference.at(to_x, to_y)[c] - reference.at(x, y)[c]));
-        }
-        return within < 0 ? at_edges : within;
-    };
     for (int y = 0; y < reference.height; ++y)
         for (int x = 0; x < reference.width; ++x)
             for (std::size_t c = 0; c < 4; ++c)
-                allowed.channels.at(x, y)[c] += way * (change(x, y, 1, 0, c) + change(x, y, 0, 1, c));
+                allowed.channels.at(x, y)[c] += change_on(way, x, y, c, allowed.edge, reference);
 }
 
 }  // namespace twinlight::compare

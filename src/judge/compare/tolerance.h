@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/image/difference.h"
+#include "render/context/drawing_precision.h"
 
 namespace twinlight::compare {
 
@@ -20,6 +21,10 @@ inline constexpr double kArithmetic = 1e-5;
 bool may_cross(float channel, double error);
 // Adds kArithmetic where it matters.
 void allow_ties(AllowedDifference& allowed, const Image& reference);
+
+// The same for a driver: adds what its precision may change, where that matters. other_cut: Render::other_cut, or null.
+void allow_drawing(AllowedDifference& allowed, const Image& reference, const Image* other_cut,
+                   const DrawingPrecision& precision);
 
 // 3.5.1 leaves open how exact a rasteriser's positions are. One that rounds them to 2^-bits of a pixel moves each vertex by half of
 // that at the most, across and up. What it interpolates at a pixel is then the right value of a place that is as near: places

@@ -50,6 +50,9 @@ Json json_of(const Comparison& comparison) {
     }
     json["pairs"] = Json::array();
     for (const Pair& pair : comparison.pairs) json["pairs"].push_back(json_of(comparison, pair));
+    json["driver_precision"] = {{"position", comparison.precision.position},
+                                {"conversion", comparison.precision.conversion},
+                                {"approximates_rho", comparison.precision.approximates_rho}};
     json["is_listed_driver"] = comparison.is_listed_driver;
     json["known_departures"] = comparison.known_departures;
     json["unsupported"] = Json::array();

@@ -26,6 +26,7 @@ std::string step_folder(std::size_t step);
 //               "verdict": "within" | "beyond" | "partial" | "informative" (meant to differ),
 //               "tolerance": {"max", "differing_share"},   for beyond_slack; missing for "informative"
 //               "file", "factor"}],             the difference picture and its amplification
+//    "driver_precision": {"position", "conversion", "approximates_rho"},   DrawingPrecision
 //    "is_listed_driver": whether any bugs of this driver and version are listed
 //    "known_departures": ["name (section)"],    if "beyond": known bugs of this driver that the scene may show
 //    "unsupported": [{"name", "count", "place", "renderers": [...]}],   commands that some renderers cannot draw

@@ -90,6 +90,20 @@ void add_known_departures(const Comparison& comparison, Answer& answer) {
                         driver.version, departure));
 }
 
+// What the driver's precision adds to the allowed differences.
+void add_precision(const Comparison& comparison, std::vector<std::string>& details) {
+    const DrawingPrecision& precision = comparison.precision;
+    if (precision.position > 0)
+        details.push_back(fmt::format("Allowed: this driver's colours are those of a place up to {:.2g} pixels away.",
+                                      precision.position));
+    if (precision.conversion > 0)
+        details.push_back(fmt::format(
+            "Allowed: this driver may round a colour to the next 8-bit value up to {:.2g}/255 beyond the middle.",
+            precision.conversion));
+    if (precision.approximates_rho)
+        details.emplace_back("Allowed: this driver chooses other levels of textures, as section 3.8.8 permits.");
+}
+
 std::size_t changed_by_missing(const Comparison& comparison) {
     return static_cast<std::size_t>(std::ranges::count(comparison.changed_by_missing, true));
 }
@@ -122,6 +136,7 @@ Answer agreeing_answer(const Comparison& comparison) {
         details.emplace_back("Not every renderer draws all commands, but leaving those out changes no pixel.");
     if (!worst || worst->difference.interior.differing == 0)
         return {"All three agree: no pixel away from edges differs.", "", details};
+    add_precision(comparison, details);
     const RegionDifference& region = worst->difference.interior;
     const double largest = largest_difference(comparison);
     std::string headline =
@@ -129,8 +144,9 @@ Answer agreeing_answer(const Comparison& comparison) {
     if (largest > comparison.tolerance.max * (1 + 1e-9)) {
         const Pair* beyond = worst_pair(comparison, Verdict::kWithin, &ImageDifference::beyond_allowed);
         const bool is_explained = beyond->difference.beyond_allowed.differing == 0;
-        headline += fmt::format(". Filters, blending and rounding explain {}",
-                                is_explained ? "it" : "all but " + in_255ths(beyond->difference.beyond_allowed.max));
+        headline += fmt::format(
+            ", and OpenGL leaves {} open",
+            is_explained ? "that much" : "all but " + in_255ths(beyond->difference.beyond_allowed.max) + " of it");
     }
     return {headline + ".",
             fmt::format("{} differ most: at {} of {} pixels away from edges ({}), for example ({}, {}).",
@@ -143,10 +159,9 @@ Answer differing_answer(const Comparison& comparison) {
     const Pair& worst = *worst_pair(comparison, Verdict::kBeyond, &ImageDifference::beyond_allowed);
     const RegionDifference& region = worst.difference.beyond_allowed;
     Answer answer{
-        .headline =
-            fmt::format("Not all agree: {} and {} differ by up to {} away from edges{}.", comparison.a(worst).name,
-                        comparison.b(worst).name, in_255ths(region.max),
-                        has_allowed_difference(worst) ? ", more than filters, blending and rounding explain" : ""),
+        .headline = fmt::format("Not all agree: {} and {} differ by up to {} away from edges{}.",
+                                comparison.a(worst).name, comparison.b(worst).name, in_255ths(region.max),
+                                has_allowed_difference(worst) ? ", more than OpenGL leaves open" : ""),
         .where = fmt::format("{}; the worst is at ({}, {}). Allowed: {}.", count_of(comparison, worst, region),
                              region.worst_x, region.worst_y, words_of(comparison.tolerance)),
         .details = {}};
@@ -162,6 +177,7 @@ Answer differing_answer(const Comparison& comparison) {
             fmt::format("Not counted: {} pixels that change if commands are left out that not every renderer draws.",
                         grouped(changed)));
     add_known_departures(comparison, answer);
+    add_precision(comparison, answer.details);
     if (!comparison.is_listed_driver) answer.details.emplace_back("No known bugs are listed for this driver.");
     return answer;
 }

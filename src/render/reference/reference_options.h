@@ -26,6 +26,8 @@ struct Options : Look {
     QuadCut quad_cut = QuadCut::kFirstToThird;
     Arithmetic arithmetic{};  // used for lighting
     InClipPlane in_clip_plane = InClipPlane::kAsComputed;
+    // For allowed_difference(): the driver approximates rho, as 3.8.8 allows (DrawingPrecision).
+    bool approximates_rho = false;
 
     friend bool operator==(const Options&, const Options&) = default;
 };

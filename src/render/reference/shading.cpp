@@ -50,7 +50,8 @@ Shader::Shader(const StagedDraw& staged, const Options& options)
       shading_(shading_of(*staged.draw, options)),
       lighting_(*staged.draw, options.lecture_variants),
       srgb_coded_(options.lecture_variants && staged.draw->fragment.srgb_coded),
-      arithmetic_(options.arithmetic) {
+      arithmetic_(options.arithmetic),
+      approximates_rho_(options.approximates_rho) {
     if (!lights_pixels()) light_vertices();
 }
 
@@ -256,8 +257,8 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<Int
         has_choice |= all->has_choice;
         return;
     }
-    const TexturePlaceBounds place =
-        texture_place_bounds(unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, error);
+    const TexturePlaceBounds place = texture_place_bounds(unit.tex_coords, *fragment.piece, fragment.position_window,
+                                                          *unit.state->texture, error, approximates_rho_);
     const TexelBounds bounds = sample_bounds(*unit.state, place.str, place.str_error, place.rho, 0, place.change);
     texel = bounds.texel;
     has_choice |= bounds.has_choice;

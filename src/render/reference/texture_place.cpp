@@ -54,6 +54,13 @@ Interval rho_of_differences(const Texture& texture, const Coordinates& over_w, c
             std::max(along_x.high, along_y.high) + in_texels};
 }
 
+// 3.8.8: any function is right that lies between the largest of m_u, m_v and m_w and their sum; m_u is the larger change of u along x
+// and y, in texels. The exact rho lies there, too.
+Interval approximations_of_rho(const Texture& texture, const TexturePlace& place) {
+    const glm::dvec3 m = size_in_texels(texture) * glm::max(glm::abs(place.per_x), glm::abs(place.per_y));
+    return {std::max({m.x, m.y, m.z}), m.x + m.y + m.z};
+}
+
 // `over_w`: the direction, times a factor.
 TexturePlace place_of(const Coordinates& over_w, const CubePlace& on_face) {
     TexturePlace place{.str = {on_face.st, 0}, .face = on_face.face};
@@ -153,8 +160,8 @@ lighting::RulingSet texture_rulings(const TexCoords& tex_coords, const Piece& pi
 }
 
 TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece& piece,
-                                        const glm::dvec2& position_window, const Texture& texture,
-                                        double vertex_error) {
+                                        const glm::dvec2& position_window, const Texture& texture, double vertex_error,
+                                        bool approximates_rho) {
     // Float arithmetic: the rounding of the texture matrix, of the plane (a constant plus slope times pixel number) and
     // of the division, each at most half a unit in the last place of the magnitudes added.
     constexpr double kRoundings = 8 * 0x1p-24;
@@ -187,6 +194,11 @@ TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece
         const double longer = quotient(glm::length(way), std::max(way.x, way.y));
         over_w.per_x *= longer;
         bounds.rho = hull(bounds.rho, rho_of_differences(texture, over_w, place, error));
+    }
+    if (approximates_rho) {
+        const Interval allowed = approximations_of_rho(texture, place);
+        const double rho = scale_factor(texture, place);
+        bounds.rho = {bounds.rho.low * quotient(allowed.low, rho), bounds.rho.high * quotient(allowed.high, rho)};
     }
     return bounds;
 }

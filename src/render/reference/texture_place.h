@@ -53,10 +53,11 @@ struct TexturePlaceBounds {
     std::size_t face = 0;
     glm::dvec3 change{0};  // of s, t and r within a pixel
 };
-// `vertex_error`: the largest error of a vertex's s, t, q and, where it counts, r.
+// `vertex_error`: the largest error of a vertex's s, t, q and, where it counts, r. `approximates_rho`: rho may be any function that
+// 3.8.8 allows.
 TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece& piece,
-                                        const glm::dvec2& position_window, const Texture& texture,
-                                        double vertex_error = 0);
+                                        const glm::dvec2& position_window, const Texture& texture, double vertex_error,
+                                        bool approximates_rho);
 
 // The same for a cube map: a place on each face that the direction may point to. 3.8.8 allows any rho between half and twice
 // the ideal one. That is used here, because drivers find the change of the direction in ways of their own.
