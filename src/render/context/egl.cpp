@@ -122,9 +122,10 @@ class EglContext final : public OffscreenContext {
             throw std::runtime_error(fmt::format("{} cannot draw into a buffer of {} x {} pixels; try a smaller one",
                                                  driver, width, height));
         }
-        // Clamps floats when they are read, as a screen would show them. OSMesa does so by itself: it treats them as
-        // fixed-point.
+        // Clamps floats when they are read, as a screen would show them, and in the fragment's texture environments and
+        // fog, as GL 2.1 does (3.8.13, 3.10). OSMesa does both by itself: it treats floats as fixed-point.
         glClampColor(GL_CLAMP_READ_COLOR, GL_TRUE);
+        glClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_TRUE);
         glViewport(0, 0, width, height);
         glScissor(0, 0, width, height);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);

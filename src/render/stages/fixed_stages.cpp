@@ -1,5 +1,6 @@
 #include "render/stages/fixed_stages.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -26,10 +27,12 @@ void set_stipples_and_smoothing(const RasterState& raster) {
     glPolygonStipple(bytes.data());
 }
 
-// GL_VERTEX_PROGRAM_POINT_SIZE counts only for shaders, which set the size of attenuated points.
+// GL_VERTEX_PROGRAM_POINT_SIZE counts only for shaders, which set the size of attenuated points. Beside a vertex shader, some drivers
+// do not limit the size of the others (NVIDIA 580), so it is limited here.
 void set_points(const RasterState& raster) {
     const PointParameters& points = raster.point_parameters;
-    glPointSize(static_cast<float>(raster.point_size));
+    const double limited = std::max(std::min(raster.point_size, points.size_max), points.size_min);
+    glPointSize(static_cast<float>(points.attenuates() || limited <= 0 ? raster.point_size : limited));
     glPointParameterf(GL_POINT_SIZE_MIN, static_cast<float>(points.size_min));
     glPointParameterf(GL_POINT_SIZE_MAX, static_cast<float>(points.size_max));
     glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, static_cast<float>(points.fade_threshold_size));
