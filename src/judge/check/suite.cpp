@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "judge/check/variants.h"
+#include "judge/compare/departures.h"
 #include "judge/compare/vertex_colors.h"
 #include "judge/oracle/oracle.h"
 #include "render/context/driver_name.h"
@@ -88,6 +89,22 @@ Right of_reference(const Case& hard_case, const Expectation& expected, Number nu
 // The result of a renderer at a place of a case.
 using Shown = std::function<std::optional<Seen>(const Expectation&)>;
 
+// What the case lists for this driver at a place; null if nothing.
+const Differs* listed_at(const Case& hard_case, const Spot& spot, const std::string& driver) {
+    const auto listed = std::ranges::find_if(
+        hard_case.differs, [&](const Differs& differs) { return differs.spot == spot && differs.is_of(driver); });
+    return listed == hard_case.differs.end() ? nullptr : &*listed;
+}
+
+// The same for shaders: they show only the bugs of what comes after the vertex stage.
+const Differs* listed_for_shaders(const Case& hard_case, const Spot& spot, const std::string& driver) {
+    const Differs* listed = listed_at(hard_case, spot, driver);
+    const auto is_of_shaders = [&](const compare::Departure& departure) {
+        return departure.name == listed->name && departure.cause == compare::Cause::kDriver;
+    };
+    return listed && std::ranges::any_of(compare::departures(), is_of_shaders) ? listed : nullptr;
+}
+
 // `error` is the result of glGetError afterwards. Scenes with features that GL lacks are not tested.
 void judge_fixed(const Case& hard_case, const Frame& frame, const std::string& driver, Enum error, const Shown& shown,
                  Result& result) {
@@ -101,13 +118,11 @@ void judge_fixed(const Case& hard_case, const Frame& frame, const std::string& d
         if (expected.spot.shading) continue;
         const std::optional<Seen> value =
             expected.spot.kind == Spot::Kind::kError ? std::optional<Seen>(error) : shown(expected);
-        const auto listed = std::ranges::find_if(hard_case.differs, [&](const Differs& differs) {
-            return differs.spot == expected.spot && differs.is_of(driver);
-        });
+        const Differs* listed = listed_at(hard_case, expected.spot, driver);
         const bool agrees = agree(value, of_floats(hard_case, expected));
         Outcome outcome = Outcome::kPass;
         std::string name;
-        if (listed != hard_case.differs.end()) {
+        if (listed) {
             name = listed->name;
             outcome = agrees                                                                     ? Outcome::kFixedBug
                       : agree(value, {listed->value, listed->value, float_tolerance(hard_case)}) ? Outcome::kKnownBug
@@ -267,23 +282,33 @@ bool is_of(const Spot& spot, const CasePicture& picture) {
 }
 
 // Compares a picture at the places that the case expects with this shading.
-void judge_picture(const Case& hard_case, const CasePicture& picture, Result& result) {
+void judge_picture(const Case& hard_case, const CasePicture& picture, const std::string& driver, Result& result) {
     result.non_finite += non_finite_pixels(picture.image);
     for (const Expectation& expected : hard_case.expectations) {
         if (!is_of(expected.spot, picture)) continue;
+        const Seen shown = color_at(picture.image, expected.spot);
+        const Differs* listed =
+            picture.path == Path::kProgrammable ? listed_for_shaders(hard_case, expected.spot, driver) : nullptr;
+        if (listed && agree(shown, {listed->value, listed->value, float_tolerance(hard_case)})) {
+            worsen(result.outcomes[static_cast<std::size_t>(picture.path)], Outcome::kKnownBug);
+            result.findings.push_back({picture.path, picture.variant, Outcome::kKnownBug, expected.spot, shown,
+                                       expected.value, listed->name});
+            continue;
+        }
         const Right right = picture.path == Path::kReference ? of_reference(hard_case, expected, picture.number)
                                                              : of_floats(hard_case, expected);
-        judge_ours(picture.path, picture.variant, expected.spot, right, color_at(picture.image, expected.spot), result);
+        judge_ours(picture.path, picture.variant, expected.spot, right, shown, result);
     }
 }
 
-void compare_with_long_double(const Case& hard_case, const std::vector<CasePicture>& pictures, Result& result) {
+void compare_with_long_double(const Case& hard_case, const std::vector<CasePicture>& pictures,
+                              const std::string& driver, Result& result) {
     for (const CasePicture& exact : pictures) {
         if (exact.path != Path::kReference || exact.number != Number::kLongDouble) continue;
         for (const CasePicture& picture : pictures) {
             if (picture.path != Path::kProgrammable) continue;
             for (const Expectation& e : hard_case.expectations)
-                if (is_of(e.spot, exact) && is_of(e.spot, picture))
+                if (is_of(e.spot, exact) && is_of(e.spot, picture) && !listed_for_shaders(hard_case, e.spot, driver))
                     compare_with_long_double(e, color_at(picture.image, e.spot), color_at(exact.image, e.spot), result);
         }
     }
@@ -441,8 +466,8 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
                 [&](const Expectation& expected) { return Seen(color_at(fixed, expected.spot)); }, result);
             result.pictures.emplace_back("fixed", fixed);
             std::vector<CasePicture> pictures = pictures_of(hard_case, frame, context_.shaders());
-            for (const CasePicture& picture : pictures) judge_picture(hard_case, picture, result);
-            compare_with_long_double(hard_case, pictures, result);
+            for (const CasePicture& picture : pictures) judge_picture(hard_case, picture, driver_, result);
+            compare_with_long_double(hard_case, pictures, driver_, result);
             for (CasePicture& picture : pictures)
                 result.pictures.emplace_back(fmt::format("{} {}", name_of(picture.path), picture.variant),
                                              std::move(picture.image));

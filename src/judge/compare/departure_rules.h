@@ -26,7 +26,8 @@ DrawRule draws_borders_of_clipped_polygons, has_faces_on_borders, has_faces_in_s
     has_negative_attenuation, has_fog_at_raster_position, has_raster_position_in_eye_coordinates,
     has_secondary_color_at_raster_position, has_long_normal_at_raster_position, has_dim_light_at_raster_position,
     has_texture_at_raster_position, copies_pixels_without_zoom, draws_colors_of_copied_depths, transfers_copied_depths,
-    stipples_in_perspective, has_scissored_sprites, stipples_borders, wraps_cube_maps, compares_depths_in_one_dimension;
+    stipples_in_perspective, has_scissored_sprites, stipples_borders, wraps_cube_maps, compares_depths_in_one_dimension,
+    has_clipped_wide_points, has_sprites_between_sizes, scales_dot3_rgba;
 VertexRule has_no_q, has_no_direction_into_cube;
 
 // ---- In lighting ----
@@ -39,10 +40,10 @@ bool any_light(const Draw& draw, Predicate predicate) {
            });
 }
 
-DrawRule has_shininess_0_with_factors, has_shininess_0_on_one_side, has_color_material_on_back_alone, rescales_much,
-    has_normals_in_projection;
+DrawRule has_shininess, has_shininess_0, has_shininess_0_with_factors, has_shininess_0_on_one_side,
+    has_color_material_on_back_alone, rescales_much, has_normals_in_projection;
 VertexRule has_color_material_of_no_color, has_w_under_positional_light, has_extreme_direction,
-    has_overflowing_highlight, has_w_0_under_directional_light, has_no_answer, is_at_exact_edge_of_cone,
-    is_near_edge_of_cone, has_light_at_horizon;
+    has_overflowing_highlight, has_w_0_under_directional_light, has_w_0_under_positional_light, has_no_answer,
+    is_at_exact_edge_of_cone, is_near_edge_of_cone, has_light_at_horizon;
 
 }  // namespace twinlight::compare

@@ -12,6 +12,14 @@ namespace {
 constexpr SeenOn kBoth[] = {
     {"llvmpipe", "Mesa 22.3"}, {"softpipe", "Mesa 22.3"}, {"llvmpipe", "Mesa 25.0"}, {"softpipe", "Mesa 25.0"}};
 constexpr SeenOn kBothUntilMended[] = {{"llvmpipe", "Mesa 22.3"}, {"softpipe", "Mesa 22.3"}};  // by Mesa 25.0
+constexpr SeenOn kNvidia[] = {{"NVIDIA", "NVIDIA 580"}};
+constexpr SeenOn kBothAndNvidia[] = {{"llvmpipe", "Mesa 22.3"},
+                                     {"softpipe", "Mesa 22.3"},
+                                     {"llvmpipe", "Mesa 25.0"},
+                                     {"softpipe", "Mesa 25.0"},
+                                     {"NVIDIA", "NVIDIA 580"}};
+constexpr SeenOn kBothUntilMendedAndNvidia[] = {
+    {"llvmpipe", "Mesa 22.3"}, {"softpipe", "Mesa 22.3"}, {"NVIDIA", "NVIDIA 580"}};
 constexpr SeenOn kLlvmpipe[] = {{"llvmpipe", "Mesa 22.3"}, {"llvmpipe", "Mesa 25.0"}};
 constexpr SeenOn kSoftpipe[] = {{"softpipe", "Mesa 22.3"}, {"softpipe", "Mesa 25.0"}};
 
@@ -32,7 +40,7 @@ const std::vector<Departure>& departures() {
         {.name = "a vertex on the edge of a spot's cone",
          .section =
              "2.14.1: a vertex is lit if its angle equals the cutoff, here of 0 or 90 degrees, and behind one of 90",
-         .seen_on = kBoth,
+         .seen_on = kBothAndNvidia,
          .vertex_rule = is_at_exact_edge_of_cone},
         {.name = "vertex near the edge of a spot's cone",
          .section = "2.14.1: spot_i jumps at the cutoff, so rounding decides",
@@ -61,7 +69,7 @@ const std::vector<Departure>& departures() {
         {.name = "clipped polygons as lines and points",
          .section = "2.12, 3.5.4",
          .cause = Cause::kDriver,
-         .seen_on = kBoth,
+         .seen_on = kBothAndNvidia,
          .draw_rule = draws_borders_of_clipped_polygons},
         {.name = "stippled lines in perspective",
          .section =
@@ -145,9 +153,19 @@ const std::vector<Departure>& departures() {
          .cause = Cause::kUnspecified,
          .seen_on = kSoftpipe,
          .draw_rule = has_level_of_detail},
+        {.name = "points whose vertex is clipped away",
+         .section = "2.12: the whole point is clipped away",
+         .cause = Cause::kDriver,
+         .seen_on = kNvidia,
+         .draw_rule = has_clipped_wide_points},
+        {.name = "the size of point sprites",
+         .section = "3.3.1: the driver rounds it to eighths of a pixel",
+         .cause = Cause::kDriver,
+         .seen_on = kNvidia,
+         .draw_rule = has_sprites_between_sizes},
         {.name = "the colour sum in fog",
          .section = "3.9, 3.10",
-         .seen_on = kBoth,
+         .seen_on = kBothAndNvidia,
          .draw_rule = adds_secondary_color_in_fog},
         {.name = "GL_CLAMP between a nearest and a linear filter",
          .section = "3.8.7, 3.8.8",
@@ -180,7 +198,7 @@ const std::vector<Departure>& departures() {
          .command_rule = sets_sides_apart},
         {.name = "glMaterial of two sides after a vertex",
          .section = "2.6, 2.14.2: vertices before it in the same glBegin keep the old material of each side",
-         .seen_on = kBothUntilMended,
+         .seen_on = kBothUntilMendedAndNvidia,
          .command_rule = sets_both_sides_after_vertex},
         {.name = "glColor before a new glColorMaterial",
          .section = "2.14.3",
@@ -205,15 +223,15 @@ const std::vector<Departure>& departures() {
          .command_rule = lists_edge_flags},
         {.name = "glRect as a quadrilateral",
          .section = "2.10: glRect is a GL_POLYGON",
-         .seen_on = kBoth,
+         .seen_on = kBothAndNvidia,
          .command_rule = shows_cut_of_rectangles},
         {.name = "flat shading of glEvalMesh2",
          .section = "5.1: glEvalMesh2 draws a GL_QUAD_STRIP",
-         .seen_on = kBoth,
+         .seen_on = kBothAndNvidia,
          .command_rule = shades_evaluated_meshes_flat},
         {.name = "texture coordinates of other primitives beside point sprites",
          .section = "3.3.1: GL_COORD_REPLACE counts for points",
-         .seen_on = kBoth,
+         .seen_on = kBothAndNvidia,
          .command_rule = draws_others_beside_sprites},
         {.name = "glShadeModel after glPopAttrib in a display list",
          .section = "5.4: a list keeps every command that can be compiled",
@@ -244,7 +262,7 @@ const std::vector<Departure>& departures() {
          .draw_rule = has_exponential_fog_behind_the_eye},
         {.name = "fog coordinates below 0",
          .section = "3.10: c is the interpolated fog coordinate, not its absolute value",
-         .seen_on = kBothUntilMended,
+         .seen_on = kBothUntilMendedAndNvidia,
          .draw_rule = has_negative_fog_coords},
         {.name = "stippled line strips in a display list",
          .section = "3.4.2, 5.4: a list draws the same as its commands",
@@ -252,16 +270,32 @@ const std::vector<Departure>& departures() {
          .draw_rule = stipples_listed_strips},
         {.name = "a direction whose square does not fit a float",
          .section = "2.14.1, 2.1.1: positions and normals up to 2^32 are valid, and unit vectors have length 1",
-         .seen_on = kBoth,
+         .seen_on = kBothAndNvidia,
          .vertex_rule = has_extreme_direction},
         {.name = "a vertex whose w is 0 under a directional light",
          .section = "2.14.1: between two points with w = 0, the direction P1P2 is that of their difference",
-         .seen_on = kBoth,
+         .seen_on = kBothAndNvidia,
          .vertex_rule = has_w_0_under_directional_light},
         {.name = "an overflowing highlight of a long normal",
          .section = "2.14.1: a black term adds nothing; the driver multiplies 0 by (n.h)^s, which is infinite",
-         .seen_on = kBoth,
+         .seen_on = kBothAndNvidia,
          .vertex_rule = has_overflowing_highlight},
+        {.name = "a vertex whose w is 0 under a positional light",
+         .section = "2.14.1: VP is the unit vector of -V",
+         .seen_on = kNvidia,
+         .vertex_rule = has_w_0_under_positional_light},
+        {.name = "shininess 0 where n.h is 0",
+         .section = "2.14.1, 2.1.1: 0^0 is 1",
+         .seen_on = kNvidia,
+         .draw_rule = has_shininess_0},
+        {.name = "the last digits of highlights",
+         .section = "2.14.1, 2.1.1: colours are accurate to about 1 part in 10^5",
+         .seen_on = kNvidia,
+         .draw_rule = has_shininess},
+        {.name = "the scale of GL_DOT3_RGBA",
+         .section = "3.8.13: alpha is multiplied by GL_ALPHA_SCALE",
+         .seen_on = kNvidia,
+         .draw_rule = scales_dot3_rgba},
         {.name = "GL_RESCALE_NORMAL under a large scale",
          .section = "2.11.3",
          .seen_on = kBoth,
@@ -355,15 +389,26 @@ bool applies_in(const Departure& departure, const Frame& frame) {
 
 }  // namespace
 
-bool Departure::is_known_on(const Driver& driver) const {
-    return std::ranges::any_of(
-        seen_on, [&](const SeenOn& seen) { return seen.driver == driver.name && driver.has_version(seen.version); });
+namespace {
+
+// A driver is named by its renderer ("llvmpipe"), or by its maker ("NVIDIA"): the driver of a maker is one for all its chips.
+bool is_of(const SeenOn& seen, const Driver& driver) {
+    return seen.driver == driver.name || driver.version.substr(0, driver.version.find(' ')) == seen.driver;
 }
 
-// What several drivers show, any driver may show, because they share parts of Mesa.
+}  // namespace
+
+bool Departure::is_known_on(const Driver& driver) const {
+    return std::ranges::any_of(
+        seen_on, [&](const SeenOn& seen) { return is_of(seen, driver) && driver.has_version(seen.version); });
+}
+
+// What several drivers show, any driver may show, because they share parts of Mesa. Of other makers' drivers, a release that was
+// measured shows what it showed.
 bool Departure::may_show_on(const Driver& driver) const {
+    if (is_listed(driver) && !driver.version.starts_with("Mesa")) return seen_on.empty() || is_known_on(driver);
     const auto is_other = [&](const SeenOn& seen) { return seen.driver != seen_on.front().driver; };
-    return seen_on.empty() || std::ranges::any_of(seen_on, is_other) || seen_on.front().driver == driver.name;
+    return seen_on.empty() || std::ranges::any_of(seen_on, is_other) || is_of(seen_on.front(), driver);
 }
 
 bool is_listed(const Driver& driver) {

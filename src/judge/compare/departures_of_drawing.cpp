@@ -275,4 +275,24 @@ bool clamps_between_nearest_and_linear(const Draw& draw) {
     });
 }
 
+bool has_clipped_wide_points(const Draw& draw) {
+    const glm::dmat4 clip_from_object = draw.clip_from_eye * draw.eye_from_object;
+    return has_wide_points(draw) && std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
+               const glm::dvec4 clip = clip_from_object * vertex.position_object;
+               return std::max({std::abs(clip.x), std::abs(clip.y), std::abs(clip.z)}) > clip.w;
+           });
+}
+
+bool has_sprites_between_sizes(const Draw& draw) {
+    constexpr double kSizesPerPixel = 8;
+    const double size = kSizesPerPixel * draw.raster.point_size;
+    return draw.draws_sprites() && (size != std::round(size) || draw.raster.point_parameters.attenuates());
+}
+
+bool scales_dot3_rgba(const Draw& draw) {
+    return any_unit(draw, [](const TextureUnit& unit) {
+        return unit.combine.gives_alpha() && unit.combine.rgb_scale != unit.combine.alpha_scale;
+    });
+}
+
 }  // namespace twinlight::compare

@@ -64,6 +64,29 @@ bool is_behind_cone_of_90(const Draw& draw, const Vertex& vertex) {
 
 }  // namespace
 
+namespace {
+
+// Whether any highlight of a lit Draw has such an exponent.
+bool any_highlight(const Draw& draw, bool (*predicate)(double shininess)) {
+    const auto shows = [&](const Material& material) {
+        return glm::dvec3(material.specular) != glm::dvec3(0) && predicate(material.shininess);
+    };
+    const bool two_side = draw.lighting.light_model.two_side;
+    return draw.lighting.enabled && any_material(draw, [&](const Material& front, const Material& back) {
+               return shows(front) || (two_side && shows(back));
+           });
+}
+
+}  // namespace
+
+bool has_shininess(const Draw& draw) {
+    return any_highlight(draw, [](double shininess) { return shininess > 0; });
+}
+
+bool has_shininess_0(const Draw& draw) {
+    return any_highlight(draw, [](double shininess) { return shininess == 0; });
+}
+
 bool has_shininess_0_with_factors(const Draw& draw) {
     const bool two_side = draw.lighting.light_model.two_side;
     const bool has_0 = any_material(draw, [&](const Material& front, const Material& back) {
@@ -104,6 +127,11 @@ bool has_w_under_positional_light(const Draw& draw, const Vertex& vertex) {
 bool has_w_0_under_directional_light(const Draw& draw, const Vertex& vertex) {
     return (draw.eye_from_object * vertex.position_object).w == 0 &&
            any_light(draw, [](const LightSource& light) { return light.position_eye.w == 0; });
+}
+
+bool has_w_0_under_positional_light(const Draw& draw, const Vertex& vertex) {
+    return (draw.eye_from_object * vertex.position_object).w == 0 &&
+           any_light(draw, [](const LightSource& light) { return light.position_eye.w != 0; });
 }
 
 bool has_extreme_direction(const Draw& draw, const Vertex& vertex) {
