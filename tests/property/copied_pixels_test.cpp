@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../unit/compare_three_ways.h"
+#include "../unit/frames_of_texts.h"
 #include "../unit/one_pixel.h"
 #include "render/fixed/replay.h"
 #include "scene/command/text.h"
@@ -122,29 +123,10 @@ TEST_F(CopiedPixelsTest, ComeFromWhereTheCommandIsEvenInALists) {
     EXPECT_EQ(codes(text), (Codes{0, 255, 255, 255}));
 }
 
-// Steps of a program that shows its picture at each empty text.
-class Frames final : public Recording {
-  public:
-    explicit Frames(const std::vector<std::string>& frames) : Recording("frames") {
-        for (const std::string& frame : frames) lists_.push_back(list_of(frame));
-    }
-    void for_each(const std::function<bool(const Step&)>& visit) const override {
-        static const Command kNone{CommandId::glFlush, {}, {}};
-        for (const auto& list : lists_) {
-            for (const Command& command : list->commands)
-                if (!visit({.command = command})) return;
-            if (!visit({.kind = Step::Kind::kFrameEnd, .command = kNone})) return;
-        }
-    }
-
-  private:
-    std::vector<std::shared_ptr<const CommandList>> lists_;
-};
-
 TEST_F(CopiedPixelsTest, OfEarlierFramesStay) {
     const std::string copy = "glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, 16, 16, 0);\n";
     const std::string state = "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);\n";
-    const auto recording = std::make_shared<const Frames>(std::vector<std::string>{
+    const auto recording = std::make_shared<const FramesOfTexts>(std::vector<std::string>{
         state + "glClearColor(1, 0.5, 1, 1); glClear(GL_COLOR_BUFFER_BIT); glRectf(9, 9, 9, 9);\n" + copy,
         "glColor3f(0.5, 0.5, 0.5);\n" + shown() + copy, shown() + copy, shown(), shown()});
     const int expected[] = {255, 128, 64, 32, 32};
@@ -162,7 +144,7 @@ TEST_F(CopiedPixelsTest, OfTooManyFramesInARowAreRefusedByName) {
     std::vector<std::string> frames{"glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);\n"};
     for (int i = 0; i < 60; ++i)
         frames.push_back(shown() + "glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, 16, 16, 0);\n");
-    const auto recording = std::make_shared<const Frames>(frames);
+    const auto recording = std::make_shared<const FramesOfTexts>(frames);
     const auto unsupported = [&](int number) {
         return make_recorded_frame(recording, {.number = number, .width = kSide, .height = kSide})
             .scene.frame.unsupported;

@@ -11,6 +11,7 @@
 
 #include "scene/command/text.h"
 #include "scene/state/draws_nothing.h"
+#include "scene/state/earlier_frames.h"
 #include "scene/state/not_finite.h"
 
 namespace twinlight {
@@ -20,6 +21,9 @@ namespace {
 constexpr int kDefaultWidth = 640, kDefaultHeight = 480;
 constexpr int kLargestSide = 8192;  // every driver allows viewports of this size
 constexpr std::size_t kCommandsBetweenProgress = 1 << 16;
+// The most earlier frames that are drawn before a frame that shows them, and the most vertices that these have together.
+constexpr int kMostEarlierFrames = 50;
+constexpr std::size_t kMostEarlierVertices = 200'000;
 
 const Command kEnd{CommandId::glEnd, {}, {}};
 
@@ -27,20 +31,27 @@ std::optional<Command> made_finite(const Step& step) {
     return step.kind == Step::Kind::kCommand ? twinlight::made_finite(step.command) : std::nullopt;
 }
 
-// The first steps of a recording, and the commands that end what these leave open.
+// The first steps of a recording, and the commands that end what these leave open. `frame_ends`: how many ends of frames it has; the
+// frames after these are one picture.
 class Beginning final : public Recording {
   public:
-    Beginning(std::shared_ptr<const Recording> whole, std::size_t steps, std::vector<Command> endings,
+    Beginning(std::shared_ptr<const Recording> whole, std::size_t steps, int frame_ends, std::vector<Command> endings,
               std::string given_name)
-        : Recording(std::move(given_name)), whole_(std::move(whole)), steps_(steps), endings_(std::move(endings)) {}
+        : Recording(std::move(given_name)),
+          whole_(std::move(whole)),
+          steps_(steps),
+          frame_ends_(frame_ends),
+          endings_(std::move(endings)) {}
 
     void for_each(const std::function<bool(const Step&)>& visit) const override {
         std::size_t left = steps_;
+        int frame_ends_left = frame_ends_;
         bool go_on = true;
         if (left > 0) {
             whole_->for_each([&](const Step& step) {
                 const std::optional<Command> finite = made_finite(step);
-                go_on = finite ? visit({.command = *finite}) : visit(step);
+                if (step.kind != Step::Kind::kFrameEnd || frame_ends_left-- > 0)
+                    go_on = finite ? visit({.command = *finite}) : visit(step);
                 return --left > 0 && go_on;
             });
         }
@@ -52,6 +63,7 @@ class Beginning final : public Recording {
   private:
     std::shared_ptr<const Recording> whole_;
     std::size_t steps_;
+    int frame_ends_;
     std::vector<Command> endings_;
 };
 
@@ -60,11 +72,13 @@ enum class FrameEnd : std::uint8_t { kSwap, kFlush };
 
 class Player {
   public:
-    // `keeps`: whether earlier frames are kept to their ends, for textures that copy their pixels.
-    Player(const FrameChoice& choice, FrameEnd frame_end, bool keeps, int width, int height)
+    // `keeps`: whether earlier frames are kept to their ends, for textures that copy their pixels. `first_shown`: the first frame
+    // that stays after a swap of buffers.
+    Player(const FrameChoice& choice, FrameEnd frame_end, bool keeps, int first_shown, int width, int height)
         : choice_(choice),
           frame_end_(frame_end),
           keeps_(keeps),
+          first_shown_(first_shown),
           width_(width),
           height_(height),
           state_({.width = width, .height = height, .signed_rule = choice.signed_rule, .memory = choice.memory}) {}
@@ -85,17 +99,26 @@ class Player {
         return std::ranges::any_of(lost_, [](const auto& copy) { return copy.use_count() > 0; });
     }
     int frames() const { return frame_; }  // complete frames before the chosen one
+    // The first of the frames before the chosen one that may show in it, as far as the limits allow; the chosen one if none does.
+    int first_that_shows() const;
+    // Whether the frames from first_shown on together are more than the memory allows. The recording was not played to the end.
+    bool shows_too_much() const { return shows_too_much_; }
     // Why nothing is drawn.
     std::string why() const {
         return nothing_.why(frame_, state_.error_count()) + (notes_.empty() ? "" : "; " + notes_.back());
     }
     RecordedFrame result(const std::shared_ptr<const Recording>& recording);
 
-    // The smallest size that contains all viewports; nullopt if they are empty.
+    // The smallest size that contains all viewports; nullopt if they are empty. Views that divide a window may reach a pixel beyond it;
+    // the recorder, or the program, set the whole window first.
     std::optional<std::pair<int, int>> size() const {
         if (reach_x_ <= 0 || reach_y_ <= 0) return std::nullopt;
-        return std::pair(static_cast<int>(std::min<std::int64_t>(reach_x_, kLargestSide + 1)),
-                         static_cast<int>(std::min<std::int64_t>(reach_y_, kLargestSide + 1)));
+        constexpr std::int64_t kBeyond = 2;
+        const auto side = [](std::int64_t reach, std::int64_t first) {
+            const std::int64_t whole = reach > first && reach <= first + kBeyond ? first : reach;
+            return static_cast<int>(std::min<std::int64_t>(whole, kLargestSide + 1));
+        };
+        return std::pair(side(reach_x_, first_.width), side(reach_y_, first_.height));
     }
     // Whether something was drawn in the initial viewport.
     bool draws_in_initial_viewport() const { return draws_in_initial_viewport_; }
@@ -106,6 +129,10 @@ class Player {
     void end_begin();
     void command(const Command& command);
     bool end_frame();
+    bool drops_frame() const {
+        return choice_.number && frame_ < *choice_.number && frame_end_ == FrameEnd::kSwap && !keeps_ &&
+               frame_ < first_shown_;
+    }
     void reach(const Viewport& viewport) {
         reach_x_ = std::max(reach_x_, std::int64_t{viewport.x} + viewport.width);
         reach_y_ = std::max(reach_y_, std::int64_t{viewport.y} + viewport.height);
@@ -118,11 +145,21 @@ class Player {
     const FrameChoice& choice_;
     FrameEnd frame_end_;
     bool keeps_;
+    int first_shown_;
     int width_, height_;
     State state_;
     std::vector<std::weak_ptr<const CopiedPixels>> lost_;  // of earlier frames
     std::size_t steps_ = 0;
     int frame_ = 0;
+    // What this frame shows of earlier ones, and what each frame before did.
+    EarlierFrames earlier_;
+    struct ShownBefore {
+        bool shows_earlier = false;
+        std::size_t vertices = 0;
+    };
+    std::size_t vertices_ = 0;  // of this frame
+    std::vector<ShownBefore> before_;
+    bool shows_too_much_ = false;
     bool swaps_ = false;
     bool changed_ = false;  // something was drawn or cleared since the end of the last frame
     bool drawn_ = false;    // something was drawn
@@ -131,6 +168,7 @@ class Player {
     DrawsNothing nothing_;
     bool draws_in_initial_viewport_ = false;
     std::int64_t reach_x_ = 0, reach_y_ = 0;
+    Viewport first_;  // the first that starts in the corner
     // Why the first frame is too large, if it is. Where nothing is ever swapped, it ends at a glFlush, and may be smaller.
     std::optional<std::string> exhausted_;
     std::vector<std::string> notes_;
@@ -147,7 +185,7 @@ bool Player::take(const Step& step) {
     if (step.kind == Step::Kind::kFrameEnd && frame_end_ == FrameEnd::kSwap) {
         swaps_ = true;
         if (end_frame()) return true;
-        state_.drop_picture();
+        if (frame_ <= first_shown_) state_.drop_picture();
     }
     ++steps_;
     if (!ever_drawn_) nothing_.take(step);
@@ -166,6 +204,7 @@ bool Player::take(const Step& step) {
         case Step::Kind::kCutOff: notes_.emplace_back(step.text); break;
         case Step::Kind::kFrameEnd: break;
     }
+    if (shows_too_much_) return true;
     return frame_end_ == FrameEnd::kFlush && is_flush(step) && changed_ && !state_.inside_begin() && end_frame();
 }
 
@@ -189,24 +228,31 @@ void Player::command(const Command& command) {
     const std::size_t before = state_.items().size();
     state_.apply(command);
     if (const auto& error = state_.exhausted()) {
+        shows_too_much_ = frame_ > first_shown_;
+        if (shows_too_much_) return;
         exhausted_ = fmt::format("{}: {}; this recording cannot be drawn", error->place.str(), error->message);
         if (frame_end_ == FrameEnd::kFlush || swaps_) throw SceneError(*exhausted_);
         return;
     }
     // Programs with framebuffer objects also set the viewport for those.
-    if (command.id == CommandId::glViewport && state_.framebuffers().named.empty()) reach(state_.raster().viewport);
+    if (command.id == CommandId::glViewport && state_.framebuffers().named.empty()) {
+        const Viewport& viewport = state_.raster().viewport;
+        if (first_ == Viewport{} && viewport.x == 0 && viewport.y == 0) first_ = viewport;
+        reach(viewport);
+    }
     if (state_.items().size() == before) return;
-    const bool drops_frame = choice_.number && frame_ < *choice_.number && frame_end_ == FrameEnd::kSwap && !keeps_;
     for (auto item = state_.items().begin() + static_cast<std::ptrdiff_t>(before); item != state_.items().end();
          ++item) {
+        earlier_.take(*item);
         if (const TakePixels* copy = std::get_if<TakePixels>(&*item)) {
-            if (drops_frame) lost_.emplace_back(copy->pixels);
+            if (drops_frame()) lost_.emplace_back(copy->pixels);
             continue;
         }
         changed_ = true;
         const Draw* draw = std::get_if<Draw>(&*item);
         if (!draw) continue;
         const Viewport& viewport = draw->raster.viewport;
+        vertices_ += draw->vertices.size();
         drawn_ = ever_drawn_ = true;
         if (draw->pixels) continue;  // its viewport is not the program's
         draws_in_initial_viewport_ |=
@@ -214,7 +260,7 @@ void Player::command(const Command& command) {
         reach(viewport);
     }
     // Delete what no later picture shows.
-    if (drops_frame)
+    if (drops_frame())
         state_.drop_picture();
     else
         state_.drop_hidden();
@@ -222,10 +268,28 @@ void Player::command(const Command& command) {
 
 // Whether the frame that ends here is the chosen one.
 bool Player::end_frame() {
+    earlier_.end();
     if (choice_.number ? frame_ == *choice_.number : drawn_) return true;
+    before_.push_back({earlier_.show(), vertices_});
+    earlier_ = {};
+    vertices_ = 0;
     ++frame_;
     changed_ = drawn_ = false;
     return false;
+}
+
+int Player::first_that_shows() const {
+    if (frame_end_ != FrameEnd::kSwap || !earlier_.show()) return frame_;
+    int first = frame_;
+    std::size_t vertices = 0;
+    do {
+        const ShownBefore& one = before_[static_cast<std::size_t>(first) - 1];
+        vertices += one.vertices;
+        if (vertices > kMostEarlierVertices) break;
+        --first;
+    } while (first > 0 && frame_ - first < kMostEarlierFrames &&
+             before_[static_cast<std::size_t>(first)].shows_earlier);
+    return first;
 }
 
 RecordedFrame Player::result(const std::shared_ptr<const Recording>& recording) {
@@ -250,9 +314,20 @@ RecordedFrame Player::result(const std::shared_ptr<const Recording>& recording) 
             "{} of the program's commands up to this frame {} NaN or infinity; the first: {}. GL leaves open what that "
             "does (section 2.1.1). All renderers draw 0 for NaN, and 2^32 for infinity.",
             not_finite_, not_finite_ == 1 ? "has" : "have", first_not_finite_));
-    result.scene = {std::make_shared<const Beginning>(recording, steps_, std::move(endings_),
-                                                      fmt::format("{}, frame {}", recording->name, frame_)),
-                    state_.take_frame()};
+    if (frame_end_ == FrameEnd::kSwap && earlier_.show() && frame_ > 0) {
+        const int shown = frame_ - std::min(first_shown_, frame_);
+        const bool are_all = shown == frame_ || !before_[static_cast<std::size_t>(frame_ - shown)].shows_earlier;
+        result.notes.push_back(fmt::format(
+            "this frame shows what earlier frames left in {}; {}", earlier_.words(),
+            shown == 0 ? "they are too large to draw them first"
+                       : fmt::format("{} drawn first{}, as for a window that keeps its picture",
+                                     shown == 1 ? "the one before is" : fmt::format("the {} before are", shown),
+                                     are_all ? "" : ", and those before them left out")));
+    }
+    result.scene = {
+        std::make_shared<const Beginning>(recording, steps_, std::min(first_shown_, frame_), std::move(endings_),
+                                          fmt::format("{}, frame {}", recording->name, frame_)),
+        state_.take_frame()};
     return result;
 }
 
@@ -262,9 +337,17 @@ RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& record
     int width = choice.width.value_or(kDefaultWidth), height = choice.height.value_or(kDefaultHeight);
     FrameEnd frame_end = FrameEnd::kSwap;
     bool keeps = false;
+    // Nothing stays until a frame is found that shows what earlier frames left.
+    constexpr int kNone = std::numeric_limits<int>::max();
+    int first_shown = kNone;
+    bool knows_shown = false;
     while (true) {
-        Player player(choice, frame_end, keeps, width, height);
+        Player player(choice, frame_end, keeps, first_shown, width, height);
         const bool found = player.play(*recording);
+        if (player.shows_too_much()) {
+            first_shown = kNone;
+            continue;
+        }
         if (player.lacks_copies()) {
             keeps = true;
             continue;
@@ -283,6 +366,13 @@ RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& record
             throw SceneError(
                 fmt::format("{}: the recording has no frame {}; {}", recording->name, *choice.number,
                             frames == 1 ? "its only frame is 0" : fmt::format("its frames are 0 to {}", frames - 1)));
+        }
+        if (!knows_shown) {
+            knows_shown = true;
+            if (player.first_that_shows() < player.frames()) {
+                first_shown = player.first_that_shows();
+                continue;
+            }
         }
         RecordedFrame result = player.result(recording);
         if (choice.width && choice.height) return result;

@@ -30,9 +30,9 @@ struct RecordedFrame {
     std::vector<std::string> notes;  // for example that the recording ends abruptly
 };
 
-// A frame ends where the program swaps buffers. Their contents are then undefined, so the next frame starts black. If a
-// program never swaps, it has one buffer: a frame ends at glFlush or glFinish after something was drawn, and the next
-// frame draws over it. The commands after the last end are a frame too if they draw something.
+// A frame ends where the program swaps buffers. The next frame starts black, unless it shows what earlier frames left
+// (earlier_frames.h): then these are drawn first, up to 50, and a note says so. If a program never swaps, it has one buffer: a frame
+// ends at glFlush or glFinish after something was drawn, and the next frame draws over it. The commands after the last end are a frame too if they draw something.
 // Throws SceneError if the recording cannot be read, has too few frames, or this frame draws nothing.
 RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& recording, const FrameChoice& choice);
 

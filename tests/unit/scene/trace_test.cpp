@@ -332,9 +332,10 @@ std::size_t draws(const Frame& frame) {
 }
 
 TEST_F(Traces, KeepTheStateOfEarlierFrames) {
+    const std::string clear = "2 glClear(mask = GL_COLOR_BUFFER_BIT)\n";
     const std::string text = "1 glViewport(x = 0, y = 0, width = 64, height = 48)\nglEnable(cap = GL_LIGHTING)\n" +
                              std::string(kSwap) + "glColor3f(red = 1, green = 0, blue = 0)\n" + kTriangle + kSwap +
-                             "glDisable(cap = GL_LIGHTING)\n" + kTriangle + kTriangle + kSwap;
+                             clear + "glDisable(cap = GL_LIGHTING)\n" + kTriangle + kTriangle + kSwap;
     const RecordedFrame first = frame(text);
     EXPECT_EQ(first.number, 1);  // the first that draws
     EXPECT_EQ(draws(first.scene.frame), 1u);
@@ -353,6 +354,19 @@ TEST_F(Traces, KeepTheStateOfEarlierFrames) {
     EXPECT_FALSE(is_lit(second.scene.frame));
     EXPECT_THROW(frame(text, 3), SceneError);
     EXPECT_THROW(frame(text, 0), SceneError);  // draws nothing
+}
+
+// Two views of a window of 64 pixels, the second of which begins a pixel beyond its middle.
+TEST_F(Traces, HaveTheSizeOfTheWindowWhereAViewReachesAPixelBeyond) {
+    const auto views = [](int second, int width) {
+        return "1 glViewport(x = 0, y = 0, width = 64, height = 48)\nglViewport(x = 0, y = 0, width = 32, height = "
+               "48)\n" +
+               std::string(kTriangle) + "glViewport(x = " + std::to_string(second) +
+               ", y = 0, width = " + std::to_string(width) + ", height = 48)\n" + kTriangle + kSwap;
+    };
+    EXPECT_EQ(frame(views(33, 32)).scene.frame.width, 64);
+    EXPECT_EQ(frame(views(32, 32)).scene.frame.width, 64);
+    EXPECT_EQ(frame(views(40, 40)).scene.frame.width, 80);  // the window has grown
 }
 
 // Without a swap there is one buffer, and the next frame draws over it.
