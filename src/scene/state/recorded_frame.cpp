@@ -279,7 +279,7 @@ bool Player::end_frame() {
 }
 
 int Player::first_that_shows() const {
-    if (frame_end_ != FrameEnd::kSwap || !earlier_.show()) return frame_;
+    if (frame_ == 0 || frame_end_ != FrameEnd::kSwap || !earlier_.show()) return frame_;
     int first = frame_;
     std::size_t vertices = 0;
     do {

@@ -454,8 +454,8 @@ TEST_F(Traces, EndWhatAFrameLeavesOpen) {
     EXPECT_NO_THROW(make_scene(again, {.width = 64, .height = 48}));
 
     const RecordedFrame cut =
-        frame(std::string(kTriangle) + kSwap + "glNewList(list = 3, mode = " + "GL_COMPILE_AND_EXECUTE)\n" + kTriangle +
-                  "glBegin(mode = GL_POINTS)\n",
+        frame(std::string(kTriangle) + kSwap + "glClear(mask = GL_COLOR_BUFFER_BIT)\nglNewList(list = 3, mode = " +
+                  "GL_COMPILE_AND_EXECUTE)\n" + kTriangle + "glBegin(mode = GL_POINTS)\n",
               1);
     lines = last(cut);
     EXPECT_EQ(Lines(lines.end() - 2, lines.end()), (Lines{"glEnd();", "glEndList();"}));
