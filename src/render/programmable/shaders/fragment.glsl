@@ -21,6 +21,7 @@ void main() {
     color.rgb = srgb_coded(color.rgb);
 #endif
 #insert stipples
+#insert coverage
 #insert alpha_test
 #insert logic_op
     fragment_color = color;
