@@ -276,7 +276,10 @@ class Writer {
                                      .for_any_pose = options_.for_any_pose};
         if (draw.draws_borders() && is_flat && effects.generated_normal() != GeneratedNormal::kUnused)
             miss(draw, "edges of flat polygons have texture coordinates from other normals");
-        if (draw.draws_borders() && options_.for_any_pose)
+        const bool has_colors = effects.lighting || std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
+                                    return vertex.color != draw.vertices.front().color;
+                                });
+        if (draw.draws_borders() && options_.for_any_pose && has_colors)
             miss(draw, "after the key f, edges of polygons have the colours of other vertices");
         std::optional<Json> whole;  // the place of the Draw's vertices
         for (const Part& part : parts_of(draw, options)) {
