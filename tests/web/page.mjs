@@ -168,7 +168,7 @@ const checks = {
             told.dumpErrors.push(await text("messages"));
         }
         await dropped([["mine.gl", btoa("// mine\nglRectf(0, 0, 1, 1);\n")]]);
-        told.droppedScene = await sceneText();
+        told.droppedScene = [await sceneText(), await browser.value(`document.getElementById("scenes").value`)];
         await dropped(recording);
         told.dump = [await sceneText(), await text("verdict"), await browser.value(`document.getElementById("shaders").width`)];
         await browser.value(`document.getElementById("link").click()`);
@@ -239,7 +239,7 @@ int main(int argc, char** argv) { glutInit(&argc, argv); glutInitWindowSize(8000
         told.link = await browser.value("location.hash");
         await opened("#scene=spotlight");
         await opened(told.link);
-        told.linked = await sceneText() === before;
+        told.linked = [await sceneText() === before, await browser.value(`document.getElementById("scenes").value`)];
     },
 
     async showsMesaAndTheSlider() {
