@@ -117,6 +117,14 @@ glBegin(GL_TRIANGLES);
 glColor3f(1, 0, 0); glVertex2f(-0.725, 0.275); glColor3f(0, 1, 0); glVertex2f(0.74375, 0.275); glColor3f(0, 1, 1); glVertex2f(0.025, 0.775);
 glEnd();
 )"},
+    {"constant colour and alpha in blending", R"(
+glClearColor(0.2, 0.6, 0.4, 1); glClear(GL_COLOR_BUFFER_BIT);
+glEnable(GL_BLEND); glBlendColor(0.8, 0.3, 0.6, 0.4); glColor3f(0.9, 0.5, 0.3);
+glBlendFunc(GL_CONSTANT_COLOR, GL_CONSTANT_ALPHA); glRectf(-1, -1, 0, 0);
+glBlendFunc(GL_ONE_MINUS_CONSTANT_ALPHA, GL_CONSTANT_COLOR); glRectf(0, -1, 1, 0);
+glBlendFunc(GL_ONE_MINUS_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_ALPHA); glRectf(-1, 0, 0, 1);
+glBlendFuncSeparate(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_COLOR, GL_CONSTANT_COLOR, GL_ONE); glRectf(0, 0, 1, 1);
+)"},
     {"wide lines and culling", R"(
 glEnable(GL_CULL_FACE); glEnable(GL_POLYGON_OFFSET_FILL); glPolygonOffset(0, 1000000); glEnable(GL_DEPTH_TEST); glLineWidth(5);
 glBegin(GL_LINES); glColor3f(1, 0, 0); glVertex2f(-0.5, -0.31); glVertex2f(0.5, -0.31); glVertex2f(0.5, 0.29); glVertex2f(-0.5, 0.29); glEnd();

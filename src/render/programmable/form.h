@@ -86,6 +86,8 @@ struct Form {
     bool lod_bias = false;
     // A texture may have a rim of texels with the border's colour, which OpenGL ES lacks; u_texture_inside is the part within.
     bool texture_rims = false;
+    bool scales_source =
+        false;  // multiplies the colour by blending's factor for it, where WebGL refuses a pair of factors
     Enum logic_op = kGL_COPY;  // glLogicOp, which OpenGL ES lacks
     std::optional<KeptForm> kept{};
 

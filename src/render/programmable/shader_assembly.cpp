@@ -740,6 +740,9 @@ class Assembler {
                         {"coverage", coverage_text(form_, size_of_smooth_point())},
                         {"alpha_test", alpha_test()},
                         {"logic_op", logic_op()},
+                        {"blend_source", form_.scales_source ? "    color.rgb = clamp(color.rgb, 0.0, 1.0) * "
+                                                               "u_blend_source;  // glBlendColor (section 4.1.8)\n"
+                                                             : ""},
                         {"within_clip_planes", within_clip_planes},
                         {"texture_environment", texture_environment()},
                         {"texture_lookups", texture_lookups()},

@@ -20,6 +20,7 @@
 #include "render/programmable/vertex_attributes.h"
 #include "render/reference/piece.h"
 #include "render/webgl/kept_values.h"
+#include "render/webgl/webgl_fragments.h"
 #include "render/webgl/webgl_lines.h"
 #include "render/webgl/webgl_runs.h"
 #include "render/webgl/webgl_textures.h"
@@ -205,10 +206,15 @@ class Writer {
             form.texture_rims |= has_rim(*unit.texture);
         });
         form.logic_op = draw.fragment.logic_op.value_or(kGL_COPY);
+        form.scales_source = mixes_constants(draw.fragment);
         Json item = Json::object();
         const auto name_of = [&](const std::string& name) { return name_in(form, name); };
         Json own = Json::object();
         if (form.alpha_func != kGL_ALWAYS) own[name_of("u_alpha_ref")] = {static_cast<float>(draw.fragment.alpha_ref)};
+        if (form.scales_source) {
+            const glm::dvec3 factor = constant_factor(draw.fragment);
+            own[name_of("u_blend_source")] = {factor.r, factor.g, factor.b};
+        }
         const RasterState& raster = draw.raster;
         // Sizes of smooth points, of sprites, and smooth lines' widths need not be whole.
         const auto size_of = [](double size, bool is_any) { return is_any ? size : reference::whole_pixels(size); };
@@ -336,19 +342,6 @@ class Writer {
         item["sides"] = has_sides;
     }
 
-    // WebGL 2 specification, section 4.1: both faces must have the same reference and masks. So each face is drawn with the other one
-    // culled.
-    static bool needs_each_side(const Draw& draw) {
-        if (!has_two_stencils(draw) || draw.raster.cull_enabled) return false;
-        const StencilFace &front = draw.fragment.stencil->front, &back = draw.fragment.stencil->back;
-        const auto differ = [&](auto member) { return front.*member != back.*member; };
-        return differ(&StencilFace::ref) || differ(&StencilFace::mask) || differ(&StencilFace::write_mask);
-    }
-    static bool has_two_stencils(const Draw& draw) {
-        return draw.fragment.stencil && draws_polygons(draw.mode) &&
-               draw.fragment.stencil->front != draw.fragment.stencil->back;
-    }
-
     void add_raster(Json& item, const Draw& draw) {
         const RasterState& raster = draw.raster;
         item["viewport"] = box(raster.viewport);
@@ -364,22 +357,8 @@ class Writer {
     void add_fragment(Json& item, const Draw& draw) {
         const FragmentState& fragment = draw.fragment;
         add_scissor(item, fragment.scissor, fragment.color_mask);
-        if (fragment.stencil) {
-            const StencilFace *front = &fragment.stencil->front, *back = &fragment.stencil->back;
-            // Where one face is culled, the other's values are those of both.
-            if (has_two_stencils(draw) && draw.raster.cull_enabled)
-                (draw.raster.cull_face == kGL_FRONT ? front : back) = draw.raster.cull_face == kGL_FRONT ? back : front;
-            item["stencil"] = Json::array();
-            for (const StencilFace* face : {front, back})
-                item["stencil"].push_back({face->func, std::clamp(face->ref, 0, kMaxStencil), face->mask & kMaxStencil,
-                                           face->fail, face->depth_fail, face->depth_pass,
-                                           face->write_mask & kMaxStencil});
-        }
-        if (!fragment.blend || fragment.logic_op) return;
-        item["blend"] = {
-            {"factors", {fragment.blend_src, fragment.blend_dst, fragment.blend_src_alpha, fragment.blend_dst_alpha}},
-            {"equations", {fragment.blend_equation, fragment.blend_equation_alpha}},
-            {"color", color_of(fragment.blend_color)}};
+        if (fragment.stencil) item["stencil"] = stencil_json(draw);
+        if (fragment.blend && !fragment.logic_op) item["blend"] = blend_json(fragment);
     }
 
     const Frame& frame_;

@@ -66,6 +66,7 @@ const Words& kept_names() {
                                                   {"u_point_eye_from_object", "ModelViewMatrix"},
                                                   {"u_point_attenuation", "PointAttenuation"},
                                                   {"u_point_sizes", "PointSizes"},
+                                                  {"u_blend_source", "BlendSource"},
                                                   {"u_alpha_ref", "AlphaRef"},
                                                   {"u_fog_color", "Fog.color.rgb"},
                                                   {"u_fog_end", "Fog.end"},

@@ -29,6 +29,7 @@ uniform vec4 ClipPlane[8];  // glClipPlane, in eye coordinates (section 2.12)
 uniform float PointSize;  // glPointSize (section 3.3)
 uniform vec3 PointAttenuation;  // GL_POINT_DISTANCE_ATTENUATION (section 3.3)
 uniform vec3 PointSizes;  // glPointSize, GL_POINT_SIZE_MIN, GL_POINT_SIZE_MAX
+uniform vec3 BlendSource;  // glBlendColor (section 4.1.8), where it is the source factor
 uniform float AlphaRef;  // glAlphaFunc (section 4.1.4)
 
 // glMaterial (section 2.14.2)

@@ -24,5 +24,6 @@ void main() {
 #insert coverage
 #insert alpha_test
 #insert logic_op
+#insert blend_source
     fragment_color = color;
 }

@@ -37,6 +37,7 @@ uniform float u_line_width;  // glLineWidth (section 3.4.2.1), in whole pixels u
 uniform int u_line_stipple_factor;  // glLineStipple (section 3.4.2)
 uniform int u_line_stipple_pattern;
 uniform uint u_polygon_stipple[32];  // glPolygonStipple (section 3.5.2): rows from the bottom, the leftmost pixel in the lowest bit
+uniform vec3 u_blend_source;  // glBlendColor (section 4.1.8), where it is the source factor
 uniform float u_alpha_ref;  // glAlphaFunc (section 4.1.4)
 uniform vec4 u_eye_z_from_object;  // the modelview matrix's third row
 uniform vec4 u_eye_w_from_object;  // the modelview matrix's fourth row
