@@ -105,7 +105,7 @@ TEST(WebglFrame, HasDepthRangesFromNearToFar) {
     EXPECT_EQ(reversed_clip_from_object[14], -0.25);
 }
 
-// Two triangles, whose corners are 1.5 of 64 pixels above and below the line's ends.
+// Two triangles. Each corner has the place of the line's other end, and says at which end and on which side it is.
 TEST(WebglFrame, DrawsWideLinesAsRectangles) {
     PageScene scene;
     scene.open("glLineWidth(3); glBegin(GL_LINES); glVertex2f(-0.5, 0); glVertex2f(0.5, 0.25); glEnd();", "scene", "",
@@ -116,14 +116,21 @@ TEST(WebglFrame, DrawsWideLinesAsRectangles) {
     EXPECT_EQ(item["parts"][0][0], kGL_TRIANGLES);
     EXPECT_EQ(item["parts"][0][2], 6);
     const Json sizes = header["programs"][0]["attributes"];
-    EXPECT_EQ(sizes, (Json{4, 4, 3})) << "position, colour, place beside it";
-    const std::size_t first = item["vertices"][0], stride = 11;
+    EXPECT_EQ(sizes, (Json{4, 4, 4, 3})) << "position, colour, the other end's position, which corner";
+    const std::size_t first = item["vertices"][0], stride = 15;
     for (std::size_t corner = 0; corner < 4; ++corner) {
-        float beside[3];
-        std::memcpy(beside, frame.words.data() + first + corner * stride + 8, sizeof beside);
-        EXPECT_EQ(beside[0], 0);
-        EXPECT_EQ(beside[1], corner % 2 == 0 ? -3.0F / 64 : 3.0F / 64) << corner;
-        EXPECT_EQ(beside[2], 0);
+        float own[4], other[4], which[3];
+        const auto copy = [&](auto& to, std::size_t from) {
+            std::memcpy(to, frame.words.data() + first + corner * stride + from, sizeof to);
+        };
+        copy(own, 0);
+        copy(other, 8);
+        copy(which, 12);
+        EXPECT_EQ(own[0], corner < 2 ? -0.5F : 0.5F);
+        EXPECT_EQ(other[0], corner < 2 ? 0.5F : -0.5F);
+        EXPECT_EQ(which[0], corner < 2 ? -1 : 1);
+        EXPECT_EQ(which[1], corner % 2 == 0 ? -1 : 1) << "right and left";
+        EXPECT_EQ(which[2], 0);
     }
 }
 
@@ -134,12 +141,52 @@ bool has_fragment_text(const Json& header, const char* text) {
     });
 }
 
-TEST(WebglFrame, KeepsToTheVisiblePartOfClippedLines) {
-    const char* const test = "if (!is_on_line(";
-    EXPECT_TRUE(has_fragment_text(
-        header_of("glLineWidth(3); glBegin(GL_LINES); glVertex2f(0, 0); glVertex2f(2, 1); glEnd();"), test));
-    EXPECT_FALSE(has_fragment_text(
-        header_of("glLineWidth(3); glBegin(GL_LINES); glVertex2f(0, 0); glVertex2f(0.5, 0.5); glEnd();"), test));
+// Also of lines that are not visible now, for any pose.
+TEST(WebglFrame, HasAllLinesForAnyPose) {
+    PageScene scene;
+    scene.open(
+        "glLineWidth(3); glBegin(GL_LINES); glVertex2f(2, 0); glVertex2f(3, 0); glVertex2f(0, 0); glVertex2f(0, 1); "
+        "glEnd();",
+        "scene", "", {64, 64});
+    const auto count = [&](bool for_any_pose) {
+        PlanOptions options;
+        options.for_any_pose = for_any_pose;
+        return webgl::webgl_frame(scene.scene().frame, options).header["items"][0]["parts"][0][2];
+    };
+    EXPECT_EQ(count(false), 6);
+    EXPECT_EQ(count(true), 12);
+}
+
+// Lines and points are never culled, and have no polygon offset.
+TEST(WebglFrame, DoesNotCullRectanglesOfLines) {
+    const std::string state =
+        "glEnable(GL_CULL_FACE); glEnable(GL_POLYGON_OFFSET_FILL); glPolygonOffset(1, 1); glLineWidth(3); ";
+    const Json line = header_of(state + "glBegin(GL_LINES); glVertex2f(0, 0); glVertex2f(1, 1); glEnd();")["items"][0],
+               face = header_of(state + "glRectf(0, 0, 1, 1);")["items"][0];
+    for (const char* name : {"cull", "offset"}) {
+        EXPECT_FALSE(line.contains(name)) << name;
+        EXPECT_TRUE(face.contains(name)) << name;
+    }
+}
+
+// WebGL refuses different references or masks of front and back. Where no polygons are culled, each side is drawn by itself.
+TEST(WebglFrame, DrawsEachSideThatHasItsOwnStencilReference) {
+    const auto item = [](const std::string& text) {
+        const Json header =
+            header_of("glEnable(GL_STENCIL_TEST); glStencilFuncSeparate(GL_BACK, GL_EQUAL, 3, 7); " + text);
+        EXPECT_EQ(header["missing"], Json::array());
+        return header["items"][0];
+    };
+    const std::string two_squares =
+        "glBegin(GL_QUADS); glVertex2f(0, 0); glVertex2f(1, 0); glVertex2f(1, 1); glVertex2f(0, 1); "
+        "glVertex2f(0.5, 0); glVertex2f(0.5, 1); glVertex2f(1, 1); glVertex2f(1, 0); glEnd();";
+    EXPECT_EQ(item(two_squares)["sides"], true);
+    EXPECT_EQ(item(two_squares)["parts"].size(), 2u) << "they overlap";
+    EXPECT_FALSE(item("glBegin(GL_LINES); glVertex2f(0, 0); glVertex2f(1, 1); glEnd();").contains("sides"));
+    const Json culled = item("glEnable(GL_CULL_FACE); glCullFace(GL_FRONT); " + two_squares);
+    EXPECT_FALSE(culled.contains("sides"));
+    EXPECT_EQ(culled["stencil"][0], culled["stencil"][1]);
+    EXPECT_EQ(culled["stencil"][0][1], 3);
 }
 
 TEST(WebglFrame, StipplesInTheFragmentShader) {
@@ -235,10 +282,25 @@ TEST(WebglFrame, CombinesEachPrimitiveWithThePictureBeforeIt) {
 
 TEST(WebglFrame, NamesWhatWebglLacks) {
     const Json missing = header_of(
-        "glEnable(GL_LINE_SMOOTH);\nglBegin(GL_LINES); glVertex2f(0, 0); glVertex2f(1, 1); glEnd();")["missing"];
+        "glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, (GLubyte[]){1, "
+        "2, 3, 4});\n"
+        "glTexImage2D(GL_TEXTURE_CUBE_MAP_NEGATIVE_X, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, (GLubyte[]){1, "
+        "2, 3, 4});\n"
+        "glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_Y, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, (GLubyte[]){1, "
+        "2, 3, 4});\n"
+        "glTexImage2D(GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, (GLubyte[]){1, "
+        "2, 3, 4});\n"
+        "glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_Z, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, (GLubyte[]){1, "
+        "2, 3, 4});\n"
+        "glTexImage2D(GL_TEXTURE_CUBE_MAP_NEGATIVE_Z, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, (GLubyte[]){1, "
+        "2, 3, 4});\n"
+        "glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR);\n"
+        "glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);\n"
+        "glEnable(GL_TEXTURE_CUBE_MAP); glRectf(0, 0, 1, 1);")["missing"];
     ASSERT_EQ(missing.size(), 1u);
-    EXPECT_EQ(missing[0]["line"], 2);
-    EXPECT_EQ(missing[0]["message"], "GL_LINE_SMOOTH and GL_POINT_SMOOTH are left out");
+    EXPECT_EQ(missing[0]["line"], 9);
+    EXPECT_EQ(missing[0]["message"],
+              "the border colour of cube maps and textures with mipmaps is replaced by their last texels");
 }
 
 TEST(PageScene, ShowsErrorsAtTheirPlaces) {

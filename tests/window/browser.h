@@ -25,6 +25,21 @@ inline std::string unescaped(std::string text) {
     return text;
 }
 
+inline std::string from_base64(std::string_view text) {
+    constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    unsigned bits = 0;
+    int count = 0;
+    for (const char letter : text.substr(0, text.find('='))) {
+        bits = bits << 6 | static_cast<unsigned>(kLetters.find(letter));
+        count += 6;
+        if (count < 8) continue;
+        count -= 8;
+        bytes += static_cast<char>(bits >> count & 0xFF);
+    }
+    return bytes;
+}
+
 // Opens the file `page` of the folder. Returns the JSON that the page's script leaves between "told:" and ":told". No name
 // resolves: what is not in the page does not load.
 inline nlohmann::json json_of_page(const std::string& program, const std::string& options, const std::string& page,

@@ -123,6 +123,7 @@ void set_dialect(Code& code, const Draw& draw, Glsl dialect) {
     form.dialect = dialect;
     if (draw.fragment.alpha_test) form.alpha_func = draw.fragment.alpha_func;
     if (dialect != Glsl::k300es) return;
+    form.sprites_rise = draw.draws_sprites() && draw.raster.point_parameters.sprite_coord_origin == kGL_LOWER_LEFT;
     form.sizes_points = draw.draws_points() && !code.effects.attenuated_points;
     // 1D textures become 2D textures of height 1.
     code.effects.texture.one_dimensional = false;

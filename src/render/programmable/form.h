@@ -30,6 +30,9 @@ struct SurfaceForm {
     friend auto operator<=>(const SurfaceForm&, const SurfaceForm&) = default;  // NOLINT
 };
 
+// Vertices are corners of rectangles about lines or points; line_attributes() has what the corners need.
+enum class Rectangles : std::uint8_t { kNone, kLines, kPoints };
+
 // The dialect of a program's text. The later two lack parts of OpenGL 2.1, which the program does instead: see Form.
 enum class Glsl : std::uint8_t { k130, k330, k300es };
 
@@ -71,15 +74,20 @@ struct Form {
     Glsl dialect = Glsl::k130;
     Enum alpha_func = kGL_ALWAYS;  // core GL and OpenGL ES lack the alpha test
     bool sizes_points = false;     // sets glPointSize's size, which OpenGL ES lacks
-    // Vertices are corners of rectangles that replace lines and points; line_attributes() has their places. OpenGL ES lacks wide
-    // lines, stipples, and GL_TEXTURE_LOD_BIAS.
-    bool widened = false;
-    bool line_stipple = false;  // only if widened, as the next
-    bool line_ends = false;     // some lines are partly outside the view volume
+    bool clips_points = false;     // a point is seen whole or not at all; browsers may draw a part
+    bool sprites_rise = false;     // GL_LOWER_LEFT, which OpenGL ES lacks for point sprites
+    // OpenGL ES lacks wide, stippled and smooth lines, smooth points, and GL_TEXTURE_LOD_BIAS.
+    Rectangles rectangles = Rectangles::kNone;
+    bool smooth = false;        // lines of rectangles, or points
+    bool line_stipple = false;  // of lines of rectangles
+    bool flat_edges =
+        false;  // edges and corners of flat polygons: another vertex gives the colour; a_edge_position is their place
     bool polygon_stipple = false;
     bool lod_bias = false;
     // A texture may have a rim of texels with the border's colour, which OpenGL ES lacks; u_texture_inside is the part within.
     bool texture_rims = false;
+    bool scales_source =
+        false;  // multiplies the colour by blending's factor for it, where WebGL refuses a pair of factors
     Enum logic_op = kGL_COPY;  // glLogicOp, which OpenGL ES lacks
     std::optional<KeptForm> kept{};
 

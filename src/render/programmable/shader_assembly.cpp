@@ -13,6 +13,7 @@
 #include "render/programmable/lighting_names.h"
 #include "render/programmable/lighting_text.h"
 #include "render/programmable/precise/precise.h"
+#include "render/programmable/rectangles_text.h"
 #include "render/programmable/shader_pieces.h"
 #include "render/programmable/vertex_attributes.h"
 
@@ -177,9 +178,13 @@ class Assembler {
                             effects_.vertex_w ? "  // z and w" : ""});
         for (int i = 0; discards_clipped() && i < effects_.clip_plane_count; ++i)
             list.push_back({"float", fmt::format("v_clip_distance{}", i), clip_distance(i)});
-        if (form_.line_ends)
+        if (form_.rectangles == Rectangles::kLines)
             list.push_back(
-                {.type = "vec4", .name = "v_line_ends_window", .value = "a_line_ends_window", .is_flat = true});
+                {.type = "vec4", .name = "v_line_ends_window", .value = "line_ends_window", .is_flat = true});
+        if (needs_point_window(form_))
+            list.push_back({.type = "vec2", .name = "v_point_window", .value = "point_window", .is_flat = true});
+        if (form_.smooth && effects_.attenuated_points)
+            list.push_back({.type = "float", .name = "v_point_size", .value = attenuated_size(), .is_flat = true});
         if (form_.line_stipple)
             list.push_back({.type = "vec3", .name = "v_line_count", .value = "a_line_count", .is_flat = true});
         return list;
@@ -535,16 +540,7 @@ class Assembler {
 
     // Sections 3.4.2 and 3.5.2.
     std::string stipples() const {
-        std::string text;
-        if (form_.line_ends)
-            text += fmt::format("    if ({}!is_on_line(v_line_ends_window, gl_FragCoord.xy, u_line_width)) discard;\n",
-                                form_.kept ? "u_line_width > 0.0 && " : "");
-        if (form_.line_stipple)
-            text +=
-                "    // glLineStipple (section 3.4.2): the fragment's number on its line chooses a bit of the "
-                "pattern.\n"
-                "    int count = int(dot(v_line_count, vec3(floor(gl_FragCoord.xy), 1.0)));\n"
-                "    if ((u_line_stipple_pattern >> (count / u_line_stipple_factor % 16) & 1) == 0) discard;\n";
+        std::string text = line_text(form_);
         if (form_.polygon_stipple)
             text +=
                 "    // glPolygonStipple (section 3.5.2): a bit for each pixel of 32 rows.\n"
@@ -608,13 +604,27 @@ class Assembler {
 
     // Section 3.3.
     std::string point_size() const {
+        return size_statement() +
+               (form_.clips_points
+                    ? "    // A point whose vertex is outside of the view volume goes whole (section 2.12).\n"
+                      "    if (any(greaterThan(abs(gl_Position.xyz), vec3(gl_Position.w)))) gl_Position = vec4(2.0, "
+                      "2.0, 2.0, 1.0);\n"
+                    : "");
+    }
+    std::string size_statement() const {
+        if (!form_.sizes_points && !effects_.attenuated_points) return "";
+        if (form_.smooth)
+            return fmt::format("    gl_PointSize = {} + 2.0;  // with the pixels that are covered in part\n",
+                               size_of_smooth_point());
         if (form_.sizes_points) return "    gl_PointSize = u_point_size;  // glPointSize (section 3.3)\n";
-        if (!effects_.attenuated_points) return "";
+        return fmt::format("    gl_PointSize = {};\n", attenuated_size());
+    }
+    std::string size_of_smooth_point() const { return effects_.attenuated_points ? "v_point_size" : "u_point_size"; }
+    std::string attenuated_size() const {
         const std::string eye = "u_point_eye_from_object * position";
         const std::string place =
             effects_.vertex_w ? fmt::format("divided_by_w({})", eye) : fmt::format("({}).xyz", eye);
-        return fmt::format("    gl_PointSize = attenuated_size(length({}), u_point_attenuation, u_point_sizes);\n",
-                           place);
+        return fmt::format("attenuated_size(length({}), u_point_attenuation, u_point_sizes)", place);
     }
 
     // ---- The files' switches and words ----
@@ -627,6 +637,8 @@ class Assembler {
                 {"EFFECT_TEXTURE_CLAMP_R", texture.clamp_r},
                 {"EFFECT_TEXTURE_CLAMP", texture.clamps()},
                 {"EFFECT_TEXTURE_GRADIENTS", texture.gradients},
+                // Browsers may keep depths as floats, and then do not clamp.
+                {"EFFECT_TEXTURE_CLAMP_DEPTH", form_.dialect == Glsl::k300es && texture.compares},
                 {"EFFECT_TEXTURE_DEPTHS", texture.depth_mode != 0},
                 {"EFFECT_TEXTURE_LOD_BIAS", form_.lod_bias},
                 {"EFFECT_TEXTURE_RIM", form_.texture_rims && !texture.cube}};
@@ -643,9 +655,9 @@ class Assembler {
         // Samplers of shadows take s, t and r in one dimension too.
         const bool one = texture.one_dimensional, q = texture.q, compares = texture.compares;
         const bool three = texture.three_dimensional, has_r = texture.needs_r(), one_number = one && !has_r;
-        const std::string sprite = has_r ? "vec3(gl_PointCoord, 0.0)"
-                                   : one ? "gl_PointCoord.s"
-                                         : "gl_PointCoord";  // section 3.3.1
+        const std::string place =
+            form_.sprites_rise ? "vec2(gl_PointCoord.s, 1.0 - gl_PointCoord.t)" : "gl_PointCoord";  // section 3.3.1
+        const std::string sprite = has_r ? fmt::format("vec3({}, 0.0)", place) : one ? "gl_PointCoord.s" : place;
         return {{"TEX_COORD", texture.sprite ? sprite : "v_tex_coord"},
                 {"SAMPLER", sampler_of(texture)},
                 {"DIVIDED_TYPE", one_number ? "float"
@@ -683,7 +695,9 @@ class Assembler {
         const auto is = [&](SurfaceKind kind) { return surface.kind == kind; };
         const bool steps = surface.offset || surface.tex_coord;
         std::string clip_distances, within_clip_planes, clip_discards;
+        std::vector<std::string> distances;
         for (int i = 0; i < effects_.clip_plane_count; ++i) {
+            distances.push_back(clip_distance(i));
             clip_distances += fmt::format("    gl_ClipDistance[{}] = {};{}\n", i, clip_distance(i),
                                           i == 0 ? "  // clipped where negative (section 2.12)" : "");
             clip_discards += fmt::format("    if (v_clip_distance{} < 0.0) discard;{}\n", i,
@@ -697,6 +711,7 @@ class Assembler {
                          {"EFFECT_FOG", effects_.has_fog()},
                          {"EFFECT_SRGB_CODED", effects_.srgb_coded},
                          {"EFFECT_TWO_SIDE", effects_.two_side},
+                         {"EFFECT_FLAT_EDGES", form_.flat_edges},
                          {"EFFECT_RAY", has_ray()},
                          {"EFFECT_RAY_SPHERE", is(SurfaceKind::kSphere)},
                          {"EFFECT_RAY_FRUSTUM", is(SurfaceKind::kFrustum)},
@@ -720,12 +735,14 @@ class Assembler {
                         {"point_size", point_size()},
                         {"clip_distances", has_ray() || discards_clipped() ? "" : clip_distances},
                         {"clip_discards", discards_clipped() ? clip_discards : ""},
-                        {"beside_line", form_.widened ? "    gl_Position.xyz += a_beside_ndc * gl_Position.w;  // a "
-                                                        "corner of a wide line (section 3.4.2.1)\n"
-                                                      : ""},
+                        {"corner", corner_text(form_, lighting_.clip_position, distances)},
                         {"stipples", stipples()},
+                        {"coverage", coverage_text(form_, size_of_smooth_point())},
                         {"alpha_test", alpha_test()},
                         {"logic_op", logic_op()},
+                        {"blend_source", form_.scales_source ? "    color.rgb = clamp(color.rgb, 0.0, 1.0) * "
+                                                               "u_blend_source;  // glBlendColor (section 4.1.8)\n"
+                                                             : ""},
                         {"within_clip_planes", within_clip_planes},
                         {"texture_environment", texture_environment()},
                         {"texture_lookups", texture_lookups()},
@@ -762,7 +779,9 @@ class Assembler {
             }
         }
         std::set<std::string> names;
-        for (const char* file : lighting_.libraries) {
+        std::vector<const char*> files = lighting_.libraries;
+        files.push_back("rectangles.glsl");
+        for (const char* file : files) {
             const std::vector<Definition> whole = definitions(file, {{"EXPONENT", "int"}, {"POWER", "whole_power"}});
             const std::vector<Definition> real = definitions(file, {{"EXPONENT", "float"}, {"POWER", "real_power"}});
             for (std::size_t i = 0; i < whole.size(); ++i) {

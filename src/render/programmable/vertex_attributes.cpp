@@ -40,8 +40,12 @@ std::vector<Attribute> attributes(const EffectSet& effects) {
 
 std::vector<Attribute> line_attributes(const Form& form) {
     std::vector<Attribute> list;
-    if (form.widened) list.push_back({"a_beside_ndc", 3, "vec3"});
-    if (form.line_ends) list.push_back({"a_line_ends_window", 4});
+    if (form.flat_edges) list.push_back({"a_edge_position", 4});
+    if (form.rectangles == Rectangles::kLines) {
+        list.push_back({"a_line_other", 4});
+        list.push_back({"a_line_corner", 3, "vec3"});
+    }
+    if (form.rectangles == Rectangles::kPoints) list.push_back({"a_point_corner", 3, "vec3"});
     if (form.line_stipple) list.push_back({"a_line_count", 3, "vec3"});
     return list;
 }

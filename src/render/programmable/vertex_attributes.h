@@ -33,7 +33,7 @@ struct Attribute {
 // normal, colour, texture coordinates and material properties.
 std::vector<Attribute> attributes(const EffectSet& effects);
 
-// Those that follow in the program of a Form whose lines and points are rectangles.
+// Those that follow in the program of a Form with rectangles or flat edges.
 std::vector<Attribute> line_attributes(const Form& form);
 
 // Whether the program scales normals to length 1; then the array may have them in any length.

@@ -25,10 +25,6 @@ WindowVertex window_vertex(const RasterState& raster, const ClipVertex& v) {
     return {window_from_ndc(raster, glm::dvec3(v.position_clip) / v.position_clip.w), v.weights / v.position_clip.w};
 }
 
-// 3.3 and 3.4.2.1: widths without smoothing are rounded to whole pixels, at least 1.
-// RULING: the implementation chooses the largest width and size; here they are llvmpipe's.
-int whole_pixels(double width) { return static_cast<int>(std::clamp(std::floor(width + 0.5), 1.0, kMaxPointSize)); }
-
 constexpr double kSmallestSprite = 1e-6;  // in pixels; its texture coordinates change by 1 across it
 
 // Twice the signed area in window coordinates, positive if counter-clockwise (2.14.1, equation 2.6).
@@ -296,6 +292,9 @@ class PieceMaker {
 };
 
 }  // namespace
+
+// RULING: the implementation chooses the largest width and size; here they are llvmpipe's.
+int whole_pixels(double width) { return static_cast<int>(std::clamp(std::floor(width + 0.5), 1.0, kMaxPointSize)); }
 
 Corners::Corners(const std::vector<Corner>& corners) {
     if (corners.size() > kFew) {

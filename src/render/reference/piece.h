@@ -103,6 +103,9 @@ bool culled(const RasterState& raster, Face face);
 // 2.11.1: the viewport and the depth range.
 glm::dvec3 window_from_ndc(const RasterState& raster, const glm::dvec3& ndc);
 
+// 3.3 and 3.4.2.1: widths of lines and sizes of points without smoothing are rounded to whole pixels, at least 1.
+int whole_pixels(double width);
+
 // 3.5.5: the offset added to depths. `slope`: the change of depth per pixel in x and y. `mode`: how the polygon is
 // drawn.
 double polygon_offset(const RasterState& raster, Enum mode, const glm::dvec2& slope);

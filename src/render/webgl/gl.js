@@ -249,9 +249,22 @@ export class Renderer {
                 }
             for (const [mode, first, count] of item.parts) {
                 if (item.framebuffer) this.copyPicture(uniforms.get(item.framebuffer).place);
-                gl.drawElements(mode, count, gl.UNSIGNED_INT, 4 * first);
+                const draw = () => gl.drawElements(mode, count, gl.UNSIGNED_INT, 4 * first);
+                if (item.sides) this.forEachSide(item, draw);
+                else draw();
             }
         }
+    }
+
+    // Both faces must have the same stencil reference and masks: here those of the one that is not culled.
+    forEachSide(item, draw) {
+        const gl = this.gl;
+        gl.enable(gl.CULL_FACE);
+        [gl.BACK, gl.FRONT].forEach((culled, i) => {
+            gl.cullFace(culled);
+            this.setStencil(item.stencil[i], item.stencil[i]);
+            draw();
+        });
     }
 
     // For shaders that read the picture, which they cannot while they draw into it.
@@ -288,20 +301,21 @@ export class Renderer {
         const gl = this.gl;
         this.setMask(item);
         this.enable(gl.STENCIL_TEST, item.stencil !== undefined);
-        if (item.stencil) {
-            const [, ref, mask, , , , write_mask] = item.stencil[0];
-            [gl.FRONT, gl.BACK].forEach((face, i) => {
-                const [func, , , fail, depth_fail, depth_pass] = item.stencil[i];
-                gl.stencilFuncSeparate(face, func, ref, mask);
-                gl.stencilOpSeparate(face, fail, depth_fail, depth_pass);
-                gl.stencilMaskSeparate(face, write_mask);
-            });
-        }
+        if (item.stencil) this.setStencil(...item.stencil);
         this.enable(gl.BLEND, item.blend !== undefined);
         if (item.blend) {
             gl.blendFuncSeparate(...item.blend.factors);
             gl.blendEquationSeparate(...item.blend.equations);
             gl.blendColor(...item.blend.color);
+        }
+    }
+
+    setStencil(front, back) {
+        const gl = this.gl, [, ref, mask, , , , write_mask] = front;
+        for (const [face, [func, , , fail, depth_fail, depth_pass]] of [[gl.FRONT, front], [gl.BACK, back]]) {
+            gl.stencilFuncSeparate(face, func, ref, mask);
+            gl.stencilOpSeparate(face, fail, depth_fail, depth_pass);
+            gl.stencilMaskSeparate(face, write_mask);
         }
     }
 

@@ -91,7 +91,6 @@ function seen(uniforms, eye) {
         const [, source, number, property] = /^(LightSource\[(\d+)\]\.)(\w+)$/.exec(name) ?? [];
         if (name === "ModelViewMatrix") Object.assign(result, matrices(product(eye, values), uniforms.ProjectionMatrix));
         else if (name === "ClipPlane" || name.startsWith("EyePlane")) result[name] = planes(values, eye);
-        else if (name === "LineWidth" && (turn_deg || tilt_deg)) result[name] = [0];  // the shader no longer knows where lines end
         else if (source && light_is_off[number] && ["ambient", "diffuse", "specular"].includes(property)) result[name] = [0, 0, 0, 0];
         else if (source) Object.assign(result, light(source, property, values, eye));
     }

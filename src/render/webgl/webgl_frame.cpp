@@ -18,10 +18,13 @@
 #include "render/programmable/shader_assembly.h"
 #include "render/programmable/surface_values.h"
 #include "render/programmable/vertex_attributes.h"
+#include "render/reference/piece.h"
 #include "render/webgl/kept_values.h"
+#include "render/webgl/webgl_fragments.h"
 #include "render/webgl/webgl_lines.h"
 #include "render/webgl/webgl_runs.h"
 #include "render/webgl/webgl_textures.h"
+#include "render/webgl/webgl_vertices.h"
 
 namespace twinlight::webgl {
 
@@ -47,16 +50,6 @@ bool is_reversed(const Draw& draw) { return draw.raster.depth_near > draw.raster
 void reverse(Draw& draw) {
     std::swap(draw.raster.depth_near, draw.raster.depth_far);
     for (int column = 0; column < 4; ++column) draw.clip_from_eye[column].z *= -1;
-}
-
-// Whether WebGL's textures of 8 bits hold these texels exactly.
-bool are_bytes(const Texture& texture) {
-    for (std::size_t face = 0; face < texture.face_count(); ++face)
-        for (const TextureImage& image : texture.face(face))
-            for (const glm::vec4& texel : image.texels)
-                for (int i = 0; i < 4; ++i)
-                    if (std::abs(texel[i] * 255 - std::round(texel[i] * 255)) > 1e-3F) return false;
-    return true;
 }
 
 class Writer {
@@ -117,7 +110,7 @@ class Writer {
         return {first, words.size()};
     }
 
-    void miss(const Draw& draw, const char* what) { missing_.try_emplace(what, draw.place); }
+    void miss(const Draw& draw, const std::string& what) { missing_.try_emplace(what, draw.place); }
 
     // ---- Programs ----
 
@@ -154,52 +147,9 @@ class Writer {
 
     std::size_t texture_of(const std::shared_ptr<const Texture>& texture) {
         const auto [at, is_new] = texture_numbers_.try_emplace(texture.get(), textures_.size());
-        if (is_new) textures_.push_back(json_of(has_rim(*texture) ? with_rim(*texture) : *texture));
+        if (is_new) textures_.push_back(texture_json(*texture, words_));
         return at->second;
     }
-    Json json_of(const Texture& texture) {
-        const bool compares = texture.compares(), are_8_bits = are_bytes(texture);
-        const char* const format = compares ? "depth" : are_8_bits ? "rgba8" : "rgba32f";
-        Json images = Json::array();
-        for (std::size_t face = 0; face < texture.face_count(); ++face)
-            for (std::size_t level = 0; level < texture.face(face).size(); ++level) {
-                const TextureImage& image = texture.face(face)[level];
-                if (image.texels.empty()) continue;
-                images.push_back({face, level, image.width, image.height, image.depth, words_.size()});
-                for (const glm::vec4& texel : image.texels) append_texel(texel, compares, are_8_bits);
-            }
-        const auto wrap = [&](Enum mode) -> Enum {
-            return mode == kGL_CLAMP || mode == kGL_CLAMP_TO_BORDER ? Enum{kGL_CLAMP_TO_EDGE} : mode;
-        };
-        Json parameters = {{kGL_TEXTURE_MIN_FILTER, texture.min_filter},
-                           {kGL_TEXTURE_MAG_FILTER, texture.mag_filter},
-                           {kGL_TEXTURE_WRAP_S, wrap(texture.wrap_s)},
-                           {kGL_TEXTURE_WRAP_T, texture.is_flat() ? Enum{kGL_CLAMP_TO_EDGE} : wrap(texture.wrap_t)},
-                           {kGL_TEXTURE_WRAP_R, wrap(texture.wrap_r)},
-                           {kGL_TEXTURE_MAX_LEVEL, texture.levels.size() - 1},
-                           {kGL_TEXTURE_MIN_LOD, texture.min_lod},
-                           {kGL_TEXTURE_MAX_LOD, texture.max_lod}};
-        if (compares) {
-            parameters.push_back({kGL_TEXTURE_COMPARE_MODE, texture.compare_mode});
-            parameters.push_back({kGL_TEXTURE_COMPARE_FUNC, texture.compare_func});
-        }
-        return {{"target", texture.is_flat() ? Enum{kGL_TEXTURE_2D} : texture.target},
-                {"format", format},
-                {"images", images},
-                {"levels", texture.levels.size()},
-                {"anisotropy", texture.max_anisotropy},
-                {"parameters", parameters}};
-    }
-    void append_texel(const glm::vec4& texel, bool compares, bool are_8_bits) {
-        if (compares) {
-            words_.push_back(static_cast<std::uint32_t>(std::llround(texel.r * 4294967295.0)));
-        } else if (are_8_bits) {
-            words_.push_back(programmable::texel_word(texel));
-        } else {
-            for (int i = 0; i < 4; ++i) words_.push_back(std::bit_cast<std::uint32_t>(texel[i]));
-        }
-    }
-
     void miss_of_texture(const Draw& draw, const TextureUnit& unit) {
         if (lacks_border(*unit.texture))
             miss(draw, "the border colour of cube maps and textures with mipmaps is replaced by their last texels");
@@ -256,14 +206,23 @@ class Writer {
             form.texture_rims |= has_rim(*unit.texture);
         });
         form.logic_op = draw.fragment.logic_op.value_or(kGL_COPY);
+        form.scales_source = mixes_constants(draw.fragment);
         Json item = Json::object();
         const auto name_of = [&](const std::string& name) { return name_in(form, name); };
         Json own = Json::object();
         if (form.alpha_func != kGL_ALWAYS) own[name_of("u_alpha_ref")] = {static_cast<float>(draw.fragment.alpha_ref)};
-        if (form.sizes_points)
-            own[name_of("u_point_size")] = {std::max(1.0, std::round(programmable::point_size(draw)))};
+        if (form.scales_source) {
+            const glm::dvec3 factor = constant_factor(draw.fragment);
+            own[name_of("u_blend_source")] = {factor.r, factor.g, factor.b};
+        }
         const RasterState& raster = draw.raster;
-        if (draw.draws_lines()) own[name_of("u_line_width")] = {std::max(1.0, std::floor(raster.line_width + 0.5))};
+        // Sizes of smooth points, of sprites, and smooth lines' widths need not be whole.
+        const auto size_of = [](double size, bool is_any) { return is_any ? size : reference::whole_pixels(size); };
+        if (form.sizes_points)
+            own[name_of("u_point_size")] = {
+                size_of(programmable::point_size(draw), raster.point_smooth || draw.draws_sprites())};
+        if (draw.draws_lines()) own[name_of("u_line_width")] = {size_of(raster.line_width, raster.line_smooth)};
+        if (draw.draws_lines() || raster.point_smooth) own[name_of("u_viewport")] = box(raster.viewport);
         if (raster.line_stipple) {
             own[name_of("u_line_stipple_factor")] = {raster.line_stipple->factor};
             own[name_of("u_line_stipple_pattern")] = {raster.line_stipple->pattern};
@@ -304,35 +263,50 @@ class Writer {
     }
 
     void miss_of_turned(const Draw& draw, const Part& part) {
+        if (!options_.for_any_pose) return;
         const RasterState& raster = draw.raster;
         const bool shows_sides =
-            draw.draws_borders() && (raster.cull_enabled || raster.polygon_mode_front != raster.polygon_mode_back);
-        if (options_.for_any_pose && (shows_sides || part.is_widened()))
-            miss(draw, "after a turn, wide lines, line stipples, edges and culling are still those of the first view");
+            raster.cull_enabled || raster.polygon_mode_front != raster.polygon_mode_back || part.has_rectangles();
+        if (draw.draws_borders() && shows_sides)
+            miss(draw, "after a turn, edges, corners and their culling are still those of the first view");
+        if (part.counts) miss(draw, "after a turn, line stipples are still those of the first view");
     }
 
     // An item for each part.
     void add_parts(const Json& state, const Draw& draw, const EffectSet& effects, const Form& form,
                    const glm::dvec3& origin_object) {
-        // A viewer of any pose may switch to flat shading.
-        const bool is_flat = effects.shading == Shading::kFlat || options_.for_any_pose;
-        if (draw.draws_borders() && effects.shading == Shading::kFlat)
-            miss(draw, "edges of flat polygons have the colours of their own ends");
+        const bool is_flat = effects.shading == Shading::kFlat;
+        const PartOptions options = {.flat = is_flat || options_.for_any_pose,  // a viewer may switch to flat shading
+                                     .flat_edges = is_flat,
+                                     .two_side = effects.two_side || has_two_stencils(draw),
+                                     .for_any_pose = options_.for_any_pose};
+        if (draw.draws_borders() && is_flat && effects.generated_normal() != GeneratedNormal::kUnused)
+            miss(draw, "edges of flat polygons have texture coordinates from other normals");
+        const bool has_colors = effects.lighting || std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
+                                    return vertex.color != draw.vertices.front().color;
+                                });
+        if (draw.draws_borders() && options_.for_any_pose && has_colors)
+            miss(draw, "after the key f, edges of polygons have the colours of other vertices");
         std::optional<Json> whole;  // the place of the Draw's vertices
-        for (const Part& part : parts_of(draw, is_flat, effects.two_side)) {
+        for (const Part& part : parts_of(draw, options)) {
             miss_of_turned(draw, part);
             Form form_of_part = form;
-            form_of_part.widened = part.is_widened();
+            form_of_part.rectangles = part.rectangles;
+            form_of_part.smooth = part.is_smooth;
+            form_of_part.flat_edges = !part.colors_from.empty();
             form_of_part.line_stipple = part.counts;
-            form_of_part.line_ends = part.shows_ends;
+            form_of_part.clips_points = part.mode == kGL_POINTS && !draw.pixels;
             form_of_part.polygon_stipple =
-                draw.raster.polygon_stipple && draws_polygons(part.mode) && !part.is_widened();
+                draw.raster.polygon_stipple && draws_polygons(part.mode) && !part.has_rectangles();
             Json item = state;
             item["program"] = program_of(effects, form_of_part);
-            if (part.is_widened()) {
-                item["vertices"] =
-                    place_of(interleaved(programmable::vertex_array(draw, effects, part.vertices, origin_object),
-                                         part.line_attributes, part.vertices.size()));
+            if (part.has_rectangles()) {
+                // Lines and points are not culled, and polygons' offsets are in their corners.
+                item.erase("cull");
+                item.erase("offset");
+            }
+            if (part.has_vertices()) {
+                item["vertices"] = place_of(vertex_values(part, draw, effects, origin_object));
             } else {
                 if (!whole) whole = place_of(programmable::vertex_array(draw, effects, {}, origin_object));
                 item["vertices"] = *whole;
@@ -343,16 +317,20 @@ class Writer {
     }
 
     void add_elements(Json& item, const Part& part, const Draw& draw, const Form& form) {
-        if (!programmable::reads_stored_color(form.logic_op)) {
+        const bool reads_picture = programmable::reads_stored_color(form.logic_op);
+        const bool has_sides = draws_polygons(part.mode) && needs_each_side(draw);
+        if (!reads_picture && !has_sides) {
             const Json place = place_of(part.indices);
             item["parts"] = {{part.mode, place[0], place[1]}};
             return;
         }
         const Part list = listed(part);
         const Runs runs = runs_of(list, draw, options_.for_any_pose);
-        if (!runs.is_exact)
-            miss(draw, options_.for_any_pose ? "after a turn, glLogicOp is wrong where primitives of one draw overlap"
-                                             : "glLogicOp is wrong where primitives of one draw overlap");
+        if (!runs.is_exact) {
+            const std::string when = options_.for_any_pose ? "after a turn, " : "";
+            if (reads_picture) miss(draw, when + "glLogicOp is wrong where primitives of one draw overlap");
+            if (has_sides) miss(draw, when + "the back's stencil test is wrong where primitives of one draw overlap");
+        }
         const std::size_t first = place_of(list.indices)[0];
         std::size_t begin = 0;
         item["parts"] = Json::array();
@@ -360,19 +338,8 @@ class Writer {
             item["parts"].push_back({list.mode, first + begin, end - begin});
             begin = end;
         }
-        item["framebuffer"] = name_in(form, "u_framebuffer");
-    }
-
-    // Of each of `count` vertices the values of `a`, then those of `b`.
-    static std::vector<float> interleaved(const std::vector<float>& a, const std::vector<float>& b, std::size_t count) {
-        const std::size_t of_a = a.size() / count, of_b = b.size() / count;
-        std::vector<float> values;
-        values.reserve(a.size() + b.size());
-        for (std::size_t i = 0; i < count; ++i) {
-            for (std::size_t j = 0; j < of_a; ++j) values.push_back(a[i * of_a + j]);
-            for (std::size_t j = 0; j < of_b; ++j) values.push_back(b[i * of_b + j]);
-        }
-        return values;
+        if (reads_picture) item["framebuffer"] = name_in(form, "u_framebuffer");
+        item["sides"] = has_sides;
     }
 
     void add_raster(Json& item, const Draw& draw) {
@@ -385,32 +352,13 @@ class Writer {
         if (raster.polygon_offset.fill) item["offset"] = {raster.polygon_offset.factor, raster.polygon_offset.units};
         if (raster.depth_test) item["depthFunc"] = raster.depth_func;
         item["depthMask"] = raster.depth_mask;
-        if ((draw.draws_lines() && raster.line_smooth) || (draw.draws_points() && raster.point_smooth))
-            miss(draw, "GL_LINE_SMOOTH and GL_POINT_SMOOTH are left out");
-        if (draw.draws_sprites() && raster.point_parameters.sprite_coord_origin == kGL_LOWER_LEFT)
-            miss(draw, "point sprites begin at the upper left, not at the lower left");
     }
 
     void add_fragment(Json& item, const Draw& draw) {
         const FragmentState& fragment = draw.fragment;
         add_scissor(item, fragment.scissor, fragment.color_mask);
-        if (fragment.stencil) {
-            const StencilFace &front = fragment.stencil->front, &back = fragment.stencil->back;
-            item["stencil"] = Json::array();
-            for (const StencilFace* face : {&front, &back})
-                item["stencil"].push_back({face->func, std::clamp(face->ref, 0, kMaxStencil), face->mask & kMaxStencil,
-                                           face->fail, face->depth_fail, face->depth_pass,
-                                           face->write_mask & kMaxStencil});
-            // WebGL 2 specification, section 4.1.
-            const auto differ = [&](auto member) { return front.*member != back.*member; };
-            if (differ(&StencilFace::ref) || differ(&StencilFace::mask) || differ(&StencilFace::write_mask))
-                miss(draw, "the back's stencil reference and masks are the front's");
-        }
-        if (!fragment.blend || fragment.logic_op) return;
-        item["blend"] = {
-            {"factors", {fragment.blend_src, fragment.blend_dst, fragment.blend_src_alpha, fragment.blend_dst_alpha}},
-            {"equations", {fragment.blend_equation, fragment.blend_equation_alpha}},
-            {"color", color_of(fragment.blend_color)}};
+        if (fragment.stencil) item["stencil"] = stencil_json(draw);
+        if (fragment.blend && !fragment.logic_op) item["blend"] = blend_json(fragment);
     }
 
     const Frame& frame_;

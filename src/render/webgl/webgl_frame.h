@@ -20,7 +20,8 @@ struct WebglFrame {
     //    "uniforms": [{name: [number, ...]}],
     //    "items": [{"clear": ...} | {"accumulate": ...} | {"program", "vertices", "parts": [[mode, first, count]],
     //        "passes": [[index into uniforms, ...]], "textures": [[unit, sampler, texture]],
-    //        "framebuffer": sampler of the picture before each part, ...}],
+    //        "framebuffer": sampler of the picture before each part,
+    //        "sides": each part is drawn once for each face, ...}],
     //    "missing": [{"line", "column", "message"}],
     //    "middle": [x, y, z], what the camera turns around, in eye coordinates: only for any pose}
     Json header;

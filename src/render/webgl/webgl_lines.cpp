@@ -14,6 +14,7 @@ namespace twinlight::webgl {
 
 namespace {
 
+using programmable::Rectangles;
 using reference::Piece, reference::Shape, reference::Face;
 
 // The first and the last vertex of a line or of a triangle's edge, or the vertex of a corner twice. Nothing for what clipping adds
@@ -37,24 +38,39 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> ends_of(const Piece& piec
 
 class PartMaker {
   public:
-    PartMaker(const Draw& draw, bool two_side)
-        : draw_(draw), two_side_(two_side), vertices_(reference::vertex_stage(draw)) {}
+    PartMaker(const Draw& draw, const PartOptions& options)
+        : draw_(draw), options_(options), vertices_(reference::vertex_stage(draw)) {
+        lines_.rectangles = Rectangles::kLines;
+        lines_.counts = draw.raster.line_stipple.has_value();
+        lines_.is_smooth = draw.raster.line_smooth;
+        squares_.rectangles = Rectangles::kPoints;
+        squares_.is_smooth = corners_.is_smooth = draw.raster.point_smooth;
+    }
 
-    std::vector<Part> made(reference::QuadCut cut) {
+    std::vector<Part> made() {
+        const reference::QuadCut cut =
+            options_.flat ? reference::QuadCut::kSecondToFourth : reference::QuadCut::kFirstToThird;
+        if (options_.for_any_pose && !draw_.draws_borders() && !draw_.raster.line_stipple) {
+            for (const reference::Primitive& line : reference::assemble(draw_, cut))
+                add_line({line.vertices[0], line.vertices[1]}, line.vertices[1], Face::kFront, 0, {});
+            return taken();
+        }
         std::vector<Piece> pieces;
         reference::Options options;
         options.quad_cut = cut;
         reference::add_pieces(draw_, 0, vertices_, options, pieces);
-        lines_.counts = draw_.raster.line_stipple.has_value();
-        lines_.shows_ends = std::ranges::any_of(pieces, is_clipped);
         for (const Piece& piece : pieces) add(piece);
+        return taken();
+    }
+
+  private:
+    std::vector<Part> taken() {
         std::vector<Part> parts;
         for (Part* part : {&faces_, &thin_lines_, &lines_, &corners_, &squares_})
             if (!part->indices.empty()) parts.push_back(std::move(*part));
         return parts;
     }
 
-  private:
     void add(const Piece& piece) {
         if (piece.shape == Shape::kTriangle) return add_face(piece.primitive);
         const auto ends = ends_of(piece);
@@ -62,19 +78,32 @@ class PartMaker {
         const RasterState& raster = draw_.raster;
         const bool is_border = piece.primitive.shape == Shape::kTriangle;
         const bool needs_rectangle =
-            is_border && ((piece.face == Face::kBack && two_side_) ||
+            is_border && ((piece.face == Face::kBack && options_.two_side) ||
                           raster.polygon_offset.is_enabled_for(piece.shape == Shape::kLine ? kGL_LINE : kGL_POINT));
         if (piece.shape == Shape::kLine) {
-            if (needs_rectangle || piece.size > 1 || raster.line_stipple)
-                add_line(piece, *ends);
+            if (needs_rectangle || piece.size > 1 || raster.line_stipple || raster.line_smooth)
+                add_line(*ends, piece.primitive.provoking, piece.face, depth_offset(piece), count_of(piece));
             else
-                thin_lines_.indices.insert(thin_lines_.indices.end(), {ends->first, ends->second});
+                for (const std::uint32_t end : {ends->first, ends->second})
+                    add_vertex(thin_lines_, end, piece.primitive.provoking);
         } else if (needs_rectangle && !raster.point_sprite && !raster.point_parameters.attenuates()) {
             add_square(piece, ends->first);
         } else {
-            corners_.indices.push_back(ends->first);
+            add_vertex(corners_, ends->first, piece.primitive.provoking);
         }
     }
+
+    void add_vertex(Part& part, std::uint32_t vertex, std::uint32_t provoking) const {
+        if (!has_flat_edges()) return part.indices.push_back(vertex);
+        part.indices.push_back(static_cast<std::uint32_t>(part.vertices.size()));
+        add_corner(part, vertex, provoking);
+    }
+    void add_corner(Part& part, std::uint32_t vertex, std::uint32_t provoking) const {
+        part.vertices.push_back(vertex);
+        if (has_flat_edges()) part.colors_from.push_back(provoking);
+    }
+    // The last vertex of a line gives its colour anyway.
+    bool has_flat_edges() const { return options_.flat_edges && draw_.draws_borders(); }
 
     // With the vertex last that gives a flat colour.
     void add_face(const reference::Primitive& primitive) {
@@ -84,77 +113,57 @@ class PartMaker {
         faces_.indices.insert(faces_.indices.end(), corners.begin(), corners.end());
     }
 
-    // 3.4.2.1: as many pixels across the line's longer axis as it is wide.
-    void add_line(const Piece& piece, const std::pair<std::uint32_t, std::uint32_t>& ends) {
-        const glm::dvec2 from(piece.ends().from.position_window), to(piece.ends().to.position_window), way = to - from;
+    // The fragment at (x, y) has the number dot(count, (x, y, 1)).
+    std::vector<float> count_of(const Piece& piece) const {
+        if (!lines_.counts) return {};
+        const glm::dvec2 way(piece.ends().to.position_window - piece.ends().from.position_window);
         const int major = std::abs(way.x) >= std::abs(way.y) ? 0 : 1;
-        glm::dvec2 across(0);
-        across[1 - major] = piece.size / 2.0;
-        const double direction = way[major] < 0 ? -1 : 1;
-        const bool turns_left = (major == 0) == (direction > 0);
-        std::vector<float> further;
-        if (lines_.shows_ends)
-            for (const double x : {from.x, from.y, to.x, to.y}) further.push_back(static_cast<float>(x));
-        if (lines_.counts) {
-            // The reference counts a line's fragments from coordinate 0 of its longer axis.
-            glm::dvec3 count(0, 0, piece.stipple_from);
-            count[major] = direction;
-            for (int i = 0; i < 3; ++i) further.push_back(static_cast<float>(count[i]));
-        }
-        add_rectangle(lines_, piece,
-                      {{{ends.first, -across}, {ends.first, across}, {ends.second, -across}, {ends.second, across}}},
-                      turns_left, further);
+        // The reference counts from coordinate 0 of the line's longer axis.
+        glm::vec3 count(0, 0, piece.stipple_from);
+        count[major] = way[major] < 0 ? -1 : 1;
+        return {count.x, count.y, count.z};
     }
 
-    static bool is_clipped(const Piece& piece) {
-        const auto is_vertex = [](const glm::dvec3& weights) {
-            return (weights.x != 0 ? 1 : 0) + (weights.y != 0 ? 1 : 0) + (weights.z != 0 ? 1 : 0) == 1;
-        };
-        return piece.shape == Shape::kLine &&
-               (!is_vertex(piece.ends().from.weights_over_w) || !is_vertex(piece.ends().to.weights_over_w));
+    // The corners on the right and left of the line's start, then of its end.
+    void add_line(const std::pair<std::uint32_t, std::uint32_t>& ends, std::uint32_t provoking, Face face, double depth,
+                  const std::vector<float>& count) {
+        const auto first = static_cast<std::uint32_t>(lines_.vertices.size());
+        for (const float end : {-1.0F, 1.0F})
+            for (const float side : {-1.0F, 1.0F}) {
+                add_corner(lines_, end < 0 ? ends.first : ends.second, provoking);
+                lines_.others.push_back(end < 0 ? ends.second : ends.first);
+                lines_.corners.insert(lines_.corners.end(), {end, side, static_cast<float>(depth * ndc_per_depth())});
+                lines_.corners.insert(lines_.corners.end(), count.begin(), count.end());
+            }
+        add_rectangle(lines_, first, face);
     }
 
     void add_square(const Piece& piece, std::uint32_t vertex) {
-        const double half = piece.size / 2.0;
-        add_rectangle(
-            squares_, piece,
-            {{{vertex, {-half, -half}}, {vertex, {-half, half}}, {vertex, {half, -half}}, {vertex, {half, half}}}},
-            true, {});
+        const auto first = static_cast<std::uint32_t>(squares_.vertices.size());
+        // Smooth points cover a part of the pixels around.
+        const double half = draw_.raster.point_smooth ? piece.size / 2.0 + 1 : piece.size / 2.0;
+        const glm::dvec2 ndc_per_pixel(2.0 / draw_.raster.viewport.width, 2.0 / draw_.raster.viewport.height);
+        for (const double x : {-half, half})
+            for (const double y : {-half, half}) {
+                add_corner(squares_, vertex, piece.primitive.provoking);
+                const glm::vec3 corner(glm::dvec2(x, y) * ndc_per_pixel, depth_offset(piece) * ndc_per_depth());
+                squares_.corners.insert(squares_.corners.end(), {corner.x, corner.y, corner.z});
+            }
+        add_rectangle(squares_, first, piece.face);
     }
 
-    struct RectangleCorner {
-        std::uint32_t vertex;
-        glm::dvec2 beside;  // in pixels
-    };
+    // Two triangles that end with the last corner, which gives a flat colour. From the first corner to the third, the second is on
+    // the left. They turn as their face does, so that gl_FrontFacing says which it is.
+    void add_rectangle(Part& part, std::uint32_t first, Face face) const {
+        const bool is_counter_clockwise = (face == Face::kFront) == (draw_.raster.front_face == kGL_CCW);
+        using Order = std::array<std::uint32_t, 6>;
+        for (const std::uint32_t corner : is_counter_clockwise ? Order{1, 0, 3, 0, 2, 3} : Order{0, 1, 3, 2, 0, 3})
+            part.indices.push_back(first + corner);
+    }
 
-    // Two triangles that end with the last corner, which gives a flat colour. turns_left: seen from the first corner toward the
-    // third, the second is on the left.
-    void add_rectangle(Part& part, const Piece& piece, const std::array<RectangleCorner, 4>& corners, bool turns_left,
-                       const std::vector<float>& further) {
-        const RasterState& raster = draw_.raster;
-        const auto first = static_cast<std::uint32_t>(part.vertices.size());
-        const double depths = raster.depth_far - raster.depth_near;
-        const glm::dvec3 ndc_per_window(2.0 / raster.viewport.width, 2.0 / raster.viewport.height,
-                                        depths == 0 ? 0 : 2 / depths);
-        const double depth = depth_offset(piece);
-        for (const RectangleCorner& corner : corners) {
-            part.vertices.push_back(corner.vertex);
-            const glm::dvec3 beside_ndc = glm::dvec3(corner.beside, depth) * ndc_per_window;
-            for (int i = 0; i < 3; ++i) part.line_attributes.push_back(static_cast<float>(beside_ndc[i]));
-            part.line_attributes.insert(part.line_attributes.end(), further.begin(), further.end());
-        }
-        // As its face, so that gl_FrontFacing says which it is.
-        const bool is_counter_clockwise = (piece.face == Face::kFront) == (raster.front_face == kGL_CCW);
-        const auto is_behind = [&](const RectangleCorner& corner) {
-            return vertices_[corner.vertex].position_clip.w <= 0;
-        };
-        using Order = std::vector<std::uint32_t>;
-        Order order = is_counter_clockwise == turns_left ? Order{1, 0, 3, 0, 2, 3} : Order{0, 1, 3, 2, 0, 3};
-        // If one end is behind the eye, the sides cross there. Then one triangle with both corners of the other end covers the
-        // visible part, and is_on_line() leaves out the rest.
-        if (is_behind(corners[3])) order.resize(3);
-        if (is_behind(corners[0])) order.erase(order.begin(), order.begin() + 3);
-        for (const std::uint32_t corner : order) part.indices.push_back(first + corner);
+    double ndc_per_depth() const {
+        const double depths = draw_.raster.depth_far - draw_.raster.depth_near;
+        return depths == 0 ? 0 : 2 / depths;
     }
 
     // What polygon offset (3.5.5) has added to a border's window depths.
@@ -169,7 +178,7 @@ class PartMaker {
     }
 
     const Draw& draw_;
-    const bool two_side_;
+    const PartOptions options_;
     const std::vector<reference::StageVertex> vertices_;
     Part faces_{kGL_TRIANGLES}, thin_lines_{kGL_LINES}, corners_{kGL_POINTS}, lines_{kGL_TRIANGLES},
         squares_{kGL_TRIANGLES};
@@ -177,14 +186,15 @@ class PartMaker {
 
 }  // namespace
 
-std::vector<Part> parts_of(const Draw& draw, bool flat, bool two_side) {
-    constexpr double kWide = 1.5;  // rounds to 2 pixels (3.4.2.1)
-    const bool has_rectangles = draw.draws_lines() && (draw.raster.line_width >= kWide || draw.raster.line_stipple);
-    if (draw.draws_borders() || has_rectangles)
-        return PartMaker(draw, two_side)
-            .made(flat ? reference::QuadCut::kSecondToFourth : reference::QuadCut::kFirstToThird);
-    auto [mode, indices] = programmable::core_elements(draw, flat);
-    return {{mode, std::move(indices)}};
+std::vector<Part> parts_of(const Draw& draw, const PartOptions& options) {
+    const RasterState& raster = draw.raster;
+    const bool has_rectangles = draw.draws_lines() && (reference::whole_pixels(raster.line_width) > 1 ||
+                                                       raster.line_stipple || raster.line_smooth);
+    if (draw.draws_borders() || has_rectangles) return PartMaker(draw, options).made();
+    auto [mode, indices] = programmable::core_elements(draw, options.flat);
+    Part part{mode, std::move(indices)};
+    part.is_smooth = mode == kGL_POINTS && raster.point_smooth;
+    return {std::move(part)};
 }
 
 }  // namespace twinlight::webgl

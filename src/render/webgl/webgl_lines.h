@@ -1,29 +1,40 @@
-// A Draw's primitives for WebGL 2. What OpenGL ES lacks of lines and of polygons' borders is drawn as rectangles: wide and stippled
-// lines (GL 2.1, sections 3.4.2.1 and 3.4.2.2), edges with a depth offset (3.5.5), and the edges and corners of back faces, which
-// have two sides only as triangles.
+// A Draw's primitives for WebGL 2. What OpenGL ES lacks of lines, points and polygons' borders is drawn as rectangles
+// (programmable/shaders/rectangles.glsl): wide, stippled and smooth lines (GL 2.1, section 3.4.2), edges with a depth offset (3.5.5),
+// and the edges and corners of back faces, which have two sides only as triangles.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "render/programmable/form.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::webgl {
 
+struct PartOptions {
+    bool flat = false;          // each triangle's last vertex gives its colour
+    bool flat_edges = false;    // edges and corners have the colours of their polygons' provoking vertices
+    bool two_side = false;      // back faces have colours or a stencil test of their own
+    bool for_any_pose = false;  // also lines that are not visible now
+};
+
 struct Part {
     Enum mode = kGL_TRIANGLES;
     std::vector<std::uint32_t> indices{};  // into the Draw's vertices, or into `vertices`
-    // Of rectangles, the Draw's vertices that their corners have their values from, with programmable::line_attributes(): the
-    // way from the vertex to the corner, the visible ends, and how the fragments of stippled lines are counted.
-    std::vector<std::uint32_t> vertices{};
-    std::vector<float> line_attributes{};
-    bool counts = false;      // of lines of a Draw with a line stipple
-    bool shows_ends = false;  // of lines some of which are partly outside the view volume
+    programmable::Rectangles rectangles = programmable::Rectangles::kNone;
+    // Of rectangles: for each corner the Draw's vertex that it has its values from, for lines also the vertex at the other end, and
+    // the rest of programmable::line_attributes().
+    std::vector<std::uint32_t> vertices{}, others{};
+    std::vector<float> corners{};
+    // Of edges and corners of flat polygons, which have `vertices` too: those that give the colours.
+    std::vector<std::uint32_t> colors_from{};
+    bool counts = false;     // lines of a Draw with a line stipple
+    bool is_smooth = false;  // lines or points
 
-    bool is_widened() const { return !vertices.empty(); }
+    bool has_vertices() const { return !vertices.empty(); }
+    bool has_rectangles() const { return rectangles != programmable::Rectangles::kNone; }
 };
 
-// flat: each triangle's last vertex gives its colour. two_side: back faces have colours of their own.
-std::vector<Part> parts_of(const Draw& draw, bool flat, bool two_side);
+std::vector<Part> parts_of(const Draw& draw, const PartOptions& options);
 
 }  // namespace twinlight::webgl

@@ -61,9 +61,9 @@ Placed placed(std::span<const std::uint32_t> corners, const Part& part, const Dr
               const std::vector<reference::StageVertex>& vertices) {
     const RasterState& raster = draw.raster;
     Placed result;
-    result.is_triangle = part.mode == kGL_TRIANGLES && !part.is_widened();
+    result.is_triangle = part.mode == kGL_TRIANGLES && !part.has_rectangles();
     for (const std::uint32_t corner : corners) {
-        const glm::dvec4 clip = vertices[part.is_widened() ? part.vertices[corner] : corner].position_clip;
+        const glm::dvec4 clip = vertices[part.has_vertices() ? part.vertices[corner] : corner].position_clip;
         result.is_known = result.is_known && clip.w > 0;
         result.corners_clip.push_back(clip);
         if (!result.is_known) continue;

@@ -1,8 +1,11 @@
-// Border colours of textures (GL 2.1, section 3.8.7), which OpenGL ES lacks: a rim of one texel around the image takes their place.
+// A texture for WebGL 2. OpenGL ES lacks border colours (GL 2.1, section 3.8.7): a rim of one texel around the image takes their place.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <vector>
 
+#include "base/text/json_text.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::webgl {
@@ -12,8 +15,8 @@ bool has_rim(const Texture& texture);
 // Whether a border shows that no rim can replace.
 bool lacks_border(const Texture& texture);
 
-// The base level with the rim, on the sides that show the border.
-Texture with_rim(const Texture& texture);
+// An element of WebglFrame's "textures". Appends the texels, with the rim on the sides that show the border, to the words.
+Json texture_json(const Texture& texture, std::vector<std::uint32_t>& words);
 // The part of s, t and r that is within the rim: N / (N + 2) of N texels, or 1 without a rim.
 glm::dvec3 part_inside(const Texture& texture);
 

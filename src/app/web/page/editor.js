@@ -25,7 +25,6 @@ CodeMirror.defineMode("scene", () => ({
         stream.next();
         return null;
     },
-    lineComment: "//",
 }));
 
 export class Editor {

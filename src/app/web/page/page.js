@@ -170,6 +170,7 @@ async function openLink() {
         if (link.has("text")) {
             const text = await textInLink(link.get("text"));
             lessons.hide();
+            at("scenes").value = "";  // none of the list
             return await load("scene", text, link.get("step") ?? "", sizeInLink(link));
         }
     } catch {
@@ -180,8 +181,8 @@ async function openLink() {
 
 // The option of a list so many places away; the first follows the last.
 function neighbour(select, away) {
-    const options = [...select.options];
-    return options.length > 0 ? options[(select.selectedIndex + away + options.length) % options.length].value : "";
+    const options = [...select.options], from = select.selectedIndex < 0 && away < 0 ? 0 : select.selectedIndex;
+    return options.length > 0 ? options[(from + away + options.length) % options.length].value : "";
 }
 
 // What a key or a move of the mouse asks for.
@@ -254,6 +255,7 @@ addEventListener("drop", async (event) => {
     try {
         const {name, text, size} = await sceneIn(files, twinlight);
         lessons.hide();
+        at("scenes").value = "";
         await load(name, text, "", size);
     } catch (error) {
         message("error", {line: 0, text: error.message});

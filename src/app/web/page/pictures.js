@@ -28,25 +28,23 @@ async function showCoarse(id, {pixels, width}, size) {
 // The reference's picture as the workers draw it: first a coarse one, then band by band. Returns its pixels, and the same as floats
 // for the judge. wanted(): whether the picture is still to be shown.
 export async function showReference(id, workers, scene, size, look, wanted) {
-    const count = 4 * size.width * size.height, whole = {pixels: new Uint8ClampedArray(count), floats: null}, done = [];
+    const count = 4 * size.width * size.height, whole = {pixels: new Uint8ClampedArray(count), floats: null};
     if (!look.asFloats) whole.floats = new Float32Array(count);
-    workers.do({scene, work: "coarse", given: {...look, ...size}}).then(async (coarse) => {
-        const draw = await showCoarse(id, coarse, size);
+    const coarse = workers.do({scene, work: "coarse", given: {...look, ...size}}, {soon: true}).then(async (picture) => {
+        const draw = await showCoarse(id, picture, size);
         if (!wanted()) return;
         draw();
-        done.forEach(([rows, y0]) => show(id, rows, size, y0));
         performance.mark("first " + id);  // the tests measure it
     }).catch(() => {});  // the bands say what is wrong
     const bands = [];
     for (let y0 = 0; y0 < size.height; y0 += ROWS) {
         const y1 = Math.min(y0 + ROWS, size.height);
-        bands.push(workers.do({scene, work: "rows", given: {...look, y0, y1, width: size.width}}).then(({rows, floats}) => {
-            if (!wanted()) return;
+        bands.push(workers.do({scene, work: "rows", given: {...look, y0, y1, width: size.width}}).then(async ({rows, floats}) => {
             const first = 4 * size.width * y0;
             whole.pixels.set(rows, first);
             whole.floats?.set(floats, first);
-            done.push([rows, y0]);
-            show(id, rows, size, y0);
+            await coarse;
+            if (wanted()) show(id, rows, size, y0);
         }));
     }
     await Promise.all(bands);

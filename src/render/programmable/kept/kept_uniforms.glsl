@@ -20,7 +20,8 @@ uniform vec4 TextureEnvColor[1];  // GL_TEXTURE_ENV_COLOR
 uniform float TextureLodBias;  // GL_TEXTURE_LOD_BIAS (section 3.8.8)
 uniform vec3 TextureInside;  // the part of s, t and r within a rim of one texel, which has the border's colour (section 3.8.7)
 uniform sampler2D Framebuffer;  // the picture before these primitives, for glLogicOp (section 4.1.10)
-uniform float LineWidth;  // glLineWidth (section 3.4.2.1), in whole pixels; 0 after a turn, when LineEndsWindow holds no longer
+uniform vec4 Viewport;  // glViewport (section 2.11.1): x, y, width, height
+uniform float LineWidth;  // glLineWidth (section 3.4.2.1), in whole pixels unless lines are smooth
 uniform int LineStippleFactor;  // glLineStipple (section 3.4.2)
 uniform int LineStipplePattern;
 uniform uint PolygonStipple[32];  // glPolygonStipple (section 3.5.2): rows from the bottom, the leftmost pixel in the lowest bit
@@ -28,6 +29,7 @@ uniform vec4 ClipPlane[8];  // glClipPlane, in eye coordinates (section 2.12)
 uniform float PointSize;  // glPointSize (section 3.3)
 uniform vec3 PointAttenuation;  // GL_POINT_DISTANCE_ATTENUATION (section 3.3)
 uniform vec3 PointSizes;  // glPointSize, GL_POINT_SIZE_MIN, GL_POINT_SIZE_MAX
+uniform vec3 BlendSource;  // glBlendColor (section 4.1.8), where it is the source factor
 uniform float AlphaRef;  // glAlphaFunc (section 4.1.4)
 
 // glMaterial (section 2.14.2)

@@ -167,15 +167,3 @@ float fog_exp2(float fog_distance, float density) {
 vec3 srgb_coded(vec3 linear) {
     return mix(12.92 * linear, 1.055 * pow(max(linear, 0.0031308), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, linear));
 }
-
-// Whether a pixel's centre is on a line of this width that ends at `ends.xy` and `ends.zw` (GL 2.1, section 3.4.2.1): the width is
-// measured along y if the line is wider than high, else along x.
-bool is_on_line(vec4 ends, vec2 centre, float width) {
-    vec2 way = ends.zw - ends.xy, from_start = centre - ends.xy;
-    if (abs(way.x) < abs(way.y)) {
-        way = way.yx;
-        from_start = from_start.yx;
-    }
-    float along = from_start.x / way.x, across = from_start.y - along * way.y;
-    return along >= 0.0 && along <= 1.0 && abs(across) <= 0.5 * width;
-}

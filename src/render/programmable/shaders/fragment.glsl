@@ -21,7 +21,9 @@ void main() {
     color.rgb = srgb_coded(color.rgb);
 #endif
 #insert stipples
+#insert coverage
 #insert alpha_test
 #insert logic_op
+#insert blend_source
     fragment_color = color;
 }

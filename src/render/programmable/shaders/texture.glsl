@@ -2,7 +2,7 @@
     // GL_CLAMP (section 3.8.7) clamps to [0,1]. The end stays in the last texel, because the border begins beyond it.
     const float texture_end = 1.0 - 1.0 / 4194304.0;
 #endif
-#if EFFECT_TEXTURE_CLAMP || EFFECT_TEXTURE_RIM || EFFECT_RAY_TEX_COORD
+#if EFFECT_TEXTURE_CLAMP || EFFECT_TEXTURE_RIM || EFFECT_TEXTURE_CLAMP_DEPTH || EFFECT_RAY_TEX_COORD
     DIVIDED_TYPE tex_coord = DIVIDED_TEX_COORD;
 #endif
 #if EFFECT_TEXTURE_GRADIENTS && !EFFECT_RAY_TEX_COORD
@@ -25,6 +25,9 @@
 #if EFFECT_TEXTURE_CLAMP_R
     tex_coord.p = clamp(tex_coord.p, 0.0, texture_end);
 #endif
+#if EFFECT_TEXTURE_CLAMP_DEPTH
+    tex_coord.p = clamp(tex_coord.p, 0.0, 1.0);  // compared with depths (section 3.8.14)
+#endif
 #if EFFECT_TEXTURE_RIM
     tex_coord = tex_coord * TEXTURE_INSIDE + (0.5 - 0.5 * TEXTURE_INSIDE);  // past the rim with the border's colour (section 3.8.7)
 #endif
@@ -40,7 +43,7 @@
     LOOKED_UP = textureGrad(u_texture, tex_coord, tex_per_x.DIVIDED_PARTS, tex_per_y.DIVIDED_PARTS)LOOKED_UP_PART;
 #elif EFFECT_TEXTURE_GRADIENTS
     LOOKED_UP = textureGrad(u_texture, tex_coord, per_x, per_y)LOOKED_UP_PART;
-#elif EFFECT_TEXTURE_CLAMP || EFFECT_TEXTURE_RIM
+#elif EFFECT_TEXTURE_CLAMP || EFFECT_TEXTURE_RIM || EFFECT_TEXTURE_CLAMP_DEPTH
     LOOKED_UP = texture(u_texture, CLAMPED_ARGUMENTS)LOOKED_UP_PART;
 #else
     LOOKED_UP = TEXTURE_LOOKUP(u_texture, LOOKUP_ARGUMENTS)LOOKED_UP_PART;

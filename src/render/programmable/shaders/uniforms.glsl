@@ -32,10 +32,12 @@ uniform float u_point_size;  // glPointSize (section 3.3)
 uniform float u_texture_lod_bias;  // GL_TEXTURE_LOD_BIAS (section 3.8.8)
 uniform vec3 u_texture_inside;  // the part of s, t and r within a rim of one texel, which has the border's colour (section 3.8.7)
 uniform sampler2D u_framebuffer;  // the picture before these primitives, for glLogicOp (section 4.1.10)
-uniform float u_line_width;  // glLineWidth (section 3.4.2.1), in whole pixels
+uniform vec4 u_viewport;  // glViewport (section 2.11.1): x, y, width, height
+uniform float u_line_width;  // glLineWidth (section 3.4.2.1), in whole pixels unless lines are smooth
 uniform int u_line_stipple_factor;  // glLineStipple (section 3.4.2)
 uniform int u_line_stipple_pattern;
 uniform uint u_polygon_stipple[32];  // glPolygonStipple (section 3.5.2): rows from the bottom, the leftmost pixel in the lowest bit
+uniform vec3 u_blend_source;  // glBlendColor (section 4.1.8), where it is the source factor
 uniform float u_alpha_ref;  // glAlphaFunc (section 4.1.4)
 uniform vec4 u_eye_z_from_object;  // the modelview matrix's third row
 uniform vec4 u_eye_w_from_object;  // the modelview matrix's fourth row

@@ -3,10 +3,16 @@ void main() {
     gl_Position = vec4(mix(u_rectangle_ndc.xy, u_rectangle_ndc.zw, a_position.xy), 0.0, 1.0);
 #else
     vec4 position = POSITION;
-#insert clip_position
-#insert beside_line
-#endif
+#if EFFECT_FLAT_EDGES
 #insert lit
+    position = a_edge_position;  // the vertex above gives only the colour (section 2.14.7)
+#endif
+#insert clip_position
+#insert corner
+#endif
+#if !EFFECT_FLAT_EDGES
+#insert lit
+#endif
 #insert generated
 #insert outputs
 #insert point_size
