@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "judge/compare/tolerance.h"
+#include "render/context/context.h"
 #include "render/context/driver_name.h"
 
 namespace twinlight {
@@ -16,6 +17,7 @@ TEST(DrawingPrecision, IsExactInMesasSoftwareDrivers) {
     EXPECT_EQ(precision.position, 0);
     EXPECT_EQ(precision.conversion, 0);
     // softpipe takes the largest of m_u and m_v.
+    const auto context = make_offscreen_context(1, 1);
     EXPECT_EQ(precision.approximates_rho, current_driver().name == "softpipe");
 }
 
