@@ -41,15 +41,28 @@ TEST_F(Egl, DrawsThePicturesOfOsmesa) {
     EXPECT_EQ(osmesa, "OSMesa");
     EXPECT_EQ(egl, "EGL");
     if (driver_of_egl != driver_of_osmesa) GTEST_SKIP() << "EGL's driver is another: " << driver_of_egl;
-    for (const char* renderer : {"fixed", "programmable"}) {
-        const auto picture = [&](const std::string& program, const std::string& name) {
-            // This scene has points, lines, textures and text, whose borders would show rows that are upside down.
-            EXPECT_EQ(
-                run(program, "render legacy --with " + std::string(renderer) + " -o " + quoted(folder_ / name)).status,
-                0);
-            return read_file(folder_ / name);
-        };
-        EXPECT_TRUE(picture("twinlight", "osmesa.png") == picture(program_, "egl.png")) << renderer;
+    // EGL's buffers accumulate in Twinlight's own code, whatever textures are enabled in whichever unit.
+    const std::string accumulates = folder_ / "accumulates.gl";
+    write_file_atomically(
+        accumulates,
+        "GLubyte texel[] = {99, 150, 201, 255}; glClearColor(0.75, 0.5, 0.25, 1); glClear(GL_COLOR_BUFFER_BIT);\n"
+        "glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);\n"
+        "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST); glEnable(GL_TEXTURE_2D);\n"
+        "glActiveTexture(GL_TEXTURE1); glAccum(GL_LOAD, 1); glRectf(0, 0, 1, 1); glAccum(GL_ACCUM, -0.3);\n"
+        "glAccum(GL_RETURN, 1);\n");
+    // The built-in scene has points, lines, textures and text, whose borders would show rows that are upside down.
+    for (const std::string& scene : {std::string("legacy"), accumulates}) {
+        for (const char* renderer : {"fixed", "programmable"}) {
+            const auto picture = [&](const std::string& program, const std::string& name) {
+                EXPECT_EQ(
+                    run(program, "render " + quoted(scene) + " --with " + renderer + " -o " + quoted(folder_ / name))
+                        .status,
+                    0);
+                return read_file(folder_ / name);
+            };
+            EXPECT_TRUE(picture("twinlight", "osmesa.png") == picture(program_, "egl.png"))
+                << scene << " with " << renderer;
+        }
     }
 }
 
