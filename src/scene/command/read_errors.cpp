@@ -3,6 +3,18 @@
 
 namespace twinlight {
 
+std::string_view library_of(std::string_view name) {
+    constexpr std::pair<std::string_view, std::string_view> kLibraries[] = {
+        {"glut", "GLUT"}, {"GLUT_", "GLUT"}, {"glu", "GLU"}, {"GLU", "GLU"}, {"gl", "OpenGL"}, {"GL_", "OpenGL"}};
+    const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
+    for (const auto& [start, library] : kLibraries) {
+        if (!name.starts_with(start) || name.size() == start.size()) continue;
+        const bool is_function = !is_upper(start.front());  // then a capital follows
+        if (!is_function || is_upper(name[start.size()])) return library;
+    }
+    return "";
+}
+
 // The lexer's next token; reports the lexer's errors.
 Token Reader::next_token() {
     while (true) {

@@ -71,6 +71,10 @@ struct Function;
 struct FormalParameter;
 enum class Flow : std::uint8_t;
 
+// "GLU" for gluPickMatrix, "OpenGL" for GL_LINE_WIDTH_GRANULARITY: whose name it is, by how it begins; "" for other names. For names
+// that Twinlight does not have.
+std::string_view library_of(std::string_view name);
+
 class Reader {
   public:
     // Of a scene with steps, reads the lines of all steps and those of the step with this number (from 1).
