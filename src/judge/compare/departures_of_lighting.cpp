@@ -135,10 +135,14 @@ bool has_w_0_under_positional_light(const Draw& draw, const Vertex& vertex) {
 }
 
 bool has_extreme_direction(const Draw& draw, const Vertex& vertex) {
-    return draw.lighting.enabled &&
-           (leaves_floats(vertex.normal_object) || any_light(draw, [](const LightSource& light) {
-                return light.position_eye.w == 0 && leaves_floats(glm::dvec3(light.position_eye));
-            }));
+    const auto is_extreme = [&](const LightSource& light) {
+        const glm::dvec3 p(light.position_eye);
+        const double w = light.position_eye.w;
+        if (w == 0) return leaves_floats(p);
+        const glm::dvec3 way = p / w - eye_position(draw, vertex);
+        return way != glm::dvec3(0) && leaves_floats(way);
+    };
+    return draw.lighting.enabled && (leaves_floats(vertex.normal_object) || any_light(draw, is_extreme));
 }
 
 // (n . h)^s for the longest possible n . h, the normal's length, is infinite in floats.

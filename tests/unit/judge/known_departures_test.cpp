@@ -47,6 +47,27 @@ TEST(KnownDepartures, AreThoseOfTheDriver) {
     EXPECT_EQ(names_of(kSpotOnCube, {}), Names{});
 }
 
+// NVIDIA's driver is one for all its chips.
+TEST(KnownDepartures, AreThoseOfTheMaker) {
+    const std::string flat = "glShadeModel(GL_FLAT); glEnable(GL_LIGHTING); glRectf(0, 0, 1, 1);";
+    for (const char* chip : {"NVIDIA H200/PCIe/SSE2", "NVIDIA GeForce RTX 3060/PCIe/SSE2"})
+        EXPECT_EQ(names_of(flat, driver(chip, "NVIDIA 580.159.04")), Names{"glRect as a quadrilateral"}) << chip;
+    EXPECT_EQ(names_of(kSpotOnCube, driver("NVIDIA H200/PCIe/SSE2", "NVIDIA 580.159.04")), Names{});
+}
+
+// A program that gives a position of three numbers leaves w to chance.
+TEST(KnownDepartures, AreFoundWhereALightIsTooFarForFloats) {
+    const auto with_w = [](const std::string& w) {
+        return names_of(
+            "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glLightfv(GL_LIGHT0, GL_POSITION, "
+            "(GLfloat[]){0, 20, -1, " +
+                w + "}); glutSolidCube(1);",
+            kLlvmpipe);
+    };
+    EXPECT_EQ(with_w("-1.98699e-35"), Names{"a direction whose square does not fit a float"});
+    EXPECT_EQ(with_w("0.001"), Names{});
+}
+
 TEST(KnownDepartures, AreThoseOfTheVersion) {
     EXPECT_EQ(names_of(kSpotOnCube, driver("llvmpipe", "Mesa 22.3.0")).size(), 1U);
     EXPECT_EQ(names_of(kSpotOnCube, driver("llvmpipe", "Mesa 22.30.1")), Names{});
