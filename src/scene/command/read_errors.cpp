@@ -3,16 +3,11 @@
 
 namespace twinlight {
 
-std::string_view library_of(std::string_view name) {
-    constexpr std::pair<std::string_view, std::string_view> kLibraries[] = {
-        {"glut", "GLUT"}, {"GLUT_", "GLUT"}, {"glu", "GLU"}, {"GLU", "GLU"}, {"gl", "OpenGL"}, {"GL_", "OpenGL"}};
+bool is_like_gl(std::string_view name) {
     const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
-    for (const auto& [start, library] : kLibraries) {
-        if (!name.starts_with(start) || name.size() == start.size()) continue;
-        const bool is_function = !is_upper(start.front());  // then a capital follows
-        if (!is_function || is_upper(name[start.size()])) return library;
-    }
-    return "";
+    for (const std::string_view start : {"glut", "glu", "gl"})  // a capital follows
+        if (name.starts_with(start) && name.size() > start.size() && is_upper(name[start.size()])) return true;
+    return name.starts_with("GLUT_") || name.starts_with("GLU") || name.starts_with("GL_");
 }
 
 // The lexer's next token; reports the lexer's errors.

@@ -538,8 +538,8 @@ void Reader::unknown_name(const Token& name) {
              "unknown name 'GL_PHONG'; GL has no Phong shading, only GL_FLAT and GL_SMOOTH; to draw with Phong "
              "shading, run 'twinlight render --shading phong'");
     const auto near = nearest(name.text, names);
-    if (const std::string_view library = library_of(name.text); program_ && !near && !library.empty())
-        out_of_reach(name.place, fmt::format("the name {} of {}", in_quotes(name.text), library));
+    if (program_ && !near && is_like_gl(name.text))
+        out_of_reach(name.place, fmt::format("the name {}, which Twinlight does not know", in_quotes(name.text)));
     if (program_ && !near)
         fail(name.place, "unknown name {}; if another file defines it, run and record the program: twinlight record {}",
              in_quotes(name.text), name.place.file ? *name.place.file : "PROGRAM.c");

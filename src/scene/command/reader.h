@@ -71,9 +71,9 @@ struct Function;
 struct FormalParameter;
 enum class Flow : std::uint8_t;
 
-// "GLU" for gluPickMatrix, "OpenGL" for GL_LINE_WIDTH_GRANULARITY: whose name it is, by how it begins; "" for other names. For names
-// that Twinlight does not have.
-std::string_view library_of(std::string_view name);
+// Whether a name begins as those of OpenGL, GLU and GLUT do: gluPickMatrix, GL_LINE_WIDTH_GRANULARITY. For names that Twinlight does
+// not know, so that nobody looks for them in the program.
+bool is_like_gl(std::string_view name);
 
 class Reader {
   public:

@@ -97,9 +97,9 @@ Value Reader::call_in_program(const Token& name) {
     if (const auto near = nearest(name.text, names))
         fail(name.place, "unknown function {}; did you mean {}? If another file defines it: twinlight record {}",
              in_quotes(name.text), *near, name.place.file ? *name.place.file : "PROGRAM.c");
-    if (const std::string_view library = library_of(name.text); !library.empty())
-        out_of_reach(name.place, fmt::format("the function {} of {}", in_quotes(name.text), library));
-    out_of_reach(name.place, fmt::format("the function {}, which this file does not define", in_quotes(name.text)));
+    out_of_reach(name.place,
+                 fmt::format("the function {}, which {}", in_quotes(name.text),
+                             is_like_gl(name.text) ? "Twinlight does not know" : "this file does not define"));
 }
 
 namespace {
