@@ -98,7 +98,10 @@ struct Compared {
 };
 
 Compared compared(const Scene& scene, const CompareArguments& arguments, ProgressBar& bar) {
-    const RendererSet renderers(scene.frame.width, scene.frame.height);
+    static const DrawingPrecision precision = measure_drawing_precision();
+    const RendererSet set(scene.frame.width, scene.frame.height);
+    compare::Renderers renderers = set.functions();
+    renderers.precision = precision;
     Compared result;
     result.comparison = compare::compare_scene(
         scene,
@@ -107,7 +110,7 @@ Compared compared(const Scene& scene, const CompareArguments& arguments, Progres
          .precise = arguments.precise,
          .per_pixel = arguments.per_pixel,
          .progress = [&](int done, int total, std::string_view next) { bar.show(done, total, next); }},
-        renderers.functions());
+        renderers);
     result.warnings = lint::lint(scene);
     for (const lint::Warning& warning : result.warnings)
         result.comparison.warnings.push_back(

@@ -13,14 +13,10 @@ RendererSet::RendererSet(int width, int height) : context_(make_offscreen_contex
     functions_.reference = [this](const Frame& frame, const reference::Options& options) {
         return pictures_of(frame).render(options);
     };
-    functions_.allowed_difference = [this](const Frame& frame, reference::Options options) {
-        options.approximates_rho = functions_.precision.approximates_rho;
+    functions_.allowed_difference = [this](const Frame& frame, const reference::Options& options) {
         return pictures_of(frame).allowed_difference(options);
     };
     functions_.answers = fixed::answers;
-    static const DrawingPrecision precision = measure_drawing_precision();
-    functions_.precision = precision;
-    context_->make_current();
 }
 
 reference::Pictures& RendererSet::pictures_of(const Frame& frame) {

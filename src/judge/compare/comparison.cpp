@@ -162,7 +162,9 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     result.changed_by_missing = changed_by_missing(scene, result.renders.front(), options, renderers);
     begin_step("edges");
     const auto allowed_of = [&](bool per_pixel) {
-        return renderers.allowed_difference(frame, reference::Options{look_of(per_pixel, options)});
+        reference::Options of_driver{look_of(per_pixel, options)};
+        of_driver.approximates_rho = renderers.precision.approximates_rho;
+        return renderers.allowed_difference(frame, of_driver);
     };
     result.allowed = allowed_of(false);
     AllowedDifference of_phong = all ? allowed_of(true) : result.allowed;

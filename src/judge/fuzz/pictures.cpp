@@ -24,10 +24,7 @@ Pictures::Pictures(std::vector<std::string_view> lifted) : lifted_(std::move(lif
         return context_.shaders().render(frame, options);
     };
     renderers_.reference = reference::render;
-    renderers_.allowed_difference = [this](const Frame& frame, reference::Options options) {
-        options.approximates_rho = renderers_.precision.approximates_rho;
-        return reference::allowed_difference(frame, options);
-    };
+    renderers_.allowed_difference = reference::allowed_difference;
     renderers_.precision = measure_drawing_precision();
     context_.make_current();
 }
