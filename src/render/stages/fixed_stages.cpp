@@ -1,6 +1,5 @@
 #include "render/stages/fixed_stages.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -31,7 +30,7 @@ void set_stipples_and_smoothing(const RasterState& raster) {
 // do not limit the size of the others (NVIDIA 580), so it is limited here.
 void set_points(const RasterState& raster) {
     const PointParameters& points = raster.point_parameters;
-    const double limited = std::max(std::min(raster.point_size, points.size_max), points.size_min);
+    const double limited = points.derived_size(raster.point_size, 0);
     glPointSize(static_cast<float>(points.attenuates() || limited <= 0 ? raster.point_size : limited));
     glPointParameterf(GL_POINT_SIZE_MIN, static_cast<float>(points.size_min));
     glPointParameterf(GL_POINT_SIZE_MAX, static_cast<float>(points.size_max));

@@ -369,8 +369,8 @@ RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& record
         }
         if (!knows_shown) {
             knows_shown = true;
-            if (player.first_that_shows() < player.frames()) {
-                first_shown = player.first_that_shows();
+            if (const int first = player.first_that_shows(); first < player.frames()) {
+                first_shown = first;
                 continue;
             }
         }
