@@ -406,7 +406,7 @@ bool Departure::is_known_on(const Driver& driver) const {
 // What several drivers show, any driver may show, because they share parts of Mesa. Of other makers' drivers, a release that was
 // measured shows what it showed.
 bool Departure::may_show_on(const Driver& driver) const {
-    if (is_listed(driver) && !driver.version.starts_with("Mesa")) return seen_on.empty() || is_known_on(driver);
+    if (!driver.version.starts_with("Mesa") && is_listed(driver)) return seen_on.empty() || is_known_on(driver);
     const auto is_other = [&](const SeenOn& seen) { return seen.driver != seen_on.front().driver; };
     return seen_on.empty() || std::ranges::any_of(seen_on, is_other) || is_of(seen_on.front(), driver);
 }
