@@ -148,6 +148,8 @@ class ExportedPage : public testing::Test {
     }
 
     void expect_close_after_a_turn(const std::string& text, const json& told);
+    // The same for the page as it opens, which names nothing that it lacks.
+    void expect_close_before_and_after_a_turn(const std::string& text);
 
     std::string program_, page_;
     TemporaryFolder folder_;
@@ -253,6 +255,15 @@ glTranslatef(0.5, 0.5, 0); glutSolidSphere(0.4, 24, 12);
     EXPECT_EQ(page_.find("lacks a part"), std::string::npos);
 }
 
+void ExportedPage::expect_close_before_and_after_a_turn(const std::string& text) {
+    const std::string scene = folder_ / "scene.gl";
+    write_file_atomically(scene, scene_with(text, ""));
+    const json told = used(scene);
+    expect_close(scene, picture_of(told), {});
+    EXPECT_EQ(page_.find("lacks a part"), std::string::npos);
+    expect_close_after_a_turn(text, told);
+}
+
 // Some lines lead behind the eye, where the sides of their rectangles would cross.
 TEST_F(ExportedPage, DrawsWideAndSmoothLinesAndSmoothPointsAfterATurn) {
     const std::string text = R"(
@@ -269,12 +280,7 @@ glBegin(GL_LINES); glVertex3f(-0.9, 0.1, 0); glVertex3f(0.8, 0.5, -1); glVertex3
 glEnable(GL_POINT_SMOOTH); glPointSize(21.3);
 glBegin(GL_POINTS); glVertex3f(0.7, -0.4, 0.1); glVertex3f(-0.4, -0.4, -0.3); glEnd();
 )";
-    const std::string scene = folder_ / "scene.gl";
-    write_file_atomically(scene, scene_with(text, ""));
-    const json told = used(scene);
-    expect_close(scene, picture_of(told), {});
-    EXPECT_EQ(page_.find("lacks a part"), std::string::npos);
-    expect_close_after_a_turn(text, told);
+    expect_close_before_and_after_a_turn(text);
 }
 
 TEST_F(ExportedPage, DrawsStipplesAndTheLodBias) {
@@ -442,12 +448,7 @@ glDisable(GL_TEXTURE_1D); glActiveTexture(GL_TEXTURE0); glDisable(GL_TEXTURE_2D)
 glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, (GLfloat[]){0.1, 0, 0.01}); glPointSize(20); glColor3f(1, 1, 0);
 glBegin(GL_POINTS); glVertex3f(-1.03, 1.51, 2); glVertex3f(1.02, 1.52, 0); glVertex3f(2.13, 1.53, -3); glEnd();
 )";
-    const std::string scene = folder_ / "scene.gl";
-    write_file_atomically(scene, scene_with(text, ""));
-    const json told = used(scene);
-    expect_close(scene, picture_of(told), {});
-    EXPECT_EQ(page_.find("lacks a part"), std::string::npos);
-    expect_close_after_a_turn(text, told);
+    expect_close_before_and_after_a_turn(text);
 }
 
 TEST_F(ExportedPage, DrawsCopiedPixelsOfTheFirstView) {

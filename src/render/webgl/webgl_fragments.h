@@ -13,7 +13,7 @@ namespace twinlight::webgl {
 bool has_two_stencils(const Draw& draw);
 // Both faces must have the same reference and masks. So where they differ, each face is drawn with the other one culled.
 bool needs_each_side(const Draw& draw);
-// Of the front and of the back: [func, reference, mask, fail, depth_fail, depth_pass, write_mask].
+// One list for front faces, one for back faces: [func, reference, mask, fail, depth_fail, depth_pass, write_mask].
 Json stencil_json(const Draw& draw);
 
 // One factor must not be of the constant colour and the other of the constant alpha. Then the shader multiplies the colour by the
