@@ -127,6 +127,10 @@ std::optional<float> contrast(const Scene& scene) {
     return color_contrast(image);
 }
 
+void print_note(const Recording& recording, std::string_view note) {
+    fmt::print(stderr, "twinlight: note: {}: {}\n", recording.name, one_line(note));
+}
+
 // Reading up to a late frame may take long, so this shows its progress.
 Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std::optional<Size> size,
                           std::optional<int> number, const Memory& memory) {
@@ -136,9 +140,7 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
         choice.height = size->height;
         choice.memory = without_pixels(memory, size->width, size->height);
     }
-    const auto print = [&](const std::string& note) {
-        fmt::print(stderr, "twinlight: note: {}: {}\n", recording->name, one_line(note));
-    };
+    const auto print = [&](const std::string& note) { print_note(*recording, note); };
     std::vector<std::string> notes = recording->notes();
     std::ranges::for_each(notes, print);
     ProgressBar bar;
@@ -162,7 +164,9 @@ Scene scene_of(std::shared_ptr<const Recording> commands, std::optional<Size> si
     const auto [width, height] = size.value_or(Size{});
     Frame made = make_frame(*commands->command_list(),
                             {.width = width, .height = height, .memory = without_pixels(memory, width, height)});
-    return {std::move(commands), std::move(made)};
+    std::vector<std::string> notes = commands->notes();
+    for (const std::string& note : notes) print_note(*commands, note);
+    return {std::move(commands), std::move(made), std::move(notes)};
 }
 
 }  // namespace

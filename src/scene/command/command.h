@@ -212,6 +212,12 @@ struct NextPicture {
     Place start;  // of the first statement of the display function
 };
 
+// A note about a program whose window has several samples per pixel (section 3.2.1).
+inline constexpr std::string_view kOneSampleNote =
+    "the program asks for a window with several samples per pixel; Twinlight draws one, so edges are less smooth than "
+    "in "
+    "that window";
+
 struct CommandList final : Recording {
     std::vector<Command> commands;
     std::optional<WindowSize> window{};  // of a whole program: the size that it was run with
@@ -220,6 +226,7 @@ struct CommandList final : Recording {
     std::shared_ptr<const std::string> text = nullptr;  // the C text, for messages; null if there is none
     std::vector<std::string> steps{};                   // the titles of the scene's steps (#pragma twinlight step)
     std::size_t step = 0;                               // the number of the one that `commands` has; 0 without steps
+    std::vector<std::string> own_notes{};               // notes()
 
     CommandList() = default;
     CommandList(std::string given_name, std::vector<Command> given_commands)
@@ -227,6 +234,7 @@ struct CommandList final : Recording {
 
     void for_each(const std::function<bool(const Step&)>& visit) const override;
     const CommandList* command_list() const override { return this; }
+    std::vector<std::string> notes() const override { return own_notes; }
     std::string title() const override;
 };
 

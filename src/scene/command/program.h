@@ -66,6 +66,7 @@ struct Program {
     bool in_function = false;  // false while the global variables are read
     Value returned{};          // by the last return
     bool has_window = false;
+    bool asks_for_samples = false;  // a window with several samples per pixel
     bool reached_main_loop = false;
 
     std::optional<Token> display{}, reshape{};  // the functions that GLUT calls

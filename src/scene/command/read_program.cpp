@@ -64,6 +64,7 @@ CommandList Reader::run(const std::string& name) {
     CommandList list{name, std::move(commands_)};
     list.window = p.window;
     list.next_picture = next_picture();
+    if (p.asks_for_samples) list.own_notes.emplace_back(kOneSampleNote);
     return list;
 }
 

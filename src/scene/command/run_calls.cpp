@@ -286,9 +286,13 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
         out_of_reach(name.place, fmt::format("glutGet({})", asked.text));
     }
     if (name.is("glutInitDisplayMode")) {
-        for (const Value& mode : values_in_parentheses())
-            if (mode.is_integer() && (mode.integer & *glut_constant("GLUT_INDEX")) != 0)
-                out_of_reach(name.place, "a window with colour indices");
+        for (const Value& mode : values_in_parentheses()) {
+            const auto has = [&](std::string_view bit) {
+                return mode.is_integer() && (mode.integer & *glut_constant(bit)) != 0;
+            };
+            if (has("GLUT_INDEX")) out_of_reach(name.place, "a window with colour indices");
+            p.asks_for_samples = has("GLUT_MULTISAMPLE");
+        }
         return integer(0);
     }
     if (name.is("glutCreateWindow")) {

@@ -8,6 +8,7 @@
 #include "scene/command/lexer.h"
 #include "scene/command/text.h"
 #include "scene/trace/functions.h"
+#include "scene/trace/window_formats.h"
 
 namespace twinlight::trace {
 
@@ -118,7 +119,7 @@ class Reading {
 
     // The value of a name. An unknown name is noted and gives 0.
     double enumerant(std::string_view name) {
-        const std::optional<Enum> known = name.starts_with("GL_") ? find_dumped_name(name) : std::nullopt;
+        const std::optional<Enum> known = name.starts_with("GL_") ? find_dumped_name(name) : sample_attribute(name);
         if (!known && arguments_.unknown_name.empty()) arguments_.unknown_name = name.substr(0, kLongestNameShown);
         return known.value_or(0);
     }

@@ -69,6 +69,10 @@ void DumpReader::count_contexts(bool whole, ContextCounts& counts) {
             counts.make_current(thread_, current == current_.end() ? 0 : current->second);
             continue;
         }
+        if (function.names_format) {
+            note_format();
+            continue;
+        }
         if (ContextCounts::needs_arguments(function, function_name_)) {
             if (!read_call()) continue;
         } else {
@@ -237,6 +241,14 @@ void DumpReader::create_context() {
         return from.list[i].form == Form::kNumber ? from.numbers[from.list[i].first] : 0;
     };
     groups_.create(handle(result_, 0), handle(arguments_, share));
+}
+
+// A call of the window system that cannot be read is passed over, as without this.
+void DumpReader::note_format() {
+    try {
+        if (read_call()) formats_.take(function_name_, arguments_, result_);
+    } catch (const SceneError&) {
+    }
 }
 
 // glMapBuffer(target, access) = address, or glMapBufferRange(target, offset, length, access) = address.

@@ -23,6 +23,7 @@
 #include "scene/trace/contexts.h"
 #include "scene/trace/dump_lexer.h"
 #include "scene/trace/functions.h"
+#include "scene/trace/window_formats.h"
 
 namespace twinlight::trace {
 
@@ -40,6 +41,8 @@ class DumpReader {
 
     // Reads what the contexts draw: the first frames that draw, or with `whole` the whole dump.
     void count_contexts(bool whole, ContextCounts& counts);
+    // Whether a context that count_contexts() has seen draws into a window with several samples per pixel.
+    bool has_samples(ContextName context) const { return formats_.has_samples(context); }
     bool at_end() { return lexer_.at_end(); }
     // The number of the last call that was read.
     int call_number() const { return command_.place.line; }
@@ -59,6 +62,7 @@ class DumpReader {
     bool read_end_of_call();
     void make_current();
     void create_context();
+    void note_format();
     void map_buffer();
     void copy_memory();
     void choose_context();  // updates whether the current thread uses the followed context
@@ -79,6 +83,7 @@ class DumpReader {
     std::map<unsigned, ContextName> current_;  // the current context of each thread
     std::vector<ContextName> contexts_;        // in the order in which they became current
     ShareGroups groups_;
+    WindowFormats formats_;
     std::optional<ContextName> followed_;
     bool in_followed_ = true;
     std::vector<Mapping> mappings_;

@@ -4,6 +4,8 @@
 #include <array>
 #include <string>
 
+#include "scene/trace/window_formats.h"
+
 namespace twinlight::trace {
 
 namespace {
@@ -80,11 +82,6 @@ bool makes_current(std::string_view name) {
                                      "wglMakeContextCurrent", "CGLSetCurrentContext"});
 }
 
-bool makes_context(std::string_view name) {
-    return name == "glXCreateContext" || name == "glXCreateNewContext" || name == "glXCreateContextAttribsARB" ||
-           name == "eglCreateContext";
-}
-
 // glVertex3f, glVertex2sv, but not glVertexPointer.
 bool is_vertex(std::string_view name) {
     if (name == "glArrayElement" || name.starts_with("glEvalCoord") || name.starts_with("glEvalPoint")) return true;
@@ -108,6 +105,7 @@ Function classify(std::string_view name) {
     Function function{.draws = draws_something(name),
                       .is_vertex = is_vertex(name),
                       .makes_context = makes_context(name),
+                      .names_format = WindowFormats::is_needed(name),
                       .makes_objects = makes_objects(name)};
     const std::optional<CommandId> command = find_command_or_extension(name);
     if (ends_frame(name)) {
@@ -145,6 +143,11 @@ constexpr std::array kLaterNames = {
 };
 
 }  // namespace
+
+bool makes_context(std::string_view name) {
+    return name == "glXCreateContext" || name == "glXCreateNewContext" || name == "glXCreateContextAttribsARB" ||
+           name == "eglCreateContext";
+}
 
 const Function& FunctionTable::find(std::string_view name) {
     constexpr std::size_t kMostNames = 4096;  // more than GL has; a hostile dump may contain any number

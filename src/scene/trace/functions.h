@@ -28,8 +28,12 @@ struct Function {
     bool draws = false;          // draws vertices or pixels
     bool is_vertex = false;      // one vertex between glBegin and glEnd: glVertex*, glArrayElement
     bool makes_context = false;  // creates a context: one argument names the context to share objects with
+    bool names_format = false;   // WindowFormats::is_needed()
     bool makes_objects = false;  // creates objects that contexts may share: textures, lists, buffer objects
 };
+
+// Whether a function of the window system creates a context: its second argument names a pixel format, its result the context.
+bool makes_context(std::string_view name);
 
 // Looks up functions by name. Each name is classified at its first use.
 class FunctionTable {

@@ -78,6 +78,7 @@ void DumpRecording::choose_context(std::optional<int> wanted) {
         wanted && !contexts.empty() ? std::optional(static_cast<std::size_t>(*wanted)) : counts.busiest();
     if (!chosen) return;
     context_ = contexts[*chosen].name;
+    if (reader.has_samples(*context_)) notes_.emplace_back(kOneSampleNote);
     const bool others_draw =
         std::ranges::any_of(contexts, [&](const ContextUse& use) { return use.vertices > 0 && use.name != *context_; });
     if (!others_draw) return;

@@ -97,6 +97,24 @@ TEST(Programs, TakeTheirSizeFromTheCommandLineIfItIsGiven) {
     EXPECT_EQ(render({"--size", "64x48"}), (WindowSize{64, 48}));
 }
 
+TEST(Programs, SayThatTheirWindowHasSeveralSamples) {
+    const auto with_mode = [](const std::string& mode) {
+        return "#include <GL/glut.h>\nvoid display(void) { glRectf(0, 0, 1, 1); }\n"
+               "int main(int argc, char** argv) { glutInit(&argc, argv); glutInitDisplayMode(" +
+               mode + "); glutCreateWindow(\"a\"); glutDisplayFunc(display); glutMainLoop(); }";
+    };
+    EXPECT_EQ(read_program(with_mode("GLUT_RGB | GLUT_MULTISAMPLE")).notes(), std::vector{std::string(kOneSampleNote)});
+    EXPECT_EQ(read_program(with_mode("GLUT_RGB | GLUT_DEPTH")).notes(), std::vector<std::string>{});
+
+    const TemporaryFolder folder;
+    write_file_atomically(folder / "smooth.c", with_mode("GLUT_MULTISAMPLE"));
+    const ProgramResult result =
+        run_program("twinlight", {"compare", folder / "smooth.c", "--size", "8x8", "-o", folder / "report"});
+    const std::string note = "smooth.c: " + std::string(kOneSampleNote);
+    EXPECT_NE(result.err.find("twinlight: note: " + note + "\n"), std::string::npos) << result.err;
+    EXPECT_NE(read_file(folder / "report/index.html").find(kOneSampleNote), std::string::npos);
+}
+
 TEST(Programs, HaveLoopsAndConditions) {
     EXPECT_EQ(values_of("int i; for (i = 0; i < 3; i++) glLineWidth(i + 1);"), (Values{1, 2, 3}));
     EXPECT_EQ(values_of("for (int i = 3, j = 0; i; --i, j += 2) glScaled(i, j, 0);"),

@@ -201,6 +201,57 @@ TEST_F(Traces, FollowTheContextThatDrawsMost) {
     EXPECT_EQ(recording(uncalled)->notes(), Lines{});
 }
 
+// Formats are chosen by calls as apitrace prints them; two contexts are made with them, of which the second draws.
+TEST_F(Traces, SayThatAWindowHasSeveralSamples) {
+    const std::string draws =
+        "8 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xb) = True\n9 glBegin(mode = GL_POINTS)\n"
+        "10 glVertex2f(x = 0, y = 0)\n11 glEnd()\n";
+    const auto notes = [&](const std::string& calls) { return recording(calls + draws)->notes(); };
+    const auto config = [](const std::string& attributes) {
+        return "1 glXChooseFBConfig(dpy = 0x1, screen = 0, attribList = {GLX_RED_SIZE, 1, GLX_DOUBLEBUFFER, True, " +
+               attributes + "0}, nitems = &2) = {0x70, 0x80}\n";
+    };
+    const std::string visual =
+        "&{visual = 0x55a1, visualid = 992, screen = 0, depth = 24, c_class = 4, red_mask = 16711680}";
+    const auto create = [](const std::string& format) {
+        return "4 glXCreateNewContext(dpy = 0x1, config = " + format +
+               ", renderType = GLX_RGBA_TYPE, shareList = NULL, direct = True) = 0xb\n";
+    };
+    const auto choose = [&](const std::string& attributes) {
+        return "2 glXChooseVisual(dpy = 0x1, screen = 0, attribList = {GLX_RGBA, " + attributes + "0}) = " + visual +
+               "\n";
+    };
+    const std::string of_visual =
+        "5 glXCreateContext(dpy = 0x1, vis = " + visual + ", shareList = NULL, direct = True) = 0xb\n";
+    const auto egl = [](const std::string& samples) {
+        return "3 eglChooseConfig(dpy = 0x1, attrib_list = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_SAMPLES, " +
+               samples +
+               ", EGL_NONE}, configs = {0x70}, config_size = 1, num_config = &1) = EGL_TRUE\n"
+               "4 eglCreateContext(dpy = 0x1, config = 0x70, share_context = NULL, attrib_list = {}) = 0xb\n";
+    };
+    const Lines yes{std::string(kOneSampleNote)}, no;
+    EXPECT_EQ(notes(config("GLX_SAMPLE_BUFFERS, 1, GLX_SAMPLES, 4, ") + create("0x80")), yes);
+    EXPECT_EQ(notes(config("GLX_SAMPLE_BUFFERS, 1, ") + create("0x80")), yes);
+    EXPECT_EQ(notes(choose("GLX_SAMPLES, 4, ") + of_visual), yes);
+    EXPECT_EQ(notes(config("GLX_SAMPLES, 4, ") + "3 glXGetVisualFromFBConfig(dpy = 0x1, config = 0x70) = " + visual +
+                    "\n" + of_visual),
+              yes);
+    EXPECT_EQ(notes(egl("4")), yes);
+
+    EXPECT_EQ(notes(config("GLX_SAMPLE_BUFFERS, 0, GLX_SAMPLES, 1, ") + create("0x80")), no);
+    EXPECT_EQ(notes(config("GLX_SAMPLES, 4, ") + create("0x90")), no) << "another format";
+    EXPECT_EQ(notes(config("GLX_SAMPLES, 4, ") + "4 glXCreateNewContext(dpy = 0x1, config = 0x80, renderType = "
+                                                 "GLX_RGBA_TYPE, shareList = NULL, direct = True) = 0xa\n"),
+              no)
+        << "another context";
+    EXPECT_EQ(notes(choose("") + of_visual), no);
+    EXPECT_EQ(notes("2 glXChooseVisual(dpy = 0x1, screen = 0, attribList = {GLX_SAMPLES, 4, 0}) = NULL\n" + of_visual),
+              no)
+        << "there was no such format";
+    EXPECT_EQ(notes(egl("0")), no);
+    EXPECT_EQ(notes("2 glXChooseVisual(GLX_SAMPLES, ,) = 4\n" + create("0x80")), no) << "a call that cannot be read";
+}
+
 TEST_F(Traces, FollowTheContextThatIsChosen) {
     recording(kTwoWindows);
     const auto first = load_recording(folder_ / "dump.txt", std::nullopt, {}, 0);
