@@ -244,9 +244,11 @@ int main(int argc, char** argv) { glutInit(&argc, argv); glutInitWindowSize(8000
 
     async showsMesaAndTheSlider() {
         const isMesaHidden = () => browser.value(`document.getElementById("mesa").parentElement.hidden`);
-        told.mesa = [await isMesaHidden()];
-        await opened("#scene=spectral");
-        told.mesa.push(await isMesaHidden(), await pixel("mesa", 320, 240), await pixel("floats", 320, 240));
+        told.mesa = {own: await isMesaHidden()};
+        for (const [name, hash] of [["scene", "#scene=spectral"], ["step", "#scene=terms&step=3"]]) {
+            await opened(hash);
+            told.mesa[name] = [await isMesaHidden(), await pixel("mesa", 320, 240), await pixel("floats", 320, 240)];
+        }
         await browser.value(`document.getElementById("view").value = "slider", document.getElementById("left").value = "mesa",
             document.getElementById("line").value = 30, document.getElementById("view").dispatchEvent(new Event("input")), 0`);
         told.tooWide.push(await tooWide());

@@ -207,10 +207,31 @@ std::vector<Judged> judged(const Json& list, const Json& drawn, int subpixel_bit
     return all;
 }
 
+bool is_built() { return std::filesystem::exists(std::string(kPage) + "/module.wasm"); }
+constexpr const char* kNotBuilt =
+    "the page is not built: make web (Debian's packages emscripten, node-acorn and libjs-codemirror)";
+
+TEST(WebPage, HasMesasPictureOfEachStep) {
+    if (!is_built()) GTEST_SKIP() << kNotBuilt;
+    const Json listed = Json::parse(run_program("twinlight", {"scenes", "--json"}).out);
+    std::vector<std::string> names;
+    for (const Json& scene : listed["scenes"]) {
+        const std::string name = scene["name"];
+        const std::size_t steps = scene["steps"].size();
+        if (steps == 0) names.push_back(name);
+        for (std::size_t i = 1; i <= steps; ++i) names.push_back(name + "-" + std::to_string(i));
+    }
+    const std::string folder = std::string(kPage) + "/mesa";
+    EXPECT_EQ(Json::parse(read_file(folder + ".json")), Json(names));
+    for (const std::string& name : names) EXPECT_TRUE(std::filesystem::exists(folder + "/" + name + ".png")) << name;
+
+    const TemporaryFolder drawn;
+    run_program("twinlight", {"render", "terms", "--step", "3", "--with", "fixed", "-o", drawn / "fixed.png"});
+    EXPECT_EQ(read_file(folder + "/terms-3.png"), read_file(drawn / "fixed.png"));
+}
+
 TEST(WebPage, DrawsEveryScene) {
-    if (!std::filesystem::exists(std::string(kPage) + "/module.wasm"))
-        GTEST_SKIP()
-            << "the page is not built: make web (Debian's packages emscripten, node-acorn and libjs-codemirror)";
+    if (!is_built()) GTEST_SKIP() << kNotBuilt;
     const std::string program = browser();
     if (program.empty()) GTEST_SKIP() << "there is no chromium (apt-get install chromium)";
     const TemporaryFolder folder;
@@ -228,9 +249,9 @@ TEST(WebPage, DrawsEveryScene) {
     EXPECT_NE(page["schemes"][0], page["schemes"][1]);
     EXPECT_EQ(page["policy"].get<std::string>().substr(0, 19), "default-src 'none';");
     EXPECT_EQ(page["order"][0], "drawImage") << "the coarse picture comes first";
-    const Json tabs = {"scenes", "steps",   "shading",     "view",       "link",   "form",    "save",
-                       "editor", "shaders", "reference",   "difference", "floats", "SUMMARY", "x",
-                       "y",      "BUTTON",  "explanation", "SUMMARY",    "BODY"};
+    const Json tabs = {"scenes", "steps",   "shading",   "view",        "link",    "form", "save",
+                       "editor", "shaders", "reference", "difference",  "floats",  "mesa", "SUMMARY",
+                       "x",      "y",       "BUTTON",    "explanation", "SUMMARY", "BODY"};
     EXPECT_EQ(page["tabs"], tabs);
     EXPECT_NE(page["explanation"].get<std::string>().find("GL_LIGHT"), std::string::npos) << page["explanation"];
     EXPECT_TRUE(page["error"].get<std::string>().starts_with("3:1: error: ")) << page["error"];
@@ -304,9 +325,12 @@ TEST(WebPage, DrawsEveryScene) {
     for (const char* form : {"c", "glsl", "html"}) EXPECT_EQ(page["files"][form], scene.exported(form, {})) << form;
     EXPECT_EQ(page["files"]["#reference"], "image/png");
 
-    EXPECT_EQ(page["mesa"][0], true) << "hidden for a text of your own";
-    EXPECT_EQ(page["mesa"][1], false);
-    EXPECT_EQ(page["mesa"][2], page["mesa"][3]);
+    EXPECT_EQ(page["mesa"]["own"], true) << "hidden for a text of your own";
+    for (const char* opened : {"scene", "step"}) {
+        const Json& mesa = page["mesa"][opened];
+        EXPECT_EQ(mesa[0], false) << opened;
+        EXPECT_EQ(mesa[1], mesa[2]) << opened;
+    }
     EXPECT_EQ(page["slider"], Json::parse("[[\"reference\", \"inset(0px 0px 0px 30%)\"], [\"mesa\", \"none\"]]"));
 
     EXPECT_TRUE(page["wrong"].get<std::string>().starts_with("Not yet. The highlight covers 1 times")) << page["wrong"];

@@ -69,12 +69,10 @@ $(PAGE)/codemirror/%: /usr/share/javascript/codemirror/lib/%
 	@mkdir -p $(@D); cp $< $@
 $(PAGE)/codemirror/copyright: /usr/share/doc/libjs-codemirror/copyright
 	@mkdir -p $(@D); cp $< $@
-# Mesa's pictures of built-in scenes, and the list of their names.
-RECORDED_web := $(patsubst golden/scenes/%/fixed.png,%,$(sort $(wildcard golden/scenes/*/fixed.png)))
-$(PAGE)/mesa/%.png: golden/scenes/%/fixed.png
-	@mkdir -p $(@D); cp $< $@
-$(PAGE)/mesa.json: $(RECORDED_web:%=$(PAGE)/mesa/%.png)
-	@node -p 'JSON.stringify(process.argv.slice(1))' $(RECORDED_web) >$@
+# Mesa's pictures of the built-in scenes, and the list of their names.
+$(PAGE)/mesa.json: $(PROGRAMS)/twinlight tools/mesa-pictures.mjs
+	@echo "draw the built-in scenes with Mesa, for the page"
+	@mkdir -p $(@D); node tools/mesa-pictures.mjs $< $(@D)/mesa >$@
 # For Node: these files are modules.
 $(PAGE)/package.json:
 	@mkdir -p $(@D); echo '{"type": "module"}' >$@

@@ -18,7 +18,7 @@ const at = (id) => document.getElementById(id);
 const twinlight = await loadTwinlight();
 const workers = new Workers(Math.min(Math.max(navigator.hardwareConcurrency || 2, 2), 8));
 const builtIn = twinlight.builtIn();
-const recorded = await (await fetch("mesa.json")).json();  // the names of the scenes that have a picture by Mesa
+const recorded = await (await fetch("mesa.json")).json();  // the names of Mesa's pictures
 const language = navigator.language.startsWith("zh") ? "zh" : "en";
 const editor = new Editor(at("text"), () => {
     clearTimeout(pause);
@@ -96,7 +96,7 @@ async function draw() {
     try {
         const right = showReference("reference", workers, scene, size, {shading}, wanted);
         const floats = showReference("floats", workers, scene, size, {shading: "scene", asFloats: true}, wanted);
-        await showMesa(isRecorded(scene) ? name : null, wanted);
+        await showMesa(pictureByMesa(scene), wanted);
         offer(twinlight.forms(shading));
         for (const warning of twinlight.warnings())
             message("warning", {...warning, text: `${warning.message}; ${warning.fix}`});
@@ -116,9 +116,11 @@ async function draw() {
     if (wanted()) document.body.dataset.drawn = mine;
 }
 
-// Whether Mesa's picture is that of this text.
-function isRecorded({text, step}) {
-    return recorded.includes(name) && (step === "" || step === "1") && builtIn.some((one) => one.name === name && one.text === text);
+// The name of Mesa's picture of a scene as it is built in; null if there is none.
+function pictureByMesa({text, step}) {
+    const picture = step ? `${name}-${step}` : name;
+    const isBuiltIn = builtIn.some((one) => one.name === name && one.text === text);
+    return isBuiltIn && recorded.includes(picture) ? picture : null;
 }
 
 // ---- Controls ----

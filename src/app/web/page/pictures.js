@@ -59,7 +59,7 @@ export function showDifference(a, b, largest, size) {
     return factor;
 }
 
-// Mesa's picture of a built-in scene, or none.
+// Mesa's picture of this name; null: none.
 export async function showMesa(name, wanted) {
     const figure = at("mesa").parentElement;
     const bitmap = name && await createImageBitmap(await (await fetch(`mesa/${name}.png`)).blob());
