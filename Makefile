@@ -21,8 +21,8 @@ ifeq (0,$(MAKELEVEL)$(filter -j%,$(MAKEFLAGS)))
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 endif
 MAKEFLAGS += --no-print-directory --no-builtin-rules
-# Several goals (make clean test) run one after the other.
-ifneq (,$(word 2,$(MAKECMDGOALS)))
+# Several goals that a person gives (make clean test) run one after the other.
+ifneq (,$(and $(filter 0,$(MAKELEVEL)),$(word 2,$(MAKECMDGOALS))))
 .NOTPARALLEL:
 endif
 
