@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -155,7 +156,9 @@ std::string PageScene::judged(const Look& look, std::span<const std::uint8_t> sh
         drawn.pixels[i / 4][i % 4] = static_cast<float>(shaders[i]) / 255;
         right.pixels[i / 4][i % 4] = reference[i];
     }
-    AllowedDifference allowed = reference::allowed_difference(frame, {look});
+    reference::Options options{look};
+    options.snap = std::max(options.snap, std::ldexp(0.5, -subpixel_bits));
+    AllowedDifference allowed = reference::allowed_difference(frame, options);
     compare::allow_ties(allowed, right);
     compare::allow_rounded_positions(allowed, right, subpixel_bits);
     if (reference::has_quadrilaterals(frame))

@@ -22,12 +22,17 @@ enum class InClipPlane : std::uint8_t {
     kPerhaps,     // all of it; Piece::is_perhaps_clipped marks it
 };
 
+// Rasterisers snap vertices to a grid of 1/256 pixel (llvmpipe and most GPUs; 3.5.1 leaves it open).
+inline constexpr double kSnap = 1.0 / 256;
+
 struct Options : Look {
     QuadCut quad_cut = QuadCut::kFirstToThird;
     Arithmetic arithmetic{};  // used for lighting
     InClipPlane in_clip_plane = InClipPlane::kAsComputed;
     // For allowed_difference(): the driver approximates rho, as 3.8.8 allows (DrawingPrecision).
     bool approximates_rho = false;
+    // The same: by how many pixels vertices may be moved, across and up, before texture coordinates are interpolated.
+    double snap = kSnap;
 
     friend bool operator==(const Options&, const Options&) = default;
 };

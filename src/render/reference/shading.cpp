@@ -51,7 +51,7 @@ Shader::Shader(const StagedDraw& staged, const Options& options)
       lighting_(*staged.draw, options.lecture_variants),
       srgb_coded_(options.lecture_variants && staged.draw->fragment.srgb_coded),
       arithmetic_(options.arithmetic),
-      approximates_rho_(options.approximates_rho) {
+      place_errors_{.snap = options.snap, .approximates_rho = options.approximates_rho} {
     if (!lights_pixels()) light_vertices();
 }
 
@@ -241,14 +241,15 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<dou
 
 // `has_choice` stays true if it is.
 void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<Interval>& texel, bool& has_choice) const {
-    double error = 0;
+    PlaceErrors errors = place_errors_;
     if (!unit.state->generated.empty())
         for (const std::uint32_t i : fragment.piece->primitive.vertices)
-            error = std::max(error, generated_error(draw_, *unit.state, draw_.vertices[i], vertices_[i]));
+            errors.vertex =
+                std::max(errors.vertex, generated_error(draw_, *unit.state, draw_.vertices[i], vertices_[i]));
     if (unit.state->texture->is_cube()) {
         std::optional<TexelBounds> all;
         for (const TexturePlaceBounds& place : cube_place_bounds(
-                 unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, error)) {
+                 unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, errors)) {
             const TexelBounds one =
                 sample_bounds(*unit.state, place.str, place.str_error, place.rho, place.face, place.change);
             all = all ? choice(*all, one) : one;
@@ -257,8 +258,8 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<Int
         has_choice |= all->has_choice;
         return;
     }
-    const TexturePlaceBounds place = texture_place_bounds(unit.tex_coords, *fragment.piece, fragment.position_window,
-                                                          *unit.state->texture, error, approximates_rho_);
+    const TexturePlaceBounds place =
+        texture_place_bounds(unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, errors);
     const TexelBounds bounds = sample_bounds(*unit.state, place.str, place.str_error, place.rho, 0, place.change);
     texel = bounds.texel;
     has_choice |= bounds.has_choice;

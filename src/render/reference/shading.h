@@ -152,7 +152,7 @@ class Shader {
     const DrawLighting lighting_;
     const bool srgb_coded_;
     const Arithmetic arithmetic_;
-    const bool approximates_rho_;
+    const PlaceErrors place_errors_;               // of drivers, for texture_bounds.h
     std::vector<LitColors> lit_front_, lit_back_;  // one per vertex, if vertices are lit; lit_back_ if two-sided
 };
 

@@ -4,15 +4,14 @@
 // passes through the fragment; which level or which of two filters if lambda is at the switch. Everything else is an
 // **interval** per channel: the precision of filter weights, of lambda between two levels, of the arithmetic. The
 // numbers are:
-//   - texture coordinates: float arithmetic, and vertices snapped to 1/256 pixel before the planes are computed;
+//   - texture coordinates: float arithmetic, and vertices snapped before the planes are computed (Options::snap);
 //   - weights of GL_LINEAR: 8 bits, and each mean of two texels rounded to 8 bits (llvmpipe and most GPUs);
 //   - derivatives: differences over any 2 x 2 pixels that include the fragment, instead of those at its centre;
 //   - anisotropic filters: any mean of texels around the place, because drivers choose how they filter;
 //   - lambda between two levels: half of a log2 of rho squared that is linear in the mantissa (llvmpipe). The log2 is
 //     off by at most 0.0861.
 // 3.8.8 allows any rho between half and twice the ideal one. That is not used, because almost any texel would then be
-// correct. 3.8.8 allows more, any rho between half and twice the ideal one. That is not used: what would be left to
-// compare?
+// correct.
 #pragma once
 
 #include "render/reference/interval.h"

@@ -96,14 +96,14 @@ TexCoords::OfSprite TexCoords::of_sprite(const Piece& piece, const glm::dvec2& p
 
 std::vector<TexturePlaceBounds> cube_place_bounds(const TexCoords& tex_coords, const Piece& piece,
                                                   const glm::dvec2& position_window, const Texture& texture,
-                                                  double vertex_error) {
+                                                  const PlaceErrors& errors) {
     constexpr double kRoundings = 8 * 0x1p-24;
     const Coordinates over_w = coordinates_over_w(tex_coords, piece, position_window);
     const glm::dvec3 str(over_w.value);
     const glm::dvec3 weights = glm::abs(weights_over_w_at(piece, position_window).value);
     const glm::dvec3 error = kRoundings * glm::dvec3(added_up(over_w, position_window)) +
-                             kSnap * glm::dvec3(glm::abs(over_w.per_x) + glm::abs(over_w.per_y)) +
-                             vertex_error * (weights.x + weights.y + weights.z);
+                             errors.snap * glm::dvec3(glm::abs(over_w.per_x) + glm::abs(over_w.per_y)) +
+                             errors.vertex * (weights.x + weights.y + weights.z);
     const glm::dvec3 least = glm::abs(str) - error;
     const double major = std::max({least.x, least.y, least.z});
     std::vector<TexturePlaceBounds> bounds;
@@ -160,8 +160,8 @@ lighting::RulingSet texture_rulings(const TexCoords& tex_coords, const Piece& pi
 }
 
 TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece& piece,
-                                        const glm::dvec2& position_window, const Texture& texture, double vertex_error,
-                                        bool approximates_rho) {
+                                        const glm::dvec2& position_window, const Texture& texture,
+                                        const PlaceErrors& errors) {
     // Float arithmetic: the rounding of the texture matrix, of the plane (a constant plus slope times pixel number) and
     // of the division, each at most half a unit in the last place of the magnitudes added.
     constexpr double kRoundings = 8 * 0x1p-24;
@@ -171,14 +171,14 @@ TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece
     const double q = std::abs(over_w.value.w);
     const glm::dvec3 sizes = glm::abs(place.str);
     glm::dvec3 arithmetic = kRoundings * divided({glm::dvec3(magnitudes) + sizes * magnitudes.w, q});
-    if (vertex_error > 0) {
+    if (errors.vertex > 0) {
         const glm::dvec3 weights = glm::abs(weights_over_w_at(piece, position_window).value);
-        arithmetic += quotient(vertex_error * (weights.x + weights.y + weights.z), q) * (1.0 + sizes);
+        arithmetic += quotient(errors.vertex * (weights.x + weights.y + weights.z), q) * (1.0 + sizes);
     }
 
     const glm::dvec3 change = glm::abs(place.per_x) + glm::abs(place.per_y);
     TexturePlaceBounds bounds{.str = place.str,
-                              .str_error = arithmetic + kSnap * change,
+                              .str_error = arithmetic + errors.snap * change,
                               .rho = Interval(scale_factor(texture, place)),
                               .change = change};
     const bool has_one_image = level_choice(texture.min_filter) == LevelChoice::kBase &&
@@ -195,7 +195,7 @@ TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece
         over_w.per_x *= longer;
         bounds.rho = hull(bounds.rho, rho_of_differences(texture, over_w, place, error));
     }
-    if (approximates_rho) {
+    if (errors.approximates_rho) {
         const Interval allowed = approximations_of_rho(texture, place);
         const double rho = scale_factor(texture, place);
         bounds.rho = {bounds.rho.low * quotient(allowed.low, rho), bounds.rho.high * quotient(allowed.high, rho)};

@@ -53,20 +53,20 @@ struct TexturePlaceBounds {
     std::size_t face = 0;
     glm::dvec3 change{0};  // of s, t and r within a pixel
 };
-// `vertex_error`: the largest error of a vertex's s, t, q and, where it counts, r. `approximates_rho`: rho may be any function that
-// 3.8.8 allows.
+struct PlaceErrors {
+    double vertex = 0;  // the largest error of a vertex's s, t, q and, where it counts, r
+    double snap = 0;    // Options::snap
+    bool approximates_rho = false;
+};
 TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece& piece,
-                                        const glm::dvec2& position_window, const Texture& texture, double vertex_error,
-                                        bool approximates_rho);
+                                        const glm::dvec2& position_window, const Texture& texture,
+                                        const PlaceErrors& errors);
 
 // The same for a cube map: a place on each face that the direction may point to. 3.8.8 allows any rho between half and twice
 // the ideal one. That is used here, because drivers find the change of the direction in ways of their own.
 std::vector<TexturePlaceBounds> cube_place_bounds(const TexCoords& tex_coords, const Piece& piece,
                                                   const glm::dvec2& position_window, const Texture& texture,
-                                                  double vertex_error = 0);
-
-// Rasterisers snap vertices to a grid of 1/256 pixel (llvmpipe and most GPUs).
-inline constexpr double kSnap = 1.0 / 256;
+                                                  const PlaceErrors& errors);
 
 // The rulings that the place depends on, for a mesh.
 lighting::RulingSet texture_rulings(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window,
