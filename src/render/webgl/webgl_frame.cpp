@@ -288,7 +288,10 @@ class Writer {
         if (draw.draws_borders() && options_.for_any_pose && has_colors)
             miss(draw, "after the key f, edges of polygons have the colours of other vertices");
         std::optional<Json> whole;  // the place of the Draw's vertices
-        for (const Part& part : parts_of(draw, options)) {
+        const Parts made = parts_of(draw, options);
+        if (made.lacks_clipped) miss(draw, "edges and corners that clipping adds to polygons are missing, as in Mesa");
+        if (made.loses_order) miss(draw, "faces, edges and corners of one glBegin are not drawn in their order");
+        for (const Part& part : made.parts) {
             miss_of_turned(draw, part);
             Form form_of_part = form;
             form_of_part.rectangles = part.rectangles;

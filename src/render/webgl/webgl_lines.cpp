@@ -17,8 +17,11 @@ namespace {
 using programmable::Rectangles;
 using reference::Piece, reference::Shape, reference::Face;
 
+// More parts of one Draw would take long.
+constexpr std::size_t kMostParts = 64;
+
 // The first and the last vertex of a line or of a triangle's edge, or the vertex of a corner twice. Nothing for what clipping adds
-// to polygons, which Mesa does not draw either.
+// to polygons.
 std::optional<std::pair<std::uint32_t, std::uint32_t>> ends_of(const Piece& piece) {
     const auto& v = piece.primitive.vertices;
     const glm::dvec3 from = piece.ends().from.weights_over_w, to = piece.ends().to.weights_over_w;
@@ -36,45 +39,71 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> ends_of(const Piece& piec
     return std::nullopt;
 }
 
+enum Kind : std::uint8_t { kFaces, kThinLines, kLines, kCorners, kSquares };
+
+// An empty part.
+Part part_for(const Draw& draw, Kind kind) {
+    Part part;
+    if (kind == kThinLines) part.mode = kGL_LINES;
+    if (kind == kCorners) part.mode = kGL_POINTS;
+    if (kind == kLines) part.rectangles = Rectangles::kLines;
+    if (kind == kSquares) part.rectangles = Rectangles::kPoints;
+    const bool is_point = kind == kCorners || kind == kSquares, is_wide_line = kind == kLines;
+    part.counts = is_wide_line && draw.raster.line_stipple;
+    part.is_smooth = is_point ? draw.raster.point_smooth : is_wide_line && draw.raster.line_smooth;
+    return part;
+}
+
+// Whether a depth test decides what is seen, and not the order.
+bool has_depths(const Draw& draw) {
+    const RasterState& raster = draw.raster;
+    const bool keeps_nearer = raster.depth_func == kGL_LESS || raster.depth_func == kGL_LEQUAL;
+    return raster.depth_test && raster.depth_mask && keeps_nearer && !draw.fragment.blend && !draw.fragment.logic_op &&
+           !draw.fragment.stencil;
+}
+
 class PartMaker {
   public:
-    PartMaker(const Draw& draw, const PartOptions& options)
-        : draw_(draw), options_(options), vertices_(reference::vertex_stage(draw)) {
-        lines_.rectangles = Rectangles::kLines;
-        lines_.counts = draw.raster.line_stipple.has_value();
-        lines_.is_smooth = draw.raster.line_smooth;
-        squares_.rectangles = Rectangles::kPoints;
-        squares_.is_smooth = corners_.is_smooth = draw.raster.point_smooth;
-    }
+    // in_order: a new part begins wherever the kind changes; else each kind has one part.
+    PartMaker(const Draw& draw, const PartOptions& options, bool in_order)
+        : draw_(draw), options_(options), in_order_(in_order), vertices_(reference::vertex_stage(draw)) {}
 
-    std::vector<Part> made() {
+    Parts made() {
         const reference::QuadCut cut =
             options_.flat ? reference::QuadCut::kSecondToFourth : reference::QuadCut::kFirstToThird;
         if (options_.for_any_pose && !draw_.draws_borders() && !draw_.raster.line_stipple) {
             for (const reference::Primitive& line : reference::assemble(draw_, cut))
                 add_line({line.vertices[0], line.vertices[1]}, line.vertices[1], Face::kFront, 0, {});
-            return taken();
+            return std::move(made_);
         }
         std::vector<Piece> pieces;
         reference::Options options;
         options.quad_cut = cut;
         reference::add_pieces(draw_, 0, vertices_, options, pieces);
-        for (const Piece& piece : pieces) add(piece);
-        return taken();
+        for (const Piece& piece : pieces)
+            if (!has_too_many()) add(piece);
+        return std::move(made_);
     }
 
   private:
-    std::vector<Part> taken() {
-        std::vector<Part> parts;
-        for (Part* part : {&faces_, &thin_lines_, &lines_, &corners_, &squares_})
-            if (!part->indices.empty()) parts.push_back(std::move(*part));
-        return parts;
+    bool has_too_many() const { return made_.parts.size() > kMostParts; }
+
+    // The part to which the next primitive of this kind belongs.
+    Part& part(Kind kind) {
+        const auto found = in_order_ ? (kinds_.empty() || kinds_.back() != kind ? kinds_.end() : kinds_.end() - 1)
+                                     : std::ranges::find(kinds_, kind);
+        if (found != kinds_.end()) return made_.parts[static_cast<std::size_t>(found - kinds_.begin())];
+        kinds_.push_back(kind);
+        return made_.parts.emplace_back(part_for(draw_, kind));
     }
 
     void add(const Piece& piece) {
         if (piece.shape == Shape::kTriangle) return add_face(piece.primitive);
         const auto ends = ends_of(piece);
-        if (!ends) return;
+        if (!ends) {
+            made_.lacks_clipped = true;
+            return;
+        }
         const RasterState& raster = draw_.raster;
         const bool is_border = piece.primitive.shape == Shape::kTriangle;
         const bool needs_rectangle =
@@ -85,22 +114,22 @@ class PartMaker {
                 add_line(*ends, piece.primitive.provoking, piece.face, depth_offset(piece), count_of(piece));
             else
                 for (const std::uint32_t end : {ends->first, ends->second})
-                    add_vertex(thin_lines_, end, piece.primitive.provoking);
+                    add_vertex(part(kThinLines), end, piece.primitive.provoking);
         } else if (needs_rectangle && !raster.point_sprite && !raster.point_parameters.attenuates()) {
             add_square(piece, ends->first);
         } else {
-            add_vertex(corners_, ends->first, piece.primitive.provoking);
+            add_vertex(part(kCorners), ends->first, piece.primitive.provoking);
         }
     }
 
-    void add_vertex(Part& part, std::uint32_t vertex, std::uint32_t provoking) const {
-        if (!has_flat_edges()) return part.indices.push_back(vertex);
-        part.indices.push_back(static_cast<std::uint32_t>(part.vertices.size()));
-        add_corner(part, vertex, provoking);
+    void add_vertex(Part& to, std::uint32_t vertex, std::uint32_t provoking) const {
+        if (!has_flat_edges()) return to.indices.push_back(vertex);
+        to.indices.push_back(static_cast<std::uint32_t>(to.vertices.size()));
+        add_corner(to, vertex, provoking);
     }
-    void add_corner(Part& part, std::uint32_t vertex, std::uint32_t provoking) const {
-        part.vertices.push_back(vertex);
-        if (has_flat_edges()) part.colors_from.push_back(provoking);
+    void add_corner(Part& to, std::uint32_t vertex, std::uint32_t provoking) const {
+        to.vertices.push_back(vertex);
+        if (has_flat_edges()) to.colors_from.push_back(provoking);
     }
     // The last vertex of a line gives its colour anyway.
     bool has_flat_edges() const { return options_.flat_edges && draw_.draws_borders(); }
@@ -110,12 +139,13 @@ class PartMaker {
         std::array<std::uint32_t, 3> corners = primitive.vertices;
         const auto provoking = std::ranges::find(corners, primitive.provoking);
         if (provoking != corners.end()) std::rotate(corners.begin(), provoking + 1, corners.end());
-        faces_.indices.insert(faces_.indices.end(), corners.begin(), corners.end());
+        std::vector<std::uint32_t>& indices = part(kFaces).indices;
+        indices.insert(indices.end(), corners.begin(), corners.end());
     }
 
     // The fragment at (x, y) has the number dot(count, (x, y, 1)).
     std::vector<float> count_of(const Piece& piece) const {
-        if (!lines_.counts) return {};
+        if (!draw_.raster.line_stipple) return {};
         const glm::dvec2 way(piece.ends().to.position_window - piece.ends().from.position_window);
         const int major = std::abs(way.x) >= std::abs(way.y) ? 0 : 1;
         // The reference counts from coordinate 0 of the line's longer axis.
@@ -127,38 +157,40 @@ class PartMaker {
     // The corners on the right and left of the line's start, then of its end.
     void add_line(const std::pair<std::uint32_t, std::uint32_t>& ends, std::uint32_t provoking, Face face, double depth,
                   const std::vector<float>& count) {
-        const auto first = static_cast<std::uint32_t>(lines_.vertices.size());
+        Part& lines = part(kLines);
+        const auto first = static_cast<std::uint32_t>(lines.vertices.size());
         for (const float end : {-1.0F, 1.0F})
             for (const float side : {-1.0F, 1.0F}) {
-                add_corner(lines_, end < 0 ? ends.first : ends.second, provoking);
-                lines_.others.push_back(end < 0 ? ends.second : ends.first);
-                lines_.corners.insert(lines_.corners.end(), {end, side, static_cast<float>(depth * ndc_per_depth())});
-                lines_.corners.insert(lines_.corners.end(), count.begin(), count.end());
+                add_corner(lines, end < 0 ? ends.first : ends.second, provoking);
+                lines.others.push_back(end < 0 ? ends.second : ends.first);
+                lines.corners.insert(lines.corners.end(), {end, side, static_cast<float>(depth * ndc_per_depth())});
+                lines.corners.insert(lines.corners.end(), count.begin(), count.end());
             }
-        add_rectangle(lines_, first, face);
+        add_rectangle(lines, first, face);
     }
 
     void add_square(const Piece& piece, std::uint32_t vertex) {
-        const auto first = static_cast<std::uint32_t>(squares_.vertices.size());
+        Part& squares = part(kSquares);
+        const auto first = static_cast<std::uint32_t>(squares.vertices.size());
         // Smooth points cover a part of the pixels around.
         const double half = draw_.raster.point_smooth ? piece.size / 2.0 + 1 : piece.size / 2.0;
         const glm::dvec2 ndc_per_pixel(2.0 / draw_.raster.viewport.width, 2.0 / draw_.raster.viewport.height);
         for (const double x : {-half, half})
             for (const double y : {-half, half}) {
-                add_corner(squares_, vertex, piece.primitive.provoking);
+                add_corner(squares, vertex, piece.primitive.provoking);
                 const glm::vec3 corner(glm::dvec2(x, y) * ndc_per_pixel, depth_offset(piece) * ndc_per_depth());
-                squares_.corners.insert(squares_.corners.end(), {corner.x, corner.y, corner.z});
+                squares.corners.insert(squares.corners.end(), {corner.x, corner.y, corner.z});
             }
-        add_rectangle(squares_, first, piece.face);
+        add_rectangle(squares, first, piece.face);
     }
 
     // Two triangles that end with the last corner, which gives a flat colour. From the first corner to the third, the second is on
     // the left. They turn as their face does, so that gl_FrontFacing says which it is.
-    void add_rectangle(Part& part, std::uint32_t first, Face face) const {
+    void add_rectangle(Part& to, std::uint32_t first, Face face) const {
         const bool is_counter_clockwise = (face == Face::kFront) == (draw_.raster.front_face == kGL_CCW);
         using Order = std::array<std::uint32_t, 6>;
         for (const std::uint32_t corner : is_counter_clockwise ? Order{1, 0, 3, 0, 2, 3} : Order{0, 1, 3, 2, 0, 3})
-            part.indices.push_back(first + corner);
+            to.indices.push_back(first + corner);
     }
 
     double ndc_per_depth() const {
@@ -179,22 +211,30 @@ class PartMaker {
 
     const Draw& draw_;
     const PartOptions options_;
+    const bool in_order_;
     const std::vector<reference::StageVertex> vertices_;
-    Part faces_{kGL_TRIANGLES}, thin_lines_{kGL_LINES}, corners_{kGL_POINTS}, lines_{kGL_TRIANGLES},
-        squares_{kGL_TRIANGLES};
+    Parts made_;
+    std::vector<Kind> kinds_;  // of made_.parts
 };
 
 }  // namespace
 
-std::vector<Part> parts_of(const Draw& draw, const PartOptions& options) {
+Parts parts_of(const Draw& draw, const PartOptions& options) {
     const RasterState& raster = draw.raster;
     const bool has_rectangles = draw.draws_lines() && (reference::whole_pixels(raster.line_width) > 1 ||
                                                        raster.line_stipple || raster.line_smooth);
-    if (draw.draws_borders() || has_rectangles) return PartMaker(draw, options).made();
+    if (draw.draws_borders() || has_rectangles) {
+        const bool needs_order = !has_depths(draw);
+        Parts made = PartMaker(draw, options, needs_order).made();
+        if (made.parts.size() <= kMostParts) return made;
+        made = PartMaker(draw, options, false).made();
+        made.loses_order = true;
+        return made;
+    }
     auto [mode, indices] = programmable::core_elements(draw, options.flat);
     Part part{mode, std::move(indices)};
     part.is_smooth = mode == kGL_POINTS && raster.point_smooth;
-    return {std::move(part)};
+    return {.parts = {std::move(part)}};
 }
 
 }  // namespace twinlight::webgl

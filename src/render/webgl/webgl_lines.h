@@ -35,6 +35,12 @@ struct Part {
     bool has_rectangles() const { return rectangles != programmable::Rectangles::kNone; }
 };
 
-std::vector<Part> parts_of(const Draw& draw, const PartOptions& options);
+struct Parts {
+    std::vector<Part> parts{};  // in their order
+    bool loses_order = false;   // faces, edges and corners follow each other too often to be parts of their own
+    bool lacks_clipped =
+        false;  // edges or corners that clipping adds to polygons (2.12), which Mesa does not draw either
+};
+Parts parts_of(const Draw& draw, const PartOptions& options);
 
 }  // namespace twinlight::webgl
