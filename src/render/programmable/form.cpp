@@ -125,9 +125,6 @@ void set_dialect(Code& code, const Draw& draw, Glsl dialect) {
     if (dialect != Glsl::k300es) return;
     form.sprites_rise = draw.draws_sprites() && draw.raster.point_parameters.sprite_coord_origin == kGL_LOWER_LEFT;
     form.sizes_points = draw.draws_points() && !code.effects.attenuated_points;
-    // 1D textures become 2D textures of height 1.
-    code.effects.texture.one_dimensional = false;
-    for (UnitEffects& unit : code.effects.units) unit.texture.one_dimensional = false;
 }
 
 Code code_for(const Draw& draw, const Plan& plan, const SurfaceForm& surface) {

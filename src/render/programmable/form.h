@@ -84,7 +84,8 @@ struct Form {
         false;  // edges and corners of flat polygons: another vertex gives the colour; a_edge_position is their place
     bool polygon_stipple = false;
     bool lod_bias = false;
-    // A texture may have a rim of texels with the border's colour, which OpenGL ES lacks; u_texture_inside is the part within.
+    // A texture may have a rim of texels with the border's colour, which OpenGL ES lacks; u_texture_inside is the part within. Of a
+    // cube map's face it is the part that no other face is mixed with.
     bool texture_rims = false;
     bool scales_source =
         false;  // multiplies the colour by blending's factor for it, where WebGL refuses a pair of factors

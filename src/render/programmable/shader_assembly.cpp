@@ -641,11 +641,17 @@ class Assembler {
                 {"EFFECT_TEXTURE_CLAMP_DEPTH", form_.dialect == Glsl::k300es && texture.compares},
                 {"EFFECT_TEXTURE_DEPTHS", texture.depth_mode != 0},
                 {"EFFECT_TEXTURE_LOD_BIAS", form_.lod_bias},
-                {"EFFECT_TEXTURE_RIM", form_.texture_rims && !texture.cube}};
+                {"EFFECT_TEXTURE_RIM", form_.texture_rims && !texture.cube},
+                {"EFFECT_TEXTURE_FACES", form_.texture_rims && texture.cube}};
     }
-    static std::string sampler_of(const TextureEffects& texture) {
+    // OpenGL ES has no 1D textures. 2D textures of height 1 take their place.
+    bool is_widened(const TextureEffects& texture) const {
+        return texture.one_dimensional && form_.dialect == Glsl::k300es;
+    }
+    std::string sampler_of(const TextureEffects& texture) const {
         if (texture.cube) return "samplerCube";
-        return std::string(texture.one_dimensional     ? "sampler1D"
+        return std::string(is_widened(texture)         ? "sampler2D"
+                           : texture.one_dimensional   ? "sampler1D"
                            : texture.three_dimensional ? "sampler3D"
                                                        : "sampler2D") +
                (texture.compares ? "Shadow" : "");
@@ -653,35 +659,50 @@ class Assembler {
     // of_ray: the coordinates are those of an exact surface's point.
     Words texture_words(const TextureEffects& texture, bool of_ray) const {
         // Samplers of shadows take s, t and r in one dimension too.
-        const bool one = texture.one_dimensional, q = texture.q, compares = texture.compares;
+        const bool q = texture.q, compares = texture.compares;
+        const bool one = texture.one_dimensional && !(compares && is_widened(texture));
         const bool three = texture.three_dimensional, has_r = texture.needs_r(), one_number = one && !has_r;
         const std::string place =
             form_.sprites_rise ? "vec2(gl_PointCoord.s, 1.0 - gl_PointCoord.t)" : "gl_PointCoord";  // section 3.3.1
+        // Of a widened texture: t is constant, so that it does not count in the scale factor.
+        const bool widens = one && is_widened(texture);
+        const auto widened = [&](std::string_view s, std::string_view t) {
+            return widens ? fmt::format("vec2({}, {})", s, t) : std::string(s);
+        };
         const std::string sprite = has_r ? fmt::format("vec3({}, 0.0)", place) : one ? "gl_PointCoord.s" : place;
+        const std::string divided = texture.sprite ? sprite
+                                    : of_ray       ? (one ? "tex_place.s" : "tex_place.st")
+                                    : has_r        ? (q ? "v_tex_coord.stp / v_tex_coord.q" : "v_tex_coord")
+                                    : one          ? (q ? "v_tex_coord.s / v_tex_coord.t" : "v_tex_coord")
+                                                   : (q ? "v_tex_coord.st / v_tex_coord.p" : "v_tex_coord");
+        const std::string parts = one ? "s" : "st", inside = "u_texture_inside." + parts;
+        const std::string bias = form_.lod_bias ? ", u_texture_lod_bias" : "";
+        const auto gradients = [&](const std::string& x, const std::string& y) {
+            return fmt::format("{}, {}, {}", widened("tex_coord", "0.5"), widened(x, "0.0"), widened(y, "0.0"));
+        };
         return {{"TEX_COORD", texture.sprite ? sprite : "v_tex_coord"},
                 {"SAMPLER", sampler_of(texture)},
                 {"DIVIDED_TYPE", one_number ? "float"
                                  : has_r    ? "vec3"
                                             : "vec2"},
-                {"DIVIDED_PARTS", one ? "s" : "st"},
-                {"DIVIDED_TEX_COORD", texture.sprite ? sprite
-                                      : of_ray       ? (one ? "tex_place.s" : "tex_place.st")
-                                      : has_r        ? (q ? "v_tex_coord.stp / v_tex_coord.q" : "v_tex_coord")
-                                      : one          ? (q ? "v_tex_coord.s / v_tex_coord.t" : "v_tex_coord")
-                                                     : (q ? "v_tex_coord.st / v_tex_coord.p" : "v_tex_coord")},
+                {"DIVIDED_TEX_COORD", divided},
                 {"GRADIENT_TYPE", one     ? "float"
                                   : three ? "vec3"
                                           : "vec2"},
                 {"TEX_COORD_PLACE", !compares ? "tex_coord"
                                     : one     ? "tex_coord.s"
                                               : "tex_coord.st"},
-                {"TEXTURE_INSIDE", has_r ? "u_texture_inside" : "u_texture_inside.st"},
-                {"INSIDE_PLACE", three ? "u_texture_inside" : "u_texture_inside.st"},
+                {"TEXTURE_INSIDE", has_r ? "u_texture_inside" : inside},
+                {"INSIDE_PLACE", three ? "u_texture_inside" : inside},
                 {"TEX_COORD_S", one_number ? "tex_coord" : "tex_coord.s"},
-                {"TEXTURE_LOOKUP", q ? "textureProj" : "texture"},
-                {"CLAMPED_ARGUMENTS", form_.lod_bias ? "tex_coord, u_texture_lod_bias" : "tex_coord"},
-                {"LOOKUP_ARGUMENTS",
-                 (texture.sprite ? sprite : "v_tex_coord") + (form_.lod_bias ? ", u_texture_lod_bias" : "")},
+                {"TEXTURE_LOOKUP", q && !widens ? "textureProj" : "texture"},
+                {"CLAMPED_ARGUMENTS", widened("tex_coord", "0.5") + bias},
+                {"LOOKUP_ARGUMENTS", (widens           ? widened(divided, "0.5")
+                                      : texture.sprite ? sprite
+                                                       : "v_tex_coord") +
+                                         bias},
+                {"GRADIENT_ARGUMENTS", gradients("per_x", "per_y")},
+                {"RAY_ARGUMENTS", gradients("tex_per_x." + parts, "tex_per_y." + parts)},
                 {"LOOKED_UP", texture.depth_mode != 0 ? "float depth" : "vec4 texel"},
                 {"LOOKED_UP_PART", texture.depth_mode != 0 && !compares ? ".r" : ""},
                 {"DEPTH_TEXEL", texture.depth_mode == kGL_ALPHA       ? "vec4(vec3(0.0), depth)"

@@ -153,6 +153,8 @@ class Writer {
     void miss_of_texture(const Draw& draw, const TextureUnit& unit) {
         if (lacks_border(*unit.texture))
             miss(draw, "the border colour of cube maps and textures with mipmaps is replaced by their last texels");
+        else if (lacks_faces(*unit.texture))
+            miss(draw, "cube maps are filtered across the borders of their faces");
     }
 
     // ---- Items ----
@@ -203,7 +205,7 @@ class Writer {
         Form form = code.form;
         draw.for_each_unit([&](std::size_t, const TextureUnit& unit) {
             form.lod_bias |= unit.lod_bias != 0;
-            form.texture_rims |= has_rim(*unit.texture);
+            form.texture_rims |= has_rim(*unit.texture) || stays_on_faces(*unit.texture);
         });
         form.logic_op = draw.fragment.logic_op.value_or(kGL_COPY);
         form.scales_source = mixes_constants(draw.fragment);

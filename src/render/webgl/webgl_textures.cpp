@@ -98,8 +98,25 @@ bool has_rim(const Texture& texture) { return shows_border(texture) && !uses_mip
 
 bool lacks_border(const Texture& texture) { return shows_border(texture) && !has_rim(texture); }
 
+namespace {
+
+bool clamps_to_edge(const Texture& texture) {
+    return texture.wrap_s == kGL_CLAMP_TO_EDGE && texture.wrap_t == kGL_CLAMP_TO_EDGE;
+}
+
+}  // namespace
+
+bool stays_on_faces(const Texture& texture) {
+    return texture.is_cube() && texture.filters_linearly() && clamps_to_edge(texture) && !uses_mipmaps(texture);
+}
+
+bool lacks_faces(const Texture& texture) {
+    return texture.is_cube() && texture.filters_linearly() && !stays_on_faces(texture);
+}
+
 glm::dvec3 part_inside(const Texture& texture) {
     glm::dvec3 inside(1);
+    if (stays_on_faces(texture)) return inside * (1 - 1.0 / texture.levels.front().width);
     if (!has_rim(texture)) return inside;
     const TextureImage& image = texture.levels.front();
     const std::array<int, 3> sizes = {image.width, image.height, image.depth};

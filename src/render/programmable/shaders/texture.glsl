@@ -2,7 +2,7 @@
     // GL_CLAMP (section 3.8.7) clamps to [0,1]. The end stays in the last texel, because the border begins beyond it.
     const float texture_end = 1.0 - 1.0 / 4194304.0;
 #endif
-#if EFFECT_TEXTURE_CLAMP || EFFECT_TEXTURE_RIM || EFFECT_TEXTURE_CLAMP_DEPTH || EFFECT_RAY_TEX_COORD
+#if EFFECT_TEXTURE_CLAMP || EFFECT_TEXTURE_RIM || EFFECT_TEXTURE_FACES || EFFECT_TEXTURE_CLAMP_DEPTH || EFFECT_RAY_TEX_COORD
     DIVIDED_TYPE tex_coord = DIVIDED_TEX_COORD;
 #endif
 #if EFFECT_TEXTURE_GRADIENTS && !EFFECT_RAY_TEX_COORD
@@ -39,11 +39,18 @@
     tex_per_x.st *= u_texture_inside.st;
     tex_per_y.st *= u_texture_inside.st;
 #endif
+#if EFFECT_TEXTURE_FACES
+    // The half texel at a face's borders is cut off, because OpenGL ES mixes it with the next face, and OpenGL 2.1 does not.
+    vec3 sizes = abs(tex_coord);
+    float largest = max(max(sizes.s, sizes.t), sizes.p);
+    vec3 within_face = clamp(tex_coord, -u_texture_inside * largest, u_texture_inside * largest);
+    tex_coord = mix(within_face, tex_coord, greaterThanEqual(sizes, vec3(largest)));
+#endif
 #if EFFECT_RAY_TEX_COORD
-    LOOKED_UP = textureGrad(u_texture, tex_coord, tex_per_x.DIVIDED_PARTS, tex_per_y.DIVIDED_PARTS)LOOKED_UP_PART;
+    LOOKED_UP = textureGrad(u_texture, RAY_ARGUMENTS)LOOKED_UP_PART;
 #elif EFFECT_TEXTURE_GRADIENTS
-    LOOKED_UP = textureGrad(u_texture, tex_coord, per_x, per_y)LOOKED_UP_PART;
-#elif EFFECT_TEXTURE_CLAMP || EFFECT_TEXTURE_RIM || EFFECT_TEXTURE_CLAMP_DEPTH
+    LOOKED_UP = textureGrad(u_texture, GRADIENT_ARGUMENTS)LOOKED_UP_PART;
+#elif EFFECT_TEXTURE_CLAMP || EFFECT_TEXTURE_RIM || EFFECT_TEXTURE_FACES || EFFECT_TEXTURE_CLAMP_DEPTH
     LOOKED_UP = texture(u_texture, CLAMPED_ARGUMENTS)LOOKED_UP_PART;
 #else
     LOOKED_UP = TEXTURE_LOOKUP(u_texture, LOOKUP_ARGUMENTS)LOOKED_UP_PART;

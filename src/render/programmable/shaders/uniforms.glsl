@@ -30,7 +30,7 @@ uniform SAMPLER u_texture;
 uniform vec4 u_texture_env_color;
 uniform float u_point_size;  // glPointSize (section 3.3)
 uniform float u_texture_lod_bias;  // GL_TEXTURE_LOD_BIAS (section 3.8.8)
-uniform vec3 u_texture_inside;  // the part of s, t and r within a rim of one texel, which has the border's colour (section 3.8.7)
+uniform vec3 u_texture_inside;  // the part of s, t and r within a rim of one texel, which has the border's colour (section 3.8.7), or within half a texel of a cube map's face
 uniform sampler2D u_framebuffer;  // the picture before these primitives, for glLogicOp (section 4.1.10)
 uniform vec4 u_viewport;  // glViewport (section 2.11.1): x, y, width, height
 uniform float u_line_width;  // glLineWidth (section 3.4.2.1), in whole pixels unless lines are smooth
