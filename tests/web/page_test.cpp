@@ -133,6 +133,62 @@ glBegin(GL_LINES); glVertex3f(-0.31, -0.71875, 0.01); glVertex3f(-0.31, 0.71875,
 )"},
 };
 
+// These agree away from edges.
+constexpr struct {
+    const char *name, *text;
+} kOtherScenes[] = {
+    // Quadrilaterals of both faces in turn.
+    {"faces and edges in their order", R"(
+glPolygonMode(GL_BACK, GL_LINE); glLineWidth(3);
+glBegin(GL_QUADS);
+glColor3f(1, 0, 0); glVertex2f(-0.85, -0.85); glVertex2f(-0.85, 0.4); glVertex2f(0.4, 0.4); glVertex2f(0.4, -0.85);
+glColor3f(0, 1, 0); glVertex2f(-0.5, -0.5); glVertex2f(0.6, -0.5); glVertex2f(0.6, 0.6); glVertex2f(-0.5, 0.6);
+glColor3f(0, 0, 1); glVertex2f(-0.2, -0.2); glVertex2f(-0.2, 0.85); glVertex2f(0.85, 0.85); glVertex2f(0.85, -0.2);
+glColor3f(1, 1, 0); glVertex2f(0.1, 0.1); glVertex2f(0.7, 0.1); glVertex2f(0.7, 0.7); glVertex2f(0.1, 0.7);
+glEnd();
+)"},
+    // A browser that rounds vertices to 1/16 pixel takes the neighbouring texel at some pixels.
+    {"texels", R"(
+GLubyte texels[] = {255, 0, 0, 255,  0, 255, 0, 255,  0, 0, 255, 255,  255, 255, 255, 255};
+glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST); glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+glEnable(GL_TEXTURE_2D); glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+glBegin(GL_TRIANGLES);
+glTexCoord2f(0, 0); glVertex2f(-0.913, -0.877); glTexCoord2f(19, 3); glVertex2f(0.931, -0.719); glTexCoord2f(5, 17); glVertex2f(-0.271, 0.937);
+glEnd();
+)"},
+    // t and its changes do not count.
+    {"mipmaps of a 1D texture", R"(
+GLubyte texels[] = {255, 0, 0, 255,  0, 255, 0, 255,  0, 0, 255, 255,  255, 255, 255, 255};
+glTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+glTexImage1D(GL_TEXTURE_1D, 1, GL_RGBA, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels + 8);
+glTexImage1D(GL_TEXTURE_1D, 2, GL_RGBA, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+glEnable(GL_TEXTURE_1D); glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+glBegin(GL_QUADS);
+glTexCoord4f(0, 0, 0, 1); glVertex2f(-0.9, -0.9); glTexCoord4f(3, 0, 0, 1); glVertex2f(0.9, -0.9);
+glTexCoord4f(3, 90, 0, 1); glVertex2f(0.9, 0.1); glTexCoord4f(0, 90, 0, 1); glVertex2f(-0.9, 0.1);
+glTexCoord4f(0, 0, 0, 1); glVertex2f(-0.9, 0.2); glTexCoord4f(6, 0, 0, 2); glVertex2f(0.9, 0.2);
+glTexCoord4f(6, 180, 0, 2); glVertex2f(0.9, 0.9); glTexCoord4f(0, 90, 0, 1); glVertex2f(-0.9, 0.9);
+glEnd();
+)"},
+    // Each face is filtered by itself.
+    {"faces of a cube map", R"(
+GLubyte texels[] = {255, 0, 0, 255,  0, 255, 0, 255,  0, 0, 255, 255,  255, 255, 255, 255};
+for (int i = 0; i < 6; i++) {
+    glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + i, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+    texels[4 * (i % 4)] = 40 * i; texels[4 * (i % 3) + 1] = 250 - 40 * i;
+}
+glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE); glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+glEnable(GL_TEXTURE_CUBE_MAP); glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+glBegin(GL_QUADS);
+glTexCoord3f(-1.7, -1.4, 1); glVertex2f(-0.9, -0.9); glTexCoord3f(1.9, -1.6, 1); glVertex2f(0.9, -0.9);
+glTexCoord3f(1.9, 1.8, 1); glVertex2f(0.9, 0.9); glTexCoord3f(-1.7, 2, 1); glVertex2f(-0.9, 0.9);
+glEnd();
+)"},
+};
+
 Json jobs() {
     Json list = Json::array();
     const auto add = [&](std::string_view name, std::string_view text, const std::string& step, int width, int height) {
@@ -148,6 +204,7 @@ Json jobs() {
     for (const EmbeddedFile& file : kCaseFiles)
         add(file.name.substr(0, file.name.rfind('.')), file.text, "case", check::kSide, check::kSide);
     for (const auto& [name, text] : kEqualScenes) add(name, text, "case", check::kSide, check::kSide);
+    for (const auto& [name, text] : kOtherScenes) add(name, text, "case", check::kSide, check::kSide);
     return list;
 }
 
@@ -364,6 +421,9 @@ TEST(WebPage, DrawsEveryScene) {
             EXPECT_LE(picture.largest, 1) << "a product of blending, rounded";
             EXPECT_FALSE(is_named);
         }
+        const bool is_other =
+            std::ranges::any_of(kOtherScenes, [&](const auto& one) { return one.name == picture.name; });
+        EXPECT_FALSE(is_other && is_named);
         agree += within ? 1 : 0;
         if (picture.drawn["judged"].is_null()) continue;
         EXPECT_EQ(picture.drawn["judged"], picture.verdict) << "by the page's own judge";

@@ -91,6 +91,58 @@ TEST(WebglFrame, DrawsBordersWithoutTheDiagonal) {
 }
 
 // WebGL refuses a depth range from far to near: z changes its sign instead.
+// For each item: what it draws.
+std::vector<Enum> modes_of(const Json& header) {
+    std::vector<Enum> modes;
+    for (const Json& item : header["items"]) modes.push_back(item["parts"][0][0]);
+    return modes;
+}
+
+TEST(WebglFrame, DrawsFacesAndEdgesInTheirOrder) {
+    // Back, front, front, back.
+    const std::string turns =
+        "glPolygonMode(GL_BACK, GL_LINE); glBegin(GL_TRIANGLES);"
+        "glVertex2f(0, 0); glVertex2f(0, 0.5); glVertex2f(0.5, 0); glVertex2f(0, 0); glVertex2f(0.5, 0); glVertex2f(0, "
+        "0.5);"
+        "glVertex2f(0, 0); glVertex2f(0.5, 0); glVertex2f(0, 0.5); glVertex2f(0, 0); glVertex2f(0, 0.5); "
+        "glVertex2f(0.5, 0);"
+        "glEnd();";
+    EXPECT_EQ(modes_of(header_of(turns)), (std::vector<Enum>{kGL_LINES, kGL_TRIANGLES, kGL_LINES}));
+    EXPECT_EQ(modes_of(header_of("glEnable(GL_DEPTH_TEST);" + turns)), (std::vector<Enum>{kGL_LINES, kGL_TRIANGLES}));
+    EXPECT_EQ(modes_of(header_of("glEnable(GL_DEPTH_TEST); glEnable(GL_BLEND);" + turns)).size(), 3u);
+
+    const auto many = [&](int pairs) {
+        std::string text = "glPolygonMode(GL_BACK, GL_LINE); glBegin(GL_QUADS);";
+        for (int i = 0; i < pairs; ++i)
+            text +=
+                "glVertex2f(0, 0); glVertex2f(0, 0.5); glVertex2f(0.5, 0.5); glVertex2f(0.5, 0);"
+                "glVertex2f(0, 0); glVertex2f(0.5, 0); glVertex2f(0.5, 0.5); glVertex2f(0, 0.5);";
+        return header_of(text + "glEnd();");
+    };
+    EXPECT_EQ(many(32)["items"].size(), 64u);
+    EXPECT_EQ(many(32)["missing"], Json::array());
+    EXPECT_EQ(many(33)["items"].size(), 2u);
+    EXPECT_EQ(many(33)["missing"][0]["message"],
+              "faces, edges and corners of one glBegin are not drawn in their order");
+}
+
+TEST(WebglFrame, NamesEdgesThatClippingAdds) {
+    const auto missing = [](const std::string& before, const char* mode) {
+        return header_of(before + "glPolygonMode(GL_FRONT_AND_BACK, " + mode +
+                         "); glRectf(0, 0, 0.9, 0.9);")["missing"];
+    };
+    const std::string plane = "glClipPlane(GL_CLIP_PLANE0, (GLdouble[]){-1, 0, 0, 0.5}); glEnable(GL_CLIP_PLANE0);";
+    for (const char* mode : {"GL_LINE", "GL_POINT"}) {
+        EXPECT_EQ(missing("", mode), Json::array()) << mode;
+        for (const std::string& clips : {plane, std::string("glScalef(2, 2, 1);")}) {
+            const Json found = missing(clips, mode);
+            ASSERT_EQ(found.size(), 1u) << mode;
+            EXPECT_EQ(found[0]["message"], "edges and corners that clipping adds to polygons are missing, as in Mesa");
+        }
+    }
+    EXPECT_EQ(missing(plane, "GL_FILL"), Json::array());
+}
+
 TEST(WebglFrame, HasDepthRangesFromNearToFar) {
     const auto drawn = [](const std::string& range) {
         const Json header = header_of(range + " glTranslatef(0, 0, 0.25); glRectf(-1, -1, 1, 1);");
@@ -313,6 +365,36 @@ TEST(PageScene, ShowsErrorsAtTheirPlaces) {
 }
 
 // A ramp of 0.1 a pixel: half of 1/16 pixel moves a colour by 0.1 / 32.
+// The border of two texels is 0.02 pixels to the right of a column's centres.
+TEST(PageScene, AllowsTheNextTexelWithinTheStepOfTheBrowsersPositions) {
+    PageScene scene;
+    scene.open(
+        "GLubyte texels[] = {255, 0, 0, 255,  0, 255, 0, 255}; glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 1, 0, "
+        "GL_RGBA, "
+        "GL_UNSIGNED_BYTE, texels); glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);"
+        "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST); glEnable(GL_TEXTURE_2D);"
+        "glMatrixMode(GL_TEXTURE); glTranslated((0.5 - 0.02) / 64, 0, 0);"
+        "glBegin(GL_QUADS); glTexCoord2f(0, 0); glVertex2f(-1, -1); glTexCoord2f(1, 0); glVertex2f(1, -1);"
+        "glTexCoord2f(1, 1); glVertex2f(1, 1); glTexCoord2f(0, 1); glVertex2f(-1, 1); glEnd();",
+        "scene", "", {64, 64});
+    const auto right = scene.reference({}, 0, 64);
+    std::vector<std::uint8_t> drawn(right.begin(), right.end());
+    std::vector<float> reference;
+    for (const std::uint8_t code : drawn) reference.push_back(static_cast<float>(code) / 255);
+    const auto is_within = [&](int bits) -> bool {
+        return Json::parse(scene.judged({}, drawn, reference, bits))["within"];
+    };
+    for (const std::size_t column : {31u, 30u}) {
+        ASSERT_EQ(drawn[4 * (64 * 20 + column)], 255) << "the left texel";
+        for (std::size_t y = 0; y < 64; ++y) {
+            drawn[4 * (64 * y + column)] = 0;
+            drawn[4 * (64 * y + column) + 1] = 255;
+        }
+        EXPECT_EQ(is_within(4), column == 31u) << "half of 1/16 is more than 0.02, and less than 1.02";
+        EXPECT_FALSE(is_within(8)) << "1/256 is less";
+    }
+}
+
 TEST(Tolerance, AllowsWhatRoundedPositionsChange) {
     Image ramp(4, 1);
     for (int x = 0; x < 4; ++x) ramp.at(x, 0) = {0.1F * static_cast<float>(x), 0, 0, 1};
