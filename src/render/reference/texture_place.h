@@ -53,6 +53,7 @@ struct TexturePlaceBounds {
     std::size_t face = 0;
     glm::dvec3 change{0};  // of s, t and r within a pixel
 };
+// What may be off in a driver's place.
 struct PlaceErrors {
     double vertex = 0;  // the largest error of a vertex's s, t, q and, where it counts, r
     double snap = 0;    // Options::snap

@@ -214,9 +214,8 @@ struct NextPicture {
 
 // A note about a program whose window has several samples per pixel (section 3.2.1).
 inline constexpr std::string_view kOneSampleNote =
-    "the program asks for a window with several samples per pixel; Twinlight draws one, so edges are less smooth than "
-    "in "
-    "that window";
+    "the program asks for a window with several samples per pixel; Twinlight draws one, so edges are less smooth "
+    "than in that window";
 
 struct CommandList final : Recording {
     std::vector<Command> commands;
