@@ -49,10 +49,15 @@ void ContextCounts::add(Use& use, double vertices) {
 
 void ContextCounts::count(unsigned thread, const Function& function, std::string_view name,
                           std::span<const double> numbers) {
-    const bool is_list = name == "glNewList" || name == "glEndList";
-    if (!is_list && !function.draws && !function.is_vertex) return;
+    const bool is_list = name == "glNewList" || name == "glEndList", binds_buffer = name.starts_with("glBindBuffer");
+    if (!is_list && !binds_buffer && !function.draws && !function.is_vertex) return;
     if (uses_.size() >= kMostThreads && !uses_.contains(thread)) return;
     Use& use = uses_[thread];
+    if (use.context) {
+        contexts_[*use.context].has_buffers |= binds_buffer;
+        contexts_[*use.context].has_elements |= name == "glArrayElement";
+    }
+    if (binds_buffer) return;
     if (name == "glNewList") {
         use.list = number(numbers, 0).value_or(0);
         use.executes = number(numbers, 1) == kGL_COMPILE_AND_EXECUTE;

@@ -25,6 +25,8 @@ struct ContextUse {
     ContextName name = 0;
     // What it sent to be drawn, through display lists too. Bitmaps and other pixels count as one vertex each.
     double vertices = 0;
+    bool has_elements = false;  // it calls glArrayElement
+    bool has_buffers = false;   // it binds buffer objects
 };
 
 // Counts what each context draws, in the order in which the contexts first became current. Commands before the first

@@ -79,6 +79,11 @@ void DumpRecording::choose_context(std::optional<int> wanted) {
     if (!chosen) return;
     context_ = contexts[*chosen].name;
     if (reader.has_samples(*context_)) notes_.emplace_back(kOneSampleNote);
+    if (contexts[*chosen].has_elements && !contexts[*chosen].has_buffers)
+        notes_.emplace_back(
+            "apitrace does not record the arrays that glArrayElement takes vertices from, so these may be missing or "
+            "wrong; "
+            "if the program's source is one file, twinlight can read that instead");
     const bool others_draw =
         std::ranges::any_of(contexts, [&](const ContextUse& use) { return use.vertices > 0 && use.name != *context_; });
     if (!others_draw) return;

@@ -201,6 +201,17 @@ TEST_F(Traces, FollowTheContextThatDrawsMost) {
     EXPECT_EQ(recording(uncalled)->notes(), Lines{});
 }
 
+TEST_F(Traces, SayThatArraysOfElementsAreNotRecorded) {
+    const std::string context = "1 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xa) = True\n";
+    const std::string draws = "3 glBegin(mode = GL_POINTS)\n4 glArrayElement(i = 0)\n5 glEnd()\n";
+    ASSERT_EQ(recording(context + draws)->notes().size(), 1u);
+    EXPECT_TRUE(
+        recording(context + draws)->notes()[0].starts_with("apitrace does not record the arrays that glArrayElement"));
+    EXPECT_EQ(recording(context + "2 glBindBuffer(target = GL_ARRAY_BUFFER, buffer = 1)\n" + draws)->notes(), Lines{});
+    EXPECT_EQ(recording(context + "3 glBegin(mode = GL_POINTS)\n4 glVertex2f(x = 0, y = 0)\n5 glEnd()\n")->notes(),
+              Lines{});
+}
+
 // Formats are chosen by calls as apitrace prints them; two contexts are made with them, of which the second draws.
 TEST_F(Traces, SayThatAWindowHasSeveralSamples) {
     const std::string draws =
