@@ -664,7 +664,7 @@ class Assembler {
         const bool three = texture.three_dimensional, has_r = texture.needs_r(), one_number = one && !has_r;
         const std::string place =
             form_.sprites_rise ? "vec2(gl_PointCoord.s, 1.0 - gl_PointCoord.t)" : "gl_PointCoord";  // section 3.3.1
-        // Of a widened texture: t is constant, so that it does not count in the scale factor.
+        // For a widened texture t is constant. If it varied, it would change the scale factor, and so the mipmap level.
         const bool widens = one && is_widened(texture);
         const auto widened = [&](std::string_view s, std::string_view t) {
             return widens ? fmt::format("vec2({}, {})", s, t) : std::string(s);

@@ -82,8 +82,7 @@ void DumpRecording::choose_context(std::optional<int> wanted) {
     if (contexts[*chosen].has_elements && !contexts[*chosen].has_buffers)
         notes_.emplace_back(
             "apitrace does not record the arrays that glArrayElement takes vertices from, so these may be missing or "
-            "wrong; "
-            "if the program's source is one file, twinlight can read that instead");
+            "wrong; if the program's source is one file, twinlight can read that instead");
     const bool others_draw =
         std::ranges::any_of(contexts, [&](const ContextUse& use) { return use.vertices > 0 && use.name != *context_; });
     if (!others_draw) return;

@@ -34,7 +34,7 @@ std::span<const double> values(const Arguments& from, std::size_t i) {
         .subspan(argument.first, std::min(argument.count, from.numbers.size() - argument.first));
 }
 
-// Of a handle, or of &{visual = 0x55d0, visualid = 992, ...}.
+// The format that an argument names: by a handle, or by an X visual, &{visual = 0x55d0, visualid = 992, ...}.
 std::optional<double> format(const Arguments& from, std::size_t i) {
     const std::span<const double> all = values(from, i);
     const std::size_t at = i < from.list.size() && from.list[i].form == Form::kOther ? 1 : 0;

@@ -116,7 +116,7 @@ async function draw() {
     if (wanted()) document.body.dataset.drawn = mine;
 }
 
-// The name of Mesa's picture of a scene as it is built in; null if there is none.
+// The name of Mesa's picture of this text and step; null unless the text is that of a built-in scene.
 function pictureByMesa({text, step}) {
     const picture = step ? `${name}-${step}` : name;
     const isBuiltIn = builtIn.some((one) => one.name === name && one.text === text);
