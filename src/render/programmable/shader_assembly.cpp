@@ -449,8 +449,9 @@ class Assembler {
             scope.inserts = {{"texture_environment", ""}};
             scope.words = texture_words(texture, false);
             Words names;
-            for (const char* name : {"texel", "depth", "tex_coord", "v_tex_coord", "per_x", "per_y", "texture_end",
-                                     "u_texture", "u_texture_lod_bias", "u_texture_inside"})
+            for (const char* name :
+                 {"texel", "depth", "tex_coord", "v_tex_coord", "per_x", "per_y", "texture_end", "u_texture",
+                  "u_texture_lod_bias", "u_texture_inside", "sizes", "largest", "within_face"})
                 names[name] = fmt::format("{}{}", name, unit.number);
             text += with_words(preprocessed("texture.glsl", scope), names);
         }
