@@ -40,7 +40,7 @@ Size parse_size(const std::string& text);
 void add_size_option(CLI::App& app, Size& size);
 // Empty if the option is not given; --help then shows `default_size`.
 void add_size_option(CLI::App& app, std::optional<Size>& size,
-                     const std::string& default_size = "640x480; for a program, its window's size");
+                     const std::string& default_size = "that of the scene or program; 640x480 if it gives none");
 
 // Accepts numbers from `low` to `high`. Unlike CLI::Range, adds nothing to --help, its message is plain, and it accepts
 // neither nan nor a negative number for an unsigned one.

@@ -161,7 +161,8 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
 }
 
 Scene scene_of(std::shared_ptr<const Recording> commands, std::optional<Size> size, const Memory& memory) {
-    const auto [width, height] = size.value_or(Size{});
+    const WindowSize of_scene = commands->command_list()->window.value_or(WindowSize{});
+    const auto [width, height] = size.value_or(Size{of_scene.width, of_scene.height});
     Frame made = make_frame(*commands->command_list(),
                             {.width = width, .height = height, .memory = without_pixels(memory, width, height)});
     std::vector<std::string> notes = commands->notes();
@@ -186,7 +187,6 @@ Scene load_scene(const std::string& name, std::optional<Size> size, const Record
         throw UsageError(fmt::format("--{} applies only to recorded programs; '{}' is a scene",
                                      part.frame ? "frame" : "context", name));
     }
-    if (!size && commands->window) size = Size{commands->window->width, commands->window->height};
     return scene_of(std::move(recording), size, memory);
 }
 

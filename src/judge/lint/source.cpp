@@ -185,7 +185,7 @@ bool may_be_same(const Setting& a, const Setting& b) {
 }  // namespace
 
 CallsNotRun::CallsNotRun(const CommandList& list) {
-    if (!list.window || !list.text) return;
+    if (!list.window || !list.text || !list.steps.empty()) return;  // only whole programs have calls that are not run
     std::set<std::pair<int, int>> run;
     for (const Command& command : list.commands) run.emplace(command.place.line, command.place.column);
     const std::string_view source = *list.text;

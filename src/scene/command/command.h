@@ -219,7 +219,7 @@ inline constexpr std::string_view kOneSampleNote =
 
 struct CommandList final : Recording {
     std::vector<Command> commands;
-    std::optional<WindowSize> window{};  // of a whole program: the size that it was run with
+    std::optional<WindowSize> window{};  // what the scene or program gives its picture
     std::shared_ptr<const NextPicture>
         next_picture{};  // null where there is no program, or the reader cannot follow it
     std::shared_ptr<const std::string> text = nullptr;  // the C text, for messages; null if there is none

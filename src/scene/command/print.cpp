@@ -291,7 +291,18 @@ std::string print_command(const Command& command) {
     return print(command, has_array ? print_literal(*command.memory) : PrintedArray{});
 }
 
-std::string print_scene(const CommandList& scene) { return print_lines(scene, ""); }
+namespace {
+
+std::string print_window_size(const WindowSize& window) {
+    return fmt::format("glutInitWindowSize({}, {});\n", window.width, window.height);
+}
+
+}  // namespace
+
+std::string print_scene(const CommandList& scene) {
+    const WindowSize window = scene.window.value_or(WindowSize{});
+    return (window == WindowSize{} ? "" : print_window_size(window)) + print_lines(scene, "");
+}
 
 std::string print_c_function(const CommandList& scene) {
     return "static void draw_scene(void) {\n" + print_lines(scene, "    ") + "}\n";
@@ -361,9 +372,8 @@ std::string print_c_program(const CommandList& scene) {
         "    glutInitDisplayMode(GLUT_RGBA | " +
         (buffers.is_single ? "GLUT_SINGLE | " : "GLUT_DOUBLE | ") + buffers.modes +
         ");\n"
-        "    glutInitWindowSize(" +
-        fmt::format("{}, {}", window.width, window.height) +
-        ");\n"
+        "    " +
+        print_window_size(window) +
         "    glutCreateWindow(argv[0]);\n"
         "    glutDisplayFunc(display);\n"
         "    glutMainLoop();\n"

@@ -81,14 +81,22 @@ void Reader::statement() {
     for (std::string_view word : {"for", "while", "do", "if", "else", "switch", "return", "struct", "char"})
         if (token_.is(word)) fail(token_.place, "a scene cannot use '{}'; write out each call instead", word);
     if (token_.is("const") || token_.is("static") || at_type()) return declaration();
+    if (token_.is("glutInitWindowSize")) return window_statement();
     if (ahead_.is("=") || ahead_.is("[")) return assignment();
     const std::string name(token_.text);
     call();
     expect(";", "after {}(...)", name);
 }
 
+void Reader::window_statement() {
+    const Token name = token_;
+    advance();
+    window_ = window_size(name);
+    expect(";", "after {}(...)", name.text);
+}
+
 // Reads a scene in a function: void display(void) { ... }. In a program from print_c_program the function is
-// draw_scene; the rest only opens a window and is skipped.
+// draw_scene; of the rest, which opens a window, only the window's size is read.
 void Reader::program() {
     const Token first = token_;
     if (in_program_) fail(first.place, "a function cannot be inside another function; end the first one with }}");
@@ -106,7 +114,11 @@ void Reader::program() {
         statement_or_error();
     }
     program_read_ = name.is("draw_scene");
-    if (program_read_) return;
+    if (program_read_) {
+        while (token_.kind != TokenKind::kEnd && !token_.is("glutInitWindowSize")) advance();
+        if (token_.kind != TokenKind::kEnd) window_statement();
+        return;
+    }
     advance();
     if (token_.kind == TokenKind::kEnd) return;
     fail(token_.place, "only the function {} is read; move the calls of other functions into it", in_quotes(name.text));

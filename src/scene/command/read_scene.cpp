@@ -166,7 +166,10 @@ CommandList read_scene(std::string_view text, const std::string& file, const std
                                              file, result.steps.size(), kMaxSceneBytes / result.steps.size(),
                                              text.size()));
         }
-        if (step == chosen) result.commands = std::move(commands);
+        if (step == chosen) {
+            result.commands = std::move(commands);
+            result.window = reader.window();
+        }
         for (TextError error : reader.errors()) {
             if (!reported.emplace(error.place.line, error.place.column, error.message).second) continue;
             if (step > 1) error.message += fmt::format(" (in step {}, \"{}\")", step, result.steps[step - 1]);

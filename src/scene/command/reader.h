@@ -95,6 +95,8 @@ class Reader {
     const std::vector<TextError>& errors() const { return errors_; }
     // The titles of the scene's steps.
     const std::vector<std::string>& steps() const { return steps_; }
+    // The size that a scene gives its picture; nullopt if it gives none.
+    std::optional<WindowSize> window() const { return window_; }
 
   private:
     // The object or part of an object that a name with subscripts denotes. Without dimensions it is a single value.
@@ -130,6 +132,7 @@ class Reader {
     void initialise(Object& object, const Token& name);
     void assignment();
     void program();
+    void window_statement();
     void pragma();
     void returns_pragma();
     void step_pragma();
@@ -273,6 +276,7 @@ class Reader {
 
     // -- a whole program: its calls (run_calls.cpp) --
     std::vector<Value> values_in_parentheses(const Function* called = nullptr);
+    WindowSize window_size(const Token& name);
     Value call_in_program(const Token& name);
     std::optional<Value> call_of_mathematics(const Token& name);
     std::optional<Value> call_of_glut(const Token& name);
@@ -306,6 +310,7 @@ class Reader {
     std::vector<Command> commands_;
     std::size_t step_ = 1;
     std::vector<std::string> steps_;
+    std::optional<WindowSize> window_{};
     double quadrics_ = 0;  // number created so far
     // What glGetIntegerv(GL_VIEWPORT) returns in a whole program; nullopt where that is not known.
     std::optional<std::array<double, 4>> viewport_{};

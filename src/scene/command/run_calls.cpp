@@ -46,6 +46,16 @@ std::vector<Value> Reader::values_in_parentheses(const Function* called) {
     return values;
 }
 
+// The arguments of glutInitWindowSize, whose name was just read.
+WindowSize Reader::window_size(const Token& name) {
+    const std::vector<Value> size = values_in_parentheses();
+    if (size.size() != 2) fail(name.place, "glutInitWindowSize takes 2 arguments: width and height");
+    const double width = size[0].number(), height = size[1].number();
+    if (!(width >= 1 && width <= kMaxWindow && height >= 1 && height <= kMaxWindow))
+        fail(name.place, "a window must be from 1 x 1 to {} x {} pixels", kMaxWindow, kMaxWindow);
+    return {static_cast<int>(width), static_cast<int>(height)};
+}
+
 // The call of a function; its name was just read.
 Value Reader::call_in_program(const Token& name) {
     Program& p = *program_;
@@ -262,12 +272,8 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
         return integer(0);
     }
     if (name.is("glutInitWindowSize")) {
-        const std::vector<Value> size = values_in_parentheses();
-        if (size.size() != 2) fail(name.place, "glutInitWindowSize takes 2 arguments: width and height");
-        const double width = size[0].number(), height = size[1].number();
-        if (!(width >= 1 && width <= kMaxProgramWindow && height >= 1 && height <= kMaxProgramWindow))
-            fail(name.place, "a window must be from 1 x 1 to {} x {} pixels", kMaxProgramWindow, kMaxProgramWindow);
-        if (!p.options.window) p.window = {static_cast<int>(width), static_cast<int>(height)};
+        const WindowSize size = window_size(name);
+        if (!p.options.window) p.window = size;
         return integer(0);
     }
     if (name.is("glutExtensionSupported")) {

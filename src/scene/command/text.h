@@ -51,13 +51,13 @@ inline constexpr std::size_t kMaxArrayLength = 1 << 24;
 inline constexpr std::size_t kMaxMemoryBytes = 256u << 20;  // all arrays together
 inline constexpr std::size_t kMaxSceneSteps = 32;           // step pragmas with different titles
 inline constexpr std::size_t kMaxStepTitleBytes = 80;
+inline constexpr int kMaxWindow = 8192;  // each side, in pixels
 // Limits on whole programs. A step is a word or a sign of the text that is read while the program runs.
 inline constexpr std::size_t kMaxProgramSteps = 50'000'000;
 inline constexpr std::size_t kMaxProgramTokens = 4'000'000;  // words and signs after macros are replaced
 inline constexpr std::size_t kMaxProgramCommands = 2'000'000;
 inline constexpr std::size_t kMaxProgramDepth = 800;    // statements, expressions and calls inside each other
 inline constexpr std::size_t kMaxProgramLocals = 1000;  // variables of one running function
-inline constexpr int kMaxProgramWindow = 8192;          // each side, in pixels
 
 // Red, green, blue and alpha of each pixel, one byte each; row by row, the bottom row first, as in GL.
 struct ImageFile {

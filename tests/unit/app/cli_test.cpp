@@ -475,6 +475,19 @@ TEST_F(Cli, ExportsAProgramWithTheWindowOfTheOneThatWasRecorded) {
     EXPECT_NE(exported("report").find("glutInitWindowSize(640, 480);"), std::string::npos);
 }
 
+TEST_F(Cli, ExportsASceneThatShowsThePictureOfTheRecording) {
+    const std::string recording = "tests/traces/blinkbox/dump.txt";
+    write_file_atomically(out_ / "blinkbox.gl", run({"export", recording, "--as", "scene"}).out);
+    const auto picture = [&](const std::string& of, const std::string& name) {
+        const ProgramResult drawn = run({"render", of, "--with", "reference", "-o", out_ / name});
+        EXPECT_EQ(drawn.status, 0) << drawn.err;
+        return read_png(out_ / name);
+    };
+    const Image recorded = picture(recording, "recorded.png"), exported = picture(out_ / "blinkbox.gl", "exported.png");
+    EXPECT_EQ(std::pair(exported.width, exported.height), std::pair(300, 300));
+    EXPECT_EQ(exported.pixels, recorded.pixels);
+}
+
 TEST_F(Cli, ExportsTheShapesOfPragmasAsPrimitives) {
     const ProgramResult result = run({"export", "report", "--as", "c"});
     EXPECT_EQ(result.status, 0);

@@ -359,6 +359,27 @@ TEST(Printing, OpensAWindowOfTheProgramsSize) {
     EXPECT_NE(print_c_program(scene).find("glutInitWindowSize(300, 200);"), std::string::npos);
 }
 
+TEST(Printing, KeepsTheSizeOfThePicture) {
+    CommandList scene = read_scene("glutSolidSphere(1, 8, 4);", "scene.gl", "scene");
+    EXPECT_EQ(print_scene(scene), "glutSolidSphere(1, 8, 4);\n");
+    scene.window = {300, 200};
+    EXPECT_EQ(print_scene(scene), "glutInitWindowSize(300, 200);\nglutSolidSphere(1, 8, 4);\n");
+    for (const std::string& text : {print_scene(scene), print_c_program(scene)}) {
+        const CommandList again = read_scene(text, "scene.gl", "scene");
+        EXPECT_EQ(again.window, scene.window) << text;
+        EXPECT_EQ(again.commands, scene.commands) << text;
+    }
+}
+
+TEST(Reading, RefusesAWindowThatCannotBe) {
+    EXPECT_EQ(error_of("glutInitWindowSize(300);"),
+              "scene.gl:1:1: glutInitWindowSize takes 2 arguments: width and height");
+    for (const char* sides : {"0, 200", "300, -1", "300, 8193", "0.0 / 0.0, 200"})
+        EXPECT_EQ(error_of(std::string("glutInitWindowSize(") + sides + ");"),
+                  "scene.gl:1:1: a window must be from 1 x 1 to 8192 x 8192 pixels")
+            << sides;
+}
+
 TEST(Printing, DeclaresEachArrayOnce) {
     const CommandList scene = read_scene(
         "GLubyte v[] = {1, 2, 3, 4}; glTexSubImage1D(GL_TEXTURE_1D, 0, 0, 1, GL_RGB, GL_UNSIGNED_BYTE, v);"
