@@ -91,6 +91,35 @@ TEST_F(FramebufferObjectsTest, HaveTheFormatOfTheTexture) {
     EXPECT_EQ(codes(object(16) + kClear + blended + shown(), 12, 12), (Codes{0, 51, 0, 20}));
 }
 
+// Framebuffer 2 reads the 2 x 2 texels of texture 2, into which nothing was drawn.
+TEST_F(FramebufferObjectsTest, GiveTheTexelsOfTexturesThatNothingWasDrawnInto) {
+    const auto of_four = [](const char* format) {
+        return fmt::format(
+            "GLubyte four[] = {{255, 0, 0, 255, 0, 255, 0, 153, 0, 0, 255, 255, 255, 255, 0, 102}};\n"
+            "glBindTexture(GL_TEXTURE_2D, 2);\n"
+            "glTexImage2D(GL_TEXTURE_2D, 0, {}, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, four);\n"
+            "glBindFramebuffer(GL_READ_FRAMEBUFFER, 2);\n"
+            "glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 2, 0);\n"
+            "glBindTexture(GL_TEXTURE_2D, 1);\n",
+            format);
+    };
+    const std::string copy = "glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 3, 12, 1, 0, 1, 2);\n";
+    const std::string drawn = kClear + square("0, 0, 1, 0.8", "0, 0, 1, 1");
+    for (const std::string& before : {drawn, std::string()}) {
+        SCOPED_TRACE(before);
+        const std::string text = object(16) + before + of_four("GL_RGBA8") + copy + shown();
+        EXPECT_EQ(codes(text, 3, 12), (Codes{0, 255, 0, 153}));
+        EXPECT_EQ(codes(text, 3, 13), (Codes{255, 255, 0, 102}));
+    }
+    EXPECT_EQ(codes(object(16) + drawn + of_four("GL_RGB8") + copy + shown(), 3, 12), (Codes{0, 255, 0, 255}));
+    // A texture without alpha leaves the alpha of the colour.
+    EXPECT_EQ(codes(object(16, "GL_RGB8") + drawn + of_four("GL_RGBA8") + copy + shown(), 3, 13),
+              (Codes{255, 255, 0, 204}));
+    EXPECT_EQ(codes(object(16) + drawn + of_four("GL_RGBA8") + copy + shown(), 12, 12), (Codes{0, 0, 255, 204}));
+    const std::string whole = "glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, 2, 2, 0);\n";
+    EXPECT_EQ(codes(object(16) + drawn + of_four("GL_RGBA8") + whole + shown(), 12, 3), (Codes{0, 255, 0, 153}));
+}
+
 constexpr const char *kNear = "glTranslatef(0, 0, -0.5);\n", *kFar = "glTranslatef(0, 0, 0.5);\n";
 
 TEST_F(FramebufferObjectsTest, TestDepthsIfTheyHaveSome) {

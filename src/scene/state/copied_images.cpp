@@ -33,6 +33,27 @@ bool is_driver_only_format(Enum format) {
                                [&](const auto& range) { return format >= range.first && format <= range.second; });
 }
 
+// The texels of the texture that the bound framebuffer object reads its colours from, if they are all known: if nothing was drawn or
+// copied into it. nullopt if they are not, or if the rectangle reaches beyond them. `format`: of the image that gets them.
+std::optional<std::vector<glm::vec4>> texels_to_copy(const Framebuffers& framebuffers, const TextureObjects& textures,
+                                                     const Viewport& from, const InternalFormat& format) {
+    if (framebuffers.read == 0 || format.base_format == kGL_DEPTH_COMPONENT) return std::nullopt;
+    const FramebufferObject& object = *framebuffers.named.at(framebuffers.read);
+    const Attachment* attachment = object.color(object.read_buffer);
+    if (!attachment || !attachment->is_whole_texture()) return std::nullopt;
+    const TextureImage& image = textures.named.at(attachment->name)->face(0).at(0);
+    const InternalFormat source = internal_format(image.internal_format).value_or(InternalFormat{});
+    const bool is_exact = source.red == 8 && (source.base_format == kGL_RGB || source.base_format == kGL_RGBA);
+    if (image.has_copies() || !is_exact || from.x < 0 || from.y < 0 || from.x > image.width - from.width ||
+        from.y > image.height - from.height)
+        return std::nullopt;
+    std::vector<glm::vec4> texels;
+    for (int y = 0; y < from.height; ++y)
+        for (int x = 0; x < from.width; ++x)
+            texels.push_back(stored(image.texels[image.index(from.x + x, from.y + y)], format));
+    return texels;
+}
+
 }  // namespace
 
 int copies_in_a_row(const FrameItems& items) {
@@ -131,8 +152,11 @@ void State::copy_tex_image(const Command& c) {
                        .texels = std::vector<glm::vec4>(count, stored({0, 0, 0, 1}, *format))};
     if (count > 0) {
         const std::size_t errors = error_count_;
-        if (auto pixels = take_pixels(c, buffer_for(format->base_format), from))
+        if (auto texels = texels_to_copy(framebuffers_, textures_, from, *format)) {
+            if (has_time(c, static_cast<double>(texels->size()))) image.texels = std::move(*texels);
+        } else if (auto pixels = take_pixels(c, buffer_for(format->base_format), from)) {
             image.parts.push_back({.width = from.width, .height = from.height, .copied = std::move(pixels)});
+        }
         if (error_count_ > errors) return;
     }
     Texture* texture = writable_texture(c, target->texture);
@@ -181,11 +205,21 @@ void State::copy_tex_sub_image(const Command& c) {
     if (is_base && bound.generate_mipmap && !has_time(c, static_cast<double>(texels_of(bound)))) return;
     Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
-    auto pixels = take_pixels(c, buffer_for(texture->face(target->face)[index].base_format), from);
-    if (!pixels) return;
+    TextureImage& image = texture->face(target->face)[index];
+    ImagePart part{.x = x0, .y = y0, .z = z0, .width = from.width, .height = from.height};
+    if (auto texels = texels_to_copy(framebuffers_, textures_, from, *internal_format(image.internal_format))) {
+        if (!has_time(c, static_cast<double>(texels->size()))) return;
+        part.texels = std::move(*texels);
+    } else if (!(part.copied = take_pixels(c, buffer_for(image.base_format), from))) {
+        return;
+    }
     textures_.texels -= texels_of(*texture);
-    add_part(texture->face(target->face)[index],
-             {.x = x0, .y = y0, .z = z0, .width = from.width, .height = from.height, .copied = std::move(pixels)});
+    for (std::size_t i = 0; i < part.texels.size(); ++i) {
+        const std::size_t row = i / static_cast<std::size_t>(from.width);
+        image.texels[image.index(x0, y0 + static_cast<int>(row), z0) + i % static_cast<std::size_t>(from.width)] =
+            part.texels[i];
+    }
+    if (part.copied || image.has_copies()) add_part(image, std::move(part));
     if (is_base) generate_mipmaps(*texture, target->face);
     textures_.texels += texels_of(*texture);
 }
