@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace twinlight::trace {
 
 namespace {
 
-constexpr std::size_t kMostLists = 1 << 20;
+// A hostile dump may name any number.
+constexpr std::size_t kMostLists = 1 << 20, kMostObjects = 1 << 16;
 constexpr std::size_t kMostShown = 8;
 
 // The argument with the number of vertices.
@@ -23,14 +26,32 @@ std::optional<double> number(std::span<const double> numbers, std::size_t i) {
     return i < numbers.size() ? std::optional(numbers[i]) : std::nullopt;
 }
 
+bool uses_program(std::string_view name) { return name.starts_with("glUseProgram"); }
+bool binds_framebuffer(std::string_view name) { return name.starts_with("glBindFramebuffer"); }
+bool is_binding(std::string_view name) { return uses_program(name) || binds_framebuffer(name); }
+bool ends_picture(const Function& function, std::string_view name) {
+    return function.role == Role::kFrameEnd || name == "glFlush" || name == "glFinish";
+}
+bool copies_framebuffer(std::string_view name) { return name.starts_with("glBlitFramebuffer"); }
+// What decides which context draws most.
+std::pair<double, double> drawn(const ContextUse& use) { return {use.vertices, use.by_shaders}; }
+constexpr std::string_view kStorageWithSamples = "glRenderbufferStorageMultisample";
+
+void end_picture(ContextUse& use) {
+    if (use.drawn_into != 0 && use.ends_in.size() < kMostObjects) use.ends_in.insert(use.drawn_into);
+    use.drawn_into = 0;
+}
+
 }  // namespace
 
 bool ContextCounts::needs_arguments(const Function& function, std::string_view name) {
-    return name == "glNewList" || name == "glCallList" || (function.draws && count_argument(name));
+    return name == "glNewList" || name == "glCallList" || is_binding(name) || (function.draws && count_argument(name));
 }
 
 void ContextCounts::make_current(unsigned thread, ContextName context) {
     if (uses_.size() >= kMostThreads && !uses_.contains(thread)) return;
+    const std::optional<std::size_t> before = uses_[thread].context;
+    if (before && contexts_[*before].name != context) end_picture(contexts_[*before]);
     Use& use = uses_[thread] = {};
     if (context == 0) return;
     const auto found = std::ranges::find(contexts_, context, &ContextUse::name);
@@ -44,20 +65,36 @@ void ContextCounts::add(Use& use, double vertices) {
         if (list_vertices_.size() < kMostLists || list_vertices_.contains(*use.list))
             list_vertices_[*use.list] += vertices;
     }
-    if (use.executes) (use.context ? contexts_[*use.context].vertices : without_context_) += vertices;
+    if (!use.executes) return;
+    if (!use.context) {
+        without_context_ += vertices;
+        return;
+    }
+    ContextUse& context = contexts_[*use.context];
+    (context.program == 0 ? context.vertices : context.by_shaders) += vertices;
+    context.draws_to_window |= vertices > 0 && context.framebuffer == 0;
+    if (vertices > 0) context.drawn_into = context.framebuffer;
 }
 
 void ContextCounts::count(unsigned thread, const Function& function, std::string_view name,
                           std::span<const double> numbers) {
     const bool is_list = name == "glNewList" || name == "glEndList", binds_buffer = name.starts_with("glBindBuffer");
-    if (!is_list && !binds_buffer && !function.draws && !function.is_vertex) return;
+    const bool has_samples = name.starts_with(kStorageWithSamples), ends = ends_picture(function, name);
+    const bool is_state = binds_buffer || has_samples || ends || is_binding(name);
+    if (!is_list && !is_state && !function.draws && !function.is_vertex) return;
     if (uses_.size() >= kMostThreads && !uses_.contains(thread)) return;
     Use& use = uses_[thread];
     if (use.context) {
-        contexts_[*use.context].has_buffers |= binds_buffer;
-        contexts_[*use.context].has_elements |= name == "glArrayElement";
+        ContextUse& context = contexts_[*use.context];
+        context.has_buffers |= binds_buffer;
+        context.has_samples |= has_samples;
+        context.has_elements |= name == "glArrayElement";
+        if (ends) end_picture(context);
+        if (uses_program(name)) context.program = number(numbers, 0).value_or(0);
+        if (binds_framebuffer(name) && number(numbers, 0) != kGL_READ_FRAMEBUFFER)
+            context.framebuffer = number(numbers, 1).value_or(0);
     }
-    if (binds_buffer) return;
+    if (is_state || copies_framebuffer(name)) return;
     if (name == "glNewList") {
         use.list = number(numbers, 0).value_or(0);
         use.executes = number(numbers, 1) == kGL_COMPILE_AND_EXECUTE;
@@ -79,14 +116,73 @@ void ContextCounts::count(unsigned thread, const Function& function, std::string
 
 double ContextCounts::all() const {
     double sum = without_context_;
-    for (const ContextUse& use : contexts_) sum += use.vertices;
+    for (const ContextUse& use : contexts_) sum += use.vertices + use.by_shaders;
     return sum;
 }
 
 std::optional<std::size_t> ContextCounts::busiest() const {
-    const auto most = std::ranges::max_element(contexts_, {}, &ContextUse::vertices);
-    if (most == contexts_.end() || most->vertices == 0 || most->vertices < without_context_) return std::nullopt;
+    const auto most = std::ranges::max_element(contexts_, {}, drawn);
+    if (most == contexts_.end() || drawn(*most) == drawn({}) || most->vertices < without_context_) return std::nullopt;
     return static_cast<std::size_t>(most - contexts_.begin());
+}
+
+bool ContextCounts::busiest_draws_into_objects() const {
+    const std::optional<std::size_t> most = busiest();
+    return most && !contexts_[*most].draws_to_window;
+}
+
+bool SharedObjects::needs_arguments(std::string_view name) {
+    return name.starts_with("glBindTexture") || name.starts_with("glBindBuffer") || name == "glNewList" ||
+           name == "glCallList";
+}
+
+std::optional<SharedObjects::Object> SharedObjects::named_by(std::string_view function,
+                                                             std::span<const double> numbers) {
+    const bool is_list = function.ends_with("List");
+    const std::optional<double> name = number(numbers, is_list ? 0 : 1);
+    if (!name) return std::nullopt;
+    return Object(is_list ? Kind::kList : function.starts_with("glBindT") ? Kind::kTexture : Kind::kBuffer, *name);
+}
+
+std::string SharedObjects::of_other(ContextName context, std::size_t context_number, const Function& function,
+                                    std::string_view name, std::span<const double> numbers) {
+    std::optional<Object> object = needs_arguments(name) ? named_by(name, numbers) : std::nullopt;
+    if (object && name != "glNewList") {
+        if (bound_.size() < kMostObjects) bound_[{context, object->first}] = object->second;
+        return {};
+    }
+    if (!function.makes_objects) return {};
+    std::string report = fmt::format("{} in context {}", name, context_number);
+    if (!object) {
+        const Kind kind = name.starts_with("glBuffer") ? Kind::kBuffer : Kind::kTexture;
+        const auto bound = bound_.find({context, kind});
+        if (bound == bound_.end()) return report;
+        object = Object(kind, bound->second);
+    }
+    if (used_.contains(*object) || made_.size() >= kMostObjects) return report;
+    made_.try_emplace(*object, std::move(report));
+    return {};
+}
+
+std::string SharedObjects::of_followed(std::string_view name, std::span<const double> numbers) {
+    if (name == "glCallLists") return any_list();
+    const std::optional<Object> object = named_by(name, numbers);
+    if (!object) return {};
+    if (used_.size() < kMostObjects) used_.insert(*object);
+    const auto made = made_.find(*object);
+    if (name == "glNewList" || made == made_.end()) return {};
+    std::string report = std::move(made->second);
+    made_.erase(made);
+    return report;
+}
+
+// The lists that glCallLists calls are not known here: it may be any.
+std::string SharedObjects::any_list() {
+    const auto first = made_.lower_bound({Kind::kList, -std::numeric_limits<double>::infinity()});
+    if (first == made_.end() || first->first.first != Kind::kList) return {};
+    std::string report = std::move(first->second);
+    std::erase_if(made_, [](const auto& made) { return made.first.first == Kind::kList; });
+    return report;
 }
 
 void ShareGroups::create(ContextName context, ContextName share) {
@@ -106,12 +202,15 @@ bool ShareGroups::may_share(ContextName a, ContextName b) const {
 std::string list_of_contexts(const std::vector<ContextUse>& contexts) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < contexts.size(); ++i)
-        if (contexts[i].vertices > 0) order.push_back(i);
-    std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return contexts[i].vertices; });
+        if (drawn(contexts[i]) != drawn({})) order.push_back(i);
+    std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return drawn(contexts[i]); });
     std::string text;
-    for (std::size_t i = 0; i < std::min(order.size(), kMostShown); ++i)
-        text += fmt::format("{}context {} draws {} vert{}", i > 0 ? ", " : "", order[i], contexts[order[i]].vertices,
-                            contexts[order[i]].vertices == 1 ? "ex" : "ices");
+    for (std::size_t i = 0; i < std::min(order.size(), kMostShown); ++i) {
+        const ContextUse& use = contexts[order[i]];
+        const double count = use.vertices > 0 ? use.vertices : use.by_shaders;
+        text += fmt::format("{}context {} draws {} vert{}{}", i > 0 ? ", " : "", order[i], count,
+                            count == 1 ? "ex" : "ices", use.vertices > 0 ? "" : " with shaders");
+    }
     if (order.size() > kMostShown) text += fmt::format(", and {} others draw less", order.size() - kMostShown);
     return text;
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,10 +24,19 @@ inline constexpr std::size_t kMostContexts = 4096, kMostThreads = 4096;
 
 struct ContextUse {
     ContextName name = 0;
-    // What it sent to be drawn, through display lists too. Bitmaps and other pixels count as one vertex each.
+    // What it sent to be drawn by the fixed function, through display lists too. Bitmaps and other pixels count as one vertex each.
     double vertices = 0;
-    bool has_elements = false;  // it calls glArrayElement
-    bool has_buffers = false;   // it binds buffer objects
+    double by_shaders = 0;                // the same, drawn by shaders
+    bool has_elements = false;            // it calls glArrayElement
+    bool has_buffers = false;             // it binds buffer objects
+    bool has_samples = false;             // it makes renderbuffers with several samples per pixel
+    bool draws_to_window = false;         // into framebuffer 0
+    std::set<double> ends_in{};           // framebuffer objects into which it drew last before a frame ended
+    double program = 0, framebuffer = 0;  // the bound ones
+    double drawn_into = 0;                // the object into which it drew last; 0 since a frame ended
+
+    // The framebuffer objects that show what it draws, if nothing is drawn into the window itself.
+    std::set<double> shown_objects() const { return draws_to_window ? std::set<double>{} : ends_in; }
 };
 
 // Counts what each context draws, in the order in which the contexts first became current. Commands before the first
@@ -40,9 +50,11 @@ class ContextCounts {
     void count(unsigned thread, const Function& function, std::string_view name, std::span<const double> numbers);
 
     const std::vector<ContextUse>& contexts() const { return contexts_; }
-    // The one that draws most, the first of several that draw as much; nullopt if none draws, or if most is drawn in no
-    // context.
+    // The one that draws most by the fixed function, or by shaders if none does so, the first of several that draw as much; nullopt if
+    // none draws, or if most is drawn in no context.
     std::optional<std::size_t> busiest() const;
+    // Whether what this one draws may still go into objects that were not seen yet.
+    bool busiest_draws_into_objects() const;
     bool any_draws() const { return all() > 0; }
     double all() const;  // what all contexts draw
 
@@ -61,6 +73,28 @@ class ContextCounts {
     std::map<double, double> list_vertices_;  // of each display list
 };
 
+// The objects that other contexts make and share with the one that is followed. One is reported when that context uses it.
+class SharedObjects {
+  public:
+    // Whether of_other() and of_followed() need the arguments of this function.
+    static bool needs_arguments(std::string_view name);
+    // Another context calls a function. Returns what to report now: "glTexImage2D in context 2", or nothing.
+    std::string of_other(ContextName context, std::size_t number, const Function& function, std::string_view name,
+                         std::span<const double> numbers);
+    // The followed context calls a function. Returns what to report.
+    std::string of_followed(std::string_view name, std::span<const double> numbers);
+
+  private:
+    enum class Kind : std::uint8_t { kTexture, kBuffer, kList };
+    using Object = std::pair<Kind, double>;
+    std::string any_list();
+    static std::optional<Object> named_by(std::string_view function, std::span<const double> numbers);
+
+    std::map<std::pair<ContextName, Kind>, double> bound_;  // in other contexts
+    std::map<Object, std::string> made_;                    // by others, and not reported yet: what to report
+    std::set<Object> used_;                                 // by the followed context
+};
+
 // Which contexts share textures, display lists and buffer objects.
 class ShareGroups {
   public:
@@ -72,7 +106,7 @@ class ShareGroups {
     std::map<ContextName, ContextName> group_of_;
 };
 
-// "context 1 draws 300 vertices, context 0 draws 12": those that draw, the busiest first; nothing if none does.
+// "context 1 draws 300 vertices, context 0 draws 12 with shaders": those that draw, the busiest first; nothing if none does.
 std::string list_of_contexts(const std::vector<ContextUse>& contexts);
 
 }  // namespace twinlight::trace

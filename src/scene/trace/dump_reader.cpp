@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <limits>
 
@@ -40,8 +41,9 @@ DumpReader::DumpReader(ByteSource& source, const std::string& name, BlobLoader b
     command_.place = {std::make_shared<const std::string>(name), -1, Place::kCallNumber};
 }
 
-void DumpReader::follow(ContextName context) {
+void DumpReader::follow(ContextName context, std::set<double> shown_objects) {
     followed_ = context;
+    framebuffers_.show(std::move(shown_objects));
     choose_context();
 }
 
@@ -61,7 +63,10 @@ void DumpReader::count_contexts(bool whole, ContextCounts& counts) {
     static const std::function<bool(const Step&)> kNothing = [](const Step&) { return true; };
     visit_ = &kNothing;
     int calls = 0, frames = 0;  // since the first that draws
-    while ((whole || (calls < kMostCallsCounted && frames < kMostFramesCounted)) && next_call()) {
+    const auto goes_on = [&] {
+        return calls < kMostCallsCounted && (frames < kMostFramesCounted || counts.busiest_draws_into_objects());
+    };
+    while ((whole || goes_on()) && next_call()) {
         const Function& function = functions_.find(function_name_);
         if (function.role == Role::kMakeCurrent) {
             make_current();
@@ -179,29 +184,42 @@ void DumpReader::carry_out(const Function& function) {
             return;
         case Role::kFrameEnd:
             lexer_.skip_line();
-            if (in_followed_) step({Step::Kind::kFrameEnd, command_});
+            if (in_followed_) end_frame();
             return;
         default: break;
     }
     if (!in_followed_) {
-        lexer_.skip_line();
-        const auto current = current_.find(thread_);
-        if (!function.makes_objects || current == current_.end() || !groups_.may_share(current->second, *followed_))
+        if (!SharedObjects::needs_arguments(function_name_)) {
+            lexer_.skip_line();
+            arguments_.clear();
+        } else if (!read_call()) {
             return;
+        }
+        const auto current = current_.find(thread_);
+        if (current == current_.end() || !groups_.may_share(current->second, *followed_)) return;
         const auto number = std::ranges::find(contexts_, current->second) - contexts_.begin();
-        return outside(fmt::format("{} in context {}", function_name_, number));
+        const std::string report = shared_.of_other(current->second, static_cast<std::size_t>(number), function,
+                                                    function_name_, arguments_.numbers);
+        if (!report.empty()) outside(report);
+        return;
     }
+    has_drawn_ |= function.draws || function.is_vertex;
     switch (function.role) {
         case Role::kCommand: return carry_out_command(function);
         case Role::kMapBuffer: return map_buffer();
         case Role::kCopy: return copy_memory();
+        case Role::kBlit: return blit();
         case Role::kBinding: {
             if (!read_call()) return;
             const bool of_gl = !arguments_.numbers.empty() && arguments_.numbers.back() == 0;
             if (!of_gl) outside(function_name_);
             return;
         }
-        default: lexer_.skip_line(); return outside(function_name_);
+        default:
+            lexer_.skip_line();
+            // The images of what is read as the window.
+            if (framebuffers_.any_shown() && function_name_.starts_with("glRenderbufferStorageMultisample")) return;
+            return outside(function_name_);
     }
 }
 
@@ -212,6 +230,7 @@ void DumpReader::carry_out_command(const Function& function) {
         cut_off_or("");
         return;
     }
+    if (is_of_units_for_shaders()) return;
     if (!arguments_.unknown_name.empty()) {
         if (is_harmless_with_unknown_name(function_name_)) return;
         return outside(fmt::format("{}({})", function_name_, arguments_.unknown_name));
@@ -219,7 +238,44 @@ void DumpReader::carry_out_command(const Function& function) {
     command_.id = function.command;
     convert(arguments_, result_, blobs_, command_);
     command_.id = client_state(command_);
-    step({Step::Kind::kCommand, command_});
+    if (followed_ && (SharedObjects::needs_arguments(function_name_) || function_name_ == "glCallLists")) {
+        const std::string report = shared_.of_followed(function_name_, arguments_.numbers);
+        if (!report.empty()) outside(report);
+    }
+    if (framebuffers_.follow(command_)) step({Step::Kind::kCommand, command_});
+}
+
+// Programs with shaders have more texture units than the fixed function, and some reset the state of all. Their names are those of
+// other enumerants in a dump: GL_TEXTURE0 + 34 is GL_MAX_TEXTURE_UNITS.
+bool DumpReader::is_of_units_for_shaders() {
+    constexpr double kMostUnits = 192;  // GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS of llvmpipe
+    if (function_name_.starts_with("glActiveTexture")) {
+        const double unit = arguments_.numbers.empty() ? 0 : arguments_.numbers[0] - kGL_TEXTURE0;
+        const bool is_unit = unit >= 0 && unit < kMostUnits;
+        is_unit_for_shaders_ =
+            !arguments_.unknown_name.empty() || (is_unit && !find_gl_name(fmt::format("GL_TEXTURE{:.0f}", unit)));
+        return is_unit_for_shaders_;
+    }
+    if (!is_unit_for_shaders_) return false;
+    constexpr std::array kEnabled = {kGL_TEXTURE_1D,    kGL_TEXTURE_2D,    kGL_TEXTURE_3D,    kGL_TEXTURE_CUBE_MAP,
+                                     kGL_TEXTURE_GEN_S, kGL_TEXTURE_GEN_T, kGL_TEXTURE_GEN_R, kGL_TEXTURE_GEN_Q};
+    const bool enables = function_name_ == "glEnable" || function_name_ == "glDisable";
+    return (enables && !arguments_.numbers.empty() && std::ranges::count(kEnabled, arguments_.numbers[0]) > 0) ||
+           function_name_.starts_with("glTexEnv") || function_name_.starts_with("glTexGen") ||
+           function_name_.starts_with("glBindTexture");
+}
+
+void DumpReader::end_frame() {
+    step({Step::Kind::kFrameEnd, command_});
+    has_drawn_ = false;
+}
+
+void DumpReader::blit() {
+    if (!read_call()) return;
+    const auto commands = framebuffers_.blit(arguments_.numbers, command_.place);
+    if (!commands) return outside(function_name_);
+    for (const Command& command : *commands)
+        if (go_on_) step({Step::Kind::kCommand, command});
 }
 
 void DumpReader::make_current() {
@@ -230,7 +286,10 @@ void DumpReader::make_current() {
     current_[thread_] = name;
     if (name != 0 && contexts_.size() < kMostContexts && std::ranges::find(contexts_, name) == contexts_.end())
         contexts_.push_back(name);
+    const bool was_followed = in_followed_;
     choose_context();
+    // A widget's picture is complete when another context shows it.
+    if (was_followed && !in_followed_ && framebuffers_.any_shown() && has_drawn_) end_frame();
 }
 
 // glXCreateContext(dpy, vis, shareList, direct) = context, and its later forms.

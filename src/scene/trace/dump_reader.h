@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@
 #include "scene/trace/blobs.h"
 #include "scene/trace/contexts.h"
 #include "scene/trace/dump_lexer.h"
+#include "scene/trace/framebuffers.h"
 #include "scene/trace/functions.h"
 #include "scene/trace/window_formats.h"
 
@@ -33,8 +35,9 @@ class DumpReader {
     DumpReader(ByteSource& source, const std::string& name, BlobLoader blobs);
 
     // Reports only the commands of this context. Objects that another context creates and shares with it are reported as
-    // kOutside. Without this call all commands count as one context.
-    void follow(ContextName context);
+    // kOutside if it uses them. Without this call all commands count as one context. `shown_objects`: framebuffer objects that are
+    // read as the window.
+    void follow(ContextName context, std::set<double> shown_objects);
 
     // Calls `visit` for the next steps until it returns false. Returns true if the dump ended. Throws SceneError.
     bool for_each(const std::function<bool(const Step&)>& visit);
@@ -63,6 +66,10 @@ class DumpReader {
     void make_current();
     void create_context();
     void note_format();
+    void blit();
+    // Whether the command only sets the state of a texture unit that the fixed function lacks.
+    bool is_of_units_for_shaders();
+    void end_frame();
     void map_buffer();
     void copy_memory();
     void choose_context();  // updates whether the current thread uses the followed context
@@ -83,6 +90,10 @@ class DumpReader {
     std::map<unsigned, ContextName> current_;  // the current context of each thread
     std::vector<ContextName> contexts_;        // in the order in which they became current
     ShareGroups groups_;
+    SharedObjects shared_;
+    Framebuffers framebuffers_;
+    bool has_drawn_ = false;            // the followed context, since the frame began
+    bool is_unit_for_shaders_ = false;  // glActiveTexture has chosen one
     WindowFormats formats_;
     std::optional<ContextName> followed_;
     bool in_followed_ = true;

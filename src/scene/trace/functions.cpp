@@ -36,6 +36,7 @@ bool is_without_effect(std::string_view name) {
                                      "glBindAttribLocation",
                                      "glBindFragDataLocation",
                                      "glValidateProgram",
+                                     "glDisableVertexAttribArray",
                                      "glProgram",
                                      "glIndex",
                                      "glClearIndex",
@@ -123,10 +124,12 @@ Function classify(std::string_view name) {
         function.command = *command;
     } else if (name == "memcpy") {
         function.role = Role::kCopy;
-    } else if (starts_with_one_of(name, {"glUseProgram", "glBind"})) {
-        function.role = Role::kBinding;
+    } else if (name.starts_with("glBlitFramebuffer")) {
+        function.role = Role::kBlit;
     } else if (is_without_effect(name)) {
         function.role = Role::kIgnored;
+    } else if (starts_with_one_of(name, {"glUseProgram", "glBind"})) {
+        function.role = Role::kBinding;
     }
     return function;
 }

@@ -18,6 +18,7 @@ enum class Role : std::uint8_t {
     kMakeCurrent,  // sets a thread's context; the last argument names it
     kMapBuffer,    // glMapBuffer: later writes to the mapping are copied into the buffer object
     kCopy,         // memcpy: such a write
+    kBlit,         // glBlitFramebuffer
     kBinding,      // binds an object that Twinlight lacks, or 0 for none (the last argument)
     kOutside,      // anything else: reported as unsupported
 };

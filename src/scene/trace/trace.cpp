@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "scene/command/text.h"
@@ -48,7 +49,7 @@ class DumpRecording : public Recording {
     bool visit_all(const std::function<bool(const Step&)>& visit) const {
         const std::unique_ptr<ByteSource> text = start();
         DumpReader reader(*text, place_, blobs());
-        if (context_) reader.follow(*context_);
+        if (context_) reader.follow(*context_, shown_objects_);
         return reader.for_each(visit);
     }
     void choose_context(std::optional<int> wanted);
@@ -57,6 +58,7 @@ class DumpRecording : public Recording {
 
   private:
     std::optional<ContextName> context_;  // only its calls are visited; nullopt: the calls of all contexts
+    std::set<double> shown_objects_;      // framebuffer objects that are read as the window
     std::vector<std::string> notes_;
 };
 
@@ -78,13 +80,18 @@ void DumpRecording::choose_context(std::optional<int> wanted) {
         wanted && !contexts.empty() ? std::optional(static_cast<std::size_t>(*wanted)) : counts.busiest();
     if (!chosen) return;
     context_ = contexts[*chosen].name;
-    if (reader.has_samples(*context_)) notes_.emplace_back(kOneSampleNote);
+    shown_objects_ = contexts[*chosen].shown_objects();
+    if (!shown_objects_.empty())
+        notes_.emplace_back(
+            "the program draws into a framebuffer object, as widgets of Qt and GTK do; the picture is what it shows");
+    if (reader.has_samples(*context_) || contexts[*chosen].has_samples) notes_.emplace_back(kOneSampleNote);
     if (contexts[*chosen].has_elements && !contexts[*chosen].has_buffers)
         notes_.emplace_back(
             "apitrace does not record the arrays that glArrayElement takes vertices from, so these may be missing or "
             "wrong; if the program's source is one file, twinlight can read that instead");
-    const bool others_draw =
-        std::ranges::any_of(contexts, [&](const ContextUse& use) { return use.vertices > 0 && use.name != *context_; });
+    const bool others_draw = std::ranges::any_of(contexts, [&](const ContextUse& use) {
+        return (use.vertices > 0 || use.by_shaders > 0) && use.name != *context_;
+    });
     if (!others_draw) return;
     const std::string part = reader.at_end() ? "" : fmt::format("up to call {}, ", reader.call_number());
     notes_.push_back(fmt::format("{}{}; this is context {}, --context N chooses another", part,

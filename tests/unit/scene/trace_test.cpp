@@ -195,6 +195,13 @@ TEST_F(Traces, FollowTheContextThatDrawsMost) {
     EXPECT_EQ(
         recording(kTwoWindows)->notes(),
         Lines{"context 1 draws 2 vertices, context 0 draws 1 vertex; this is context 1, --context N chooses another"});
+    // What shaders draw counts less than anything that the fixed function draws.
+    const std::string with_shaders =
+        std::string(kTwoWindows).replace(std::string(kTwoWindows).find("8 @1"), 0, "7 @1 glUseProgram(program = 1)\n");
+    EXPECT_EQ(steps(with_shaders).front(), "glEnable(GL_LIGHT0);");
+    EXPECT_EQ(recording(with_shaders)->notes(),
+              Lines{"context 0 draws 1 vertex, context 1 draws 2 vertices with shaders; this is context 0, --context N "
+                    "chooses another"});
     // What a list holds counts only when it is called.
     const std::string uncalled = std::string(kTwoWindows).replace(std::string(kTwoWindows).find("12 @1"), 29, "");
     EXPECT_EQ(steps(uncalled).front(), "glEnable(GL_LIGHT0);");
@@ -282,21 +289,151 @@ TEST_F(Traces, FollowTheContextThatIsChosen) {
     }
 }
 
-// A texture that another context makes is missing only if the two share objects.
-TEST_F(Traces, NameObjectsOfOtherContextsIfTheyAreShared) {
-    const auto outside = [this](const std::string& share) {
+// An object that another context makes is missing only if the two share objects, and if this one uses it.
+TEST_F(Traces, NameObjectsOfOtherContextsThatAreUsed) {
+    const auto of_other = [this](const std::string& share, const std::string& made, const std::string& used) {
         const Lines lines = steps(
             "1 glXCreateContext(dpy = 0x1, vis = &{visualid = 3}, shareList = NULL, direct = True) = 0xa\n"
             "2 glXCreateContext(dpy = 0x1, vis = &{visualid = 3}, shareList = " +
-            share +
-            ", direct = True) = 0xb\n3 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xb) = True\n"
-            "4 glNewList(list = 1, mode = GL_COMPILE)\n5 glEndList()\n"
-            "6 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xa) = True\n7 glRecti(x1 = 0, y1 = 0, x2 = 1, y2 = 1)\n");
-        return std::ranges::count(lines, "outside: glNewList in context 0");
+            share + ", direct = True) = 0xb\n3 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xb) = True\n" + made +
+            "7 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xa) = True\n"
+            "8 glRecti(x1 = 0, y1 = 0, x2 = 1, y2 = 1)\n" +
+            used);
+        return std::ranges::count_if(lines, [](const std::string& line) { return line.ends_with("in context 0"); });
     };
-    EXPECT_EQ(outside("0xa"), 1);
-    EXPECT_EQ(outside("0xc"), 1);  // not known
-    EXPECT_EQ(outside("NULL"), 0);
+    const std::string list = "4 glNewList(list = 1, mode = GL_COMPILE)\n5 glEndList()\n";
+    const auto call = [](int name) { return fmt::format("9 glCallList(list = {})\n", name); };
+    EXPECT_EQ(of_other("0xa", list, call(1)), 1);
+    EXPECT_EQ(of_other("0xc", list, call(1)), 1);  // not known
+    EXPECT_EQ(of_other("NULL", list, call(1)), 0);
+    EXPECT_EQ(of_other("0xa", list, call(1) + call(1)), 1) << "once for each object";
+    EXPECT_EQ(of_other("0xa", list, call(2)), 0);
+    write_file_atomically(folder_ / "two.bin", "\x02");
+    EXPECT_EQ(of_other("0xa", list, "9 glCallLists(n = 1, type = GL_UNSIGNED_BYTE, lists = blob(\"two.bin\"))\n"), 1)
+        << "not known";
+    EXPECT_EQ(of_other("0xa", list, "9 glNewList(list = 1, mode = GL_COMPILE)\n10 glEndList()\n"), 0);
+
+    const std::string image =
+        "glTexImage1D(target = GL_TEXTURE_1D, level = 0, internalformat = GL_RGB, width = 1, border = 0, format = "
+        "GL_RGB, "
+        "type = GL_UNSIGNED_BYTE, pixels = NULL)\n";
+    const auto bind = [](int name) {
+        return fmt::format("9 glBindTexture(target = GL_TEXTURE_1D, texture = {})\n", name);
+    };
+    EXPECT_EQ(of_other("0xa", bind(5) + "5 " + image, bind(5)), 1);
+    EXPECT_EQ(of_other("0xa", bind(5) + "5 " + image, bind(6)), 0);
+    EXPECT_EQ(of_other("NULL", bind(5) + "5 " + image, bind(5)), 0);
+    EXPECT_EQ(of_other("0xa", "5 " + image, ""), 1) << "of no known texture";
+    // A texture that is bound already changes at once.
+    const std::string later = bind(5) + "10 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xb) = True\n" + bind(5) +
+                              "11 " + image + "12 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xa) = True\n";
+    EXPECT_EQ(of_other("0xa", "", later), 1);
+    const std::string buffer =
+        "4 glBindBuffer(target = GL_ARRAY_BUFFER, buffer = 3)\n5 glBufferData(target = "
+        "GL_ARRAY_BUFFER, size = 4, data = NULL, usage = GL_STATIC_DRAW)\n";
+    const auto use = [](int name) {
+        return fmt::format("9 glBindBuffer(target = GL_ARRAY_BUFFER, buffer = {})\n", name);
+    };
+    EXPECT_EQ(of_other("0xa", buffer, use(3)), 1);
+    EXPECT_EQ(of_other("0xa", buffer, use(4)), 0);
+}
+
+// A widget: context 0xa draws into an object, context 0xb shows it with shaders. The object changes with the widget's size.
+TEST_F(Traces, ReadAnObjectThatIsShownAsTheWindow) {
+    const auto current = [](const std::string& context) {
+        return "1 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = " + context + ") = True\n";
+    };
+    const auto make = [](int name) {
+        return fmt::format(
+            "2 glBindFramebuffer(target = GL_FRAMEBUFFER, framebuffer = {})\n"
+            "3 glFramebufferTexture2D(target = GL_FRAMEBUFFER, attachment = GL_COLOR_ATTACHMENT0, textarget = "
+            "GL_TEXTURE_2D, "
+            "texture = 9, level = 0)\n"
+            "4 glFramebufferRenderbuffer(target = GL_FRAMEBUFFER, attachment = GL_DEPTH_ATTACHMENT, renderbuffertarget "
+            "= "
+            "GL_RENDERBUFFER, renderbuffer = 1)\n"
+            "5 glDrawBuffer(mode = GL_COLOR_ATTACHMENT0)\n",
+            name);
+    };
+    const std::string draw = "6 glRecti(x1 = 0, y1 = 0, x2 = 1, y2 = 1)\n";
+    const std::string compose = current("0xb") + "7 glUseProgram(program = 1)\n" +
+                                "8 glDrawArrays(mode = GL_TRIANGLES, first = 0, count = 6)\n"
+                                "9 glXSwapBuffers(dpy = 0x1, drawable = 2)\n";
+    const std::string widget = current("0xa") + make(1) + draw + compose + current("0xa") + make(2) + draw + compose;
+    const Lines picture{"glBindFramebuffer(GL_FRAMEBUFFER, 0);", "glRecti(0, 0, 1, 1);", "end of frame"};
+    Lines twice = picture;
+    twice.insert(twice.end(), picture.begin(), picture.end());
+    EXPECT_EQ(steps(widget), twice);
+    EXPECT_EQ(
+        recording(widget)->notes(),
+        (Lines{"the program draws into a framebuffer object, as widgets of Qt and GTK do; the picture is what it shows",
+               "context 0 draws 2 vertices, context 1 draws 12 vertices with shaders; this is context 0, --context N "
+               "chooses another"}));
+
+    // With samples, which are resolved into another object.
+    const std::string samples =
+        "4 glRenderbufferStorageMultisample(target = GL_RENDERBUFFER, samples = 4, internalformat = GL_RGBA8, width = "
+        "8, "
+        "height = 8)\n";
+    const auto blit = [](int from, int to) {
+        return fmt::format(
+            "7 glBindFramebuffer(target = GL_READ_FRAMEBUFFER, framebuffer = {})\n"
+            "8 glBindFramebuffer(target = GL_DRAW_FRAMEBUFFER, framebuffer = {})\n"
+            "9 glBlitFramebuffer(srcX0 = 0, srcY0 = 0, srcX1 = 8, srcY1 = 8, dstX0 = 0, dstY0 = 0, dstX1 = 8, dstY1 = "
+            "8, "
+            "mask = GL_COLOR_BUFFER_BIT, filter = GL_NEAREST)\n",
+            from, to);
+    };
+    const std::string swap = "10 glXSwapBuffers(dpy = 0x1, drawable = 2)\n";
+    const std::string smooth = current("0xa") + make(1) + samples + draw + blit(1, 0) + swap;
+    EXPECT_EQ(steps(smooth), (Lines{"glBindFramebuffer(GL_FRAMEBUFFER, 0);", "glRecti(0, 0, 1, 1);",
+                                    "glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);",
+                                    "glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);", "end of frame"}));
+    EXPECT_EQ(recording(smooth)->notes().back(), kOneSampleNote);
+
+    // A program that also draws into its window has an object of its own.
+    EXPECT_EQ(steps(current("0xa") + draw + make(1) + draw + swap)[1], "glBindFramebuffer(GL_FRAMEBUFFER, 1);");
+}
+
+// glBlitFramebuffer from one texture to another.
+TEST_F(Traces, ReadCopiesBetweenObjects) {
+    const auto copy = [this](const std::string& rectangles, const std::string& mask) {
+        const std::string attach =
+            "3 glFramebufferTexture2D(target = GL_DRAW_FRAMEBUFFER, attachment = GL_COLOR_ATTACHMENT0, textarget = "
+            "GL_TEXTURE_2D, texture = 7, level = 0)\n";
+        const Lines lines = steps(
+            "0 glRecti(x1 = 0, y1 = 0, x2 = 1, y2 = 1)\n1 glBindFramebuffer(target = GL_READ_FRAMEBUFFER, framebuffer "
+            "= 1)\n"
+            "2 glBindFramebuffer(target = GL_DRAW_FRAMEBUFFER, framebuffer = 2)\n" +
+            attach + "4 glBlitFramebufferEXT(" + rectangles + ", mask = " + mask + ", filter = GL_NEAREST)\n");
+        return Lines(lines.begin() + 4, lines.end());
+    };
+    const std::string from = "srcX0 = 1, srcY0 = 2, srcX1 = 9, srcY1 = 8, ", color = "GL_COLOR_BUFFER_BIT";
+    const std::string same_size = from + "dstX0 = 3, dstY0 = 4, dstX1 = 11, dstY1 = 10";
+    EXPECT_EQ(copy(same_size, color),
+              (Lines{"glPushAttrib(GL_TEXTURE_BIT);", "glBindTexture(GL_TEXTURE_2D, 7);",
+                     "glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 3, 4, 1, 2, 8, 6);", "glPopAttrib();"}));
+    const Lines lacking{"outside: glBlitFramebufferEXT"};
+    EXPECT_EQ(copy(same_size, "GL_DEPTH_BUFFER_BIT"), lacking);
+    EXPECT_EQ(copy(from + "dstX0 = 0, dstY0 = 0, dstX1 = 16, dstY1 = 6", color), lacking) << "scaled";
+    EXPECT_EQ(copy(from + "dstX0 = 8, dstY0 = 0, dstX1 = 0, dstY1 = 6", color), lacking) << "mirrored";
+}
+
+// Of texture units that only shaders have, the state is passed over until another unit is chosen.
+TEST_F(Traces, PassOverTheStateOfUnitsForShaders) {
+    for (const std::string unit : {"GL_TEXTURE8", "GL_MAX_TEXTURE_UNITS", "GL_VARIABLE_A_NV", "34043"}) {
+        const std::string bias =
+            "2 glTexEnvf(target = GL_TEXTURE_FILTER_CONTROL, pname = GL_TEXTURE_LOD_BIAS, param = 1)\n";
+        EXPECT_EQ(steps("1 glActiveTexture(texture = " + unit + ")\n" + bias +
+                        "3 glBindTexture(target = GL_TEXTURE_2D, texture = 4)\n4 glDisable(cap = GL_TEXTURE_2D)\n"
+                        "5 glEnable(cap = GL_TEXTURE_GEN_S)\n"
+                        "5 glEnable(cap = GL_LIGHTING)\n6 glActiveTexture(texture = GL_TEXTURE7)\n" +
+                        bias),
+                  (Lines{"glEnable(GL_LIGHTING);", "glActiveTexture(GL_TEXTURE7);",
+                         "glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 1);"}))
+            << unit;
+    }
+    EXPECT_EQ(steps("1 glActiveTexture(texture = GL_LIGHT0)\n"), Lines{"glActiveTexture(GL_LIGHT0);"});
 }
 
 TEST_F(Traces, EnableArraysAsExtVertexArrayDoes) {
