@@ -265,6 +265,10 @@ Command Driver::translated(const Command& command) {
                                      command.enumerant(1) == kGL_TEXTURE_MAX_ANISOTROPY_EXT;
     if (is_anisotropy_of_1d) result.arguments[2] = std::min(command.number(2), 1.0);
     for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (parameters[i].name == "internalformat" || parameters[i].name == "internalFormat") {
+            double& format = result.arguments[command.first(i)];
+            format = without_compression(format);
+        }
         const auto type = named_objects(parameters[i]);
         if (!type || *type == ObjectType::kList) continue;
         const std::size_t first = command.first(i), end = first + command.count(i);

@@ -26,9 +26,9 @@ CopiedBuffer buffer_for(Enum base_format) {
 // Copies have no proxies.
 bool is_driver_only_copy(Enum target) { return is_driver_only_image(target) && target != kGL_PROXY_TEXTURE_RECTANGLE; }
 
-// Compressed formats, sRGB, and formats of later versions.
+// sRGB, and formats of later versions.
 bool is_driver_only_format(Enum format) {
-    constexpr std::pair<Enum, Enum> kRanges[] = {{0x84E9, 0x84EE}, {0x8C40, 0x8C4B}, {0x8814, 0x881B}};
+    constexpr std::pair<Enum, Enum> kRanges[] = {{0x8C40, 0x8C4B}, {0x8814, 0x881B}};
     return std::ranges::any_of(kRanges,
                                [&](const auto& range) { return format >= range.first && format <= range.second; });
 }
@@ -123,7 +123,8 @@ void State::copy_tex_image(const Command& c) {
               c.name(), level, from.width, from.height, border, kMaxTextureSize);
     };
     if (largest == 0 || (border != 0 && border != 1)) return raise_size();
-    const std::optional<InternalFormat> format = internal_format(c.number(2));
+    const double internal = without_compression(c.number(2));
+    const std::optional<InternalFormat> format = internal_format(internal);
     const bool is_unsupported = is_driver_only_format(c.enumerant(2));
     if (!is_unsupported && (!format || c.number(2) <= 4)) {
         return raise(kGL_INVALID_ENUM, c, "{} is given the internal format {}; expected GL_RGB, GL_RGBA8, ...",
@@ -148,7 +149,7 @@ void State::copy_tex_image(const Command& c) {
     TextureImage image{.width = from.width,
                        .height = from.height,
                        .base_format = format->base_format,
-                       .internal_format = c.enumerant(2),
+                       .internal_format = static_cast<Enum>(internal),
                        .texels = std::vector<glm::vec4>(count, stored({0, 0, 0, 1}, *format))};
     if (count > 0) {
         const std::size_t errors = error_count_;

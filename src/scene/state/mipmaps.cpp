@@ -213,7 +213,8 @@ void State::build_mipmaps(const Command& c) {
                              .format = c.enumerant(2 + dimensions),
                              .type = c.enumerant(3 + dimensions),
                              .is_volume = dimensions == 3};
-    const std::optional<InternalFormat> format = internal_format(c.number(1));
+    const double internal = without_compression(c.number(1));
+    const std::optional<InternalFormat> format = internal_format(internal);
     const int largest_side = source.is_volume ? kMax3dTextureSize : kMaxTextureSize;
     const auto fits = [&](int side) { return side >= 1 && side <= largest_side; };
     if (!target || !has_dimensions_of(c, target->texture) || !format || !fits(source.width) || !fits(source.height) ||
@@ -250,7 +251,7 @@ void State::build_mipmaps(const Command& c) {
     Texture* texture = writable_texture(c, target->texture);
     if (!texture) return;
     textures_.texels -= texels_of(*texture);
-    fill_levels(texture->face(target->face), std::move(image), *format, static_cast<Enum>(c.number(1)));
+    fill_levels(texture->face(target->face), std::move(image), *format, static_cast<Enum>(internal));
     textures_.texels += texels_of(*texture);
 }
 

@@ -1,10 +1,12 @@
 #include "scene/state/pixel_unpacking.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "scene/state/packed_types.h"
 
@@ -171,6 +173,19 @@ std::optional<InternalFormat> internal_format(double name) {
         case kGL_DEPTH_COMPONENT32: return same(kGL_DEPTH_COMPONENT, 32);
         default: return std::nullopt;
     }
+}
+
+double without_compression(double name) {
+    constexpr std::array<std::pair<Enum, Enum>, 6> kBaseFormats = {
+        {{kGL_COMPRESSED_ALPHA, kGL_ALPHA},
+         {kGL_COMPRESSED_LUMINANCE, kGL_LUMINANCE},
+         {kGL_COMPRESSED_LUMINANCE_ALPHA, kGL_LUMINANCE_ALPHA},
+         {kGL_COMPRESSED_INTENSITY, kGL_INTENSITY},
+         {kGL_COMPRESSED_RGB, kGL_RGB},
+         {kGL_COMPRESSED_RGBA, kGL_RGBA}}};
+    for (const auto& [compressed, base] : kBaseFormats)
+        if (name == compressed) return base;
+    return name;
 }
 
 std::optional<int> components_of(Enum format) {

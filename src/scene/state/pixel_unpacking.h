@@ -32,6 +32,10 @@ struct InternalFormat {
 // otherwise the size in the name, but 8 bits for a single component, and 16 instead of 12. This is what llvmpipe does.
 std::optional<InternalFormat> internal_format(double name);
 
+// RULING (3.8.1): a generic compressed format, such as GL_COMPRESSED_RGB, is replaced by its base format. The section allows that;
+// drivers may compress the image instead, each in its own way. Other names are returned as they are.
+double without_compression(double name);
+
 // The number of values of a pixel of `format`; nullopt for formats that have neither colours nor depths.
 std::optional<int> components_of(Enum format);
 // The bytes of one pixel; nullopt for an unknown type, or one that cannot be used with the format (3.6.4).

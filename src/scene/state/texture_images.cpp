@@ -38,7 +38,7 @@ struct ImageArguments {
     explicit ImageArguments(const Command& c) {
         target = c.enumerant(0);
         level = static_cast<int>(c.number(1));
-        internal_format = c.number(2);
+        internal_format = without_compression(c.number(2));
         source = size_at(c, 3);
         const std::size_t border_at = 3 + static_cast<std::size_t>(image_dimensions(c));
         border = static_cast<int>(c.number(border_at));
