@@ -73,6 +73,7 @@ void ContextCounts::add(Use& use, double vertices) {
     ContextUse& context = contexts_[*use.context];
     (context.program == 0 ? context.vertices : context.by_shaders) += vertices;
     context.draws_to_window |= vertices > 0 && context.framebuffer == 0;
+    context.draws_to_objects |= vertices > 0 && context.framebuffer != 0;
     if (vertices > 0) context.drawn_into = context.framebuffer;
 }
 

@@ -31,6 +31,7 @@ struct ContextUse {
     bool has_buffers = false;             // it binds buffer objects
     bool has_samples = false;             // it makes renderbuffers with several samples per pixel
     bool draws_to_window = false;         // into framebuffer 0
+    bool draws_to_objects = false;        // into others
     std::set<double> ends_in{};           // framebuffer objects into which it drew last before a frame ended
     double program = 0, framebuffer = 0;  // the bound ones
     double drawn_into = 0;                // the object into which it drew last; 0 since a frame ended

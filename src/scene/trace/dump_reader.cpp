@@ -215,11 +215,8 @@ void DumpReader::carry_out(const Function& function) {
             if (!of_gl) outside(function_name_);
             return;
         }
-        default:
-            lexer_.skip_line();
-            // The images of what is read as the window.
-            if (framebuffers_.any_shown() && function_name_.starts_with("glRenderbufferStorageMultisample")) return;
-            return outside(function_name_);
+        case Role::kStorage: return storage_with_samples();
+        default: lexer_.skip_line(); return outside(function_name_);
     }
 }
 
@@ -268,6 +265,16 @@ bool DumpReader::is_of_units_for_shaders() {
 void DumpReader::end_frame() {
     step({Step::Kind::kFrameEnd, command_});
     has_drawn_ = false;
+}
+
+// glRenderbufferStorageMultisample: read as with one sample per pixel.
+void DumpReader::storage_with_samples() {
+    if (!read_call() || arguments_.numbers.size() != 5) return outside(function_name_);
+    const std::vector<double>& given = arguments_.numbers;
+    const Command storage{.id = find_command("glRenderbufferStorage").value(),
+                          .arguments = {given[0], given[2], given[3], given[4]},
+                          .place = command_.place};
+    step({Step::Kind::kCommand, storage});
 }
 
 void DumpReader::blit() {

@@ -66,6 +66,7 @@ class DumpReader {
     void make_current();
     void create_context();
     void note_format();
+    void storage_with_samples();
     void blit();
     // Whether the command only sets the state of a texture unit that the fixed function lacks.
     bool is_of_units_for_shaders();

@@ -19,6 +19,7 @@ enum class Role : std::uint8_t {
     kMapBuffer,    // glMapBuffer: later writes to the mapping are copied into the buffer object
     kCopy,         // memcpy: such a write
     kBlit,         // glBlitFramebuffer
+    kStorage,      // glRenderbufferStorageMultisample
     kBinding,      // binds an object that Twinlight lacks, or 0 for none (the last argument)
     kOutside,      // anything else: reported as unsupported
 };

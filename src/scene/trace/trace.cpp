@@ -84,7 +84,8 @@ void DumpRecording::choose_context(std::optional<int> wanted) {
     if (!shown_objects_.empty())
         notes_.emplace_back(
             "the program draws into a framebuffer object, as widgets of Qt and GTK do; the picture is what it shows");
-    if (reader.has_samples(*context_) || contexts[*chosen].has_samples) notes_.emplace_back(kOneSampleNote);
+    if (reader.has_samples(*context_) || (contexts[*chosen].has_samples && contexts[*chosen].draws_to_objects))
+        notes_.emplace_back(kOneSampleNote);
     if (contexts[*chosen].has_elements && !contexts[*chosen].has_buffers)
         notes_.emplace_back(
             "apitrace does not record the arrays that glArrayElement takes vertices from, so these may be missing or "

@@ -386,10 +386,13 @@ TEST_F(Traces, ReadAnObjectThatIsShownAsTheWindow) {
     };
     const std::string swap = "10 glXSwapBuffers(dpy = 0x1, drawable = 2)\n";
     const std::string smooth = current("0xa") + make(1) + samples + draw + blit(1, 0) + swap;
-    EXPECT_EQ(steps(smooth), (Lines{"glBindFramebuffer(GL_FRAMEBUFFER, 0);", "glRecti(0, 0, 1, 1);",
-                                    "glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);",
-                                    "glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);", "end of frame"}));
+    EXPECT_EQ(steps(smooth),
+              (Lines{"glBindFramebuffer(GL_FRAMEBUFFER, 0);", "glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 8, 8);",
+                     "glRecti(0, 0, 1, 1);", "glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);",
+                     "glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);", "end of frame"}));
     EXPECT_EQ(recording(smooth)->notes().back(), kOneSampleNote);
+
+    EXPECT_EQ(recording(current("0xa") + samples + draw)->notes(), Lines{}) << "drawn into the window";
 
     // A program that also draws into its window has an object of its own.
     EXPECT_EQ(steps(current("0xa") + draw + make(1) + draw + swap)[1], "glBindFramebuffer(GL_FRAMEBUFFER, 1);");
