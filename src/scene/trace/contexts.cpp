@@ -132,11 +132,6 @@ bool ContextCounts::busiest_draws_into_objects() const {
     return most && !contexts_[*most].draws_to_window;
 }
 
-bool SharedObjects::needs_arguments(std::string_view name) {
-    return name.starts_with("glBindTexture") || name.starts_with("glBindBuffer") || name == "glNewList" ||
-           name == "glCallList";
-}
-
 std::optional<SharedObjects::Object> SharedObjects::named_by(std::string_view function,
                                                              std::span<const double> numbers) {
     const bool is_list = function.ends_with("List");
@@ -147,7 +142,8 @@ std::optional<SharedObjects::Object> SharedObjects::named_by(std::string_view fu
 
 std::string SharedObjects::of_other(ContextName context, std::size_t context_number, const Function& function,
                                     std::string_view name, std::span<const double> numbers) {
-    std::optional<Object> object = needs_arguments(name) ? named_by(name, numbers) : std::nullopt;
+    if (name == "glCallLists") return {};
+    std::optional<Object> object = function.names_shared ? named_by(name, numbers) : std::nullopt;
     if (object && name != "glNewList") {
         if (bound_.size() < kMostObjects) bound_[{context, object->first}] = object->second;
         return {};

@@ -189,7 +189,7 @@ void DumpReader::carry_out(const Function& function) {
         default: break;
     }
     if (!in_followed_) {
-        if (!SharedObjects::needs_arguments(function_name_)) {
+        if (!function.names_shared) {
             lexer_.skip_line();
             arguments_.clear();
         } else if (!read_call()) {
@@ -227,7 +227,7 @@ void DumpReader::carry_out_command(const Function& function) {
         cut_off_or("");
         return;
     }
-    if (is_of_units_for_shaders()) return;
+    if (function.sets_units && is_of_units_for_shaders()) return;
     if (!arguments_.unknown_name.empty()) {
         if (is_harmless_with_unknown_name(function_name_)) return;
         return outside(fmt::format("{}({})", function_name_, arguments_.unknown_name));
@@ -235,15 +235,15 @@ void DumpReader::carry_out_command(const Function& function) {
     command_.id = function.command;
     convert(arguments_, result_, blobs_, command_);
     command_.id = client_state(command_);
-    if (followed_ && (SharedObjects::needs_arguments(function_name_) || function_name_ == "glCallLists")) {
+    if (followed_ && function.names_shared) {
         const std::string report = shared_.of_followed(function_name_, arguments_.numbers);
         if (!report.empty()) outside(report);
     }
     if (framebuffers_.follow(command_)) step({Step::Kind::kCommand, command_});
 }
 
-// Programs with shaders have more texture units than the fixed function, and some reset the state of all. Their names are those of
-// other enumerants in a dump: GL_TEXTURE0 + 34 is GL_MAX_TEXTURE_UNITS.
+// Of a function that sets units. Programs with shaders have more texture units than the fixed function, and some reset the state of
+// all. Their names are those of other enumerants in a dump: GL_TEXTURE0 + 34 is GL_MAX_TEXTURE_UNITS.
 bool DumpReader::is_of_units_for_shaders() {
     constexpr double kMostUnits = 192;  // GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS of llvmpipe
     if (function_name_.starts_with("glActiveTexture")) {
@@ -257,9 +257,7 @@ bool DumpReader::is_of_units_for_shaders() {
     constexpr std::array kEnabled = {kGL_TEXTURE_1D,    kGL_TEXTURE_2D,    kGL_TEXTURE_3D,    kGL_TEXTURE_CUBE_MAP,
                                      kGL_TEXTURE_GEN_S, kGL_TEXTURE_GEN_T, kGL_TEXTURE_GEN_R, kGL_TEXTURE_GEN_Q};
     const bool enables = function_name_ == "glEnable" || function_name_ == "glDisable";
-    return (enables && !arguments_.numbers.empty() && std::ranges::count(kEnabled, arguments_.numbers[0]) > 0) ||
-           function_name_.starts_with("glTexEnv") || function_name_.starts_with("glTexGen") ||
-           function_name_.starts_with("glBindTexture");
+    return !enables || (!arguments_.numbers.empty() && std::ranges::count(kEnabled, arguments_.numbers[0]) > 0);
 }
 
 void DumpReader::end_frame() {

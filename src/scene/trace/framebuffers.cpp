@@ -17,15 +17,15 @@ Command command(std::string_view name, std::vector<double> arguments, const Plac
 }  // namespace
 
 bool Framebuffers::follow(Command& c) {
-    const bool draws = c.arguments.empty() || c.enumerant(0) != kGL_READ_FRAMEBUFFER;
+    const auto draws = [&c] { return c.enumerant(0) != kGL_READ_FRAMEBUFFER; };
     switch (c.id) {
         case CommandId::glBindFramebuffer:
-            if (draws) draw_ = c.number(1);
+            if (draws()) draw_ = c.number(1);
             if (c.enumerant(0) != kGL_DRAW_FRAMEBUFFER) read_ = c.number(1);
             c.arguments[1] = name_of(c.number(1));
             return true;
         case CommandId::glFramebufferTexture2D: {
-            const double object = draws ? draw_ : read_;
+            const double object = draws() ? draw_ : read_;
             const bool is_whole = c.enumerant(2) == kGL_TEXTURE_2D && c.number(4) == 0;
             if (c.enumerant(1) == kGL_COLOR_ATTACHMENT0 &&
                 (textures_.size() < kMostTextures || textures_.contains(object)))
@@ -33,7 +33,7 @@ bool Framebuffers::follow(Command& c) {
             return name_of(object) != 0 || object == 0;
         }
         case CommandId::glFramebufferRenderbuffer: {
-            const double object = draws ? draw_ : read_;
+            const double object = draws() ? draw_ : read_;
             if (c.enumerant(1) == kGL_COLOR_ATTACHMENT0) textures_.erase(object);
             return name_of(object) != 0 || object == 0;
         }

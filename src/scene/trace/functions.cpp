@@ -102,12 +102,23 @@ bool makes_objects(std::string_view name) {
            starts_with_one_of(name, {"glTexImage", "glTexSubImage", "glCopyTex", "glBufferData"});
 }
 
+bool names_shared(std::string_view name) {
+    return name == "glNewList" || starts_with_one_of(name, {"glBindTexture", "glBindBuffer", "glCallList"});
+}
+
+bool sets_units(std::string_view name) {
+    return name == "glEnable" || name == "glDisable" ||
+           starts_with_one_of(name, {"glActiveTexture", "glTexEnv", "glTexGen", "glBindTexture"});
+}
+
 Function classify(std::string_view name) {
     Function function{.draws = draws_something(name),
                       .is_vertex = is_vertex(name),
                       .makes_context = makes_context(name),
                       .names_format = WindowFormats::is_needed(name),
-                      .makes_objects = makes_objects(name)};
+                      .makes_objects = makes_objects(name),
+                      .names_shared = names_shared(name),
+                      .sets_units = sets_units(name)};
     const std::optional<CommandId> command = find_command_or_extension(name);
     if (ends_frame(name)) {
         function.role = Role::kFrameEnd;

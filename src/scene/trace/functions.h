@@ -32,6 +32,8 @@ struct Function {
     bool makes_context = false;  // creates a context: one argument names the context to share objects with
     bool names_format = false;   // WindowFormats::is_needed()
     bool makes_objects = false;  // creates objects that contexts may share: textures, lists, buffer objects
+    bool names_shared = false;   // names such objects: binds a texture or a buffer, makes or calls lists
+    bool sets_units = false;     // chooses a texture unit, or may set the state of one
 };
 
 // Whether a function of the window system creates a context: its second argument names a pixel format, its result the context.
