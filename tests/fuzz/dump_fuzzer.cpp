@@ -65,7 +65,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         TextSource source(text);
         DumpReader reader(source, "fuzz", blobs_in_folder(blobs()));
-        if (busiest) reader.follow(counts.contexts()[*busiest].name);
+        if (busiest) {
+            const ContextUse& use = counts.contexts()[*busiest];
+            reader.follow(use.name, use.shown_objects());
+        }
         reader.for_each([](const Step& step) {
             if (step.kind == Step::Kind::kCommand) print_command(step.command);
             return true;
