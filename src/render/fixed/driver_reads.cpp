@@ -226,7 +226,7 @@ bool Driver::may_send_stipple(const Command& c) {
 }
 
 bool Driver::may_copy_pixels(const Command& c) {
-    const std::optional<InternalFormat> format = internal_format(without_compression(c.number(2)));
+    const std::optional<InternalFormat> format = internal_format(c.number(2));
     const bool are_depths = format && format->base_format == GL_DEPTH_COMPONENT;
     return !is_too_large(pixels_of(c)) && (are_depths || has_read_buffer());
 }

@@ -77,7 +77,8 @@ class ContextCounts {
 // The objects that other contexts make and share with the one that is followed. One is reported when that context uses it.
 class SharedObjects {
   public:
-    // Another context calls a function; `numbers`: its arguments, if it names shared objects. Returns what to report now: "glTexImage2D in context 2", or nothing.
+    // Another context calls a function; `numbers`: its arguments, if it names shared objects. Returns what to report now:
+    // "glTexImage2D in context 2", or nothing.
     std::string of_other(ContextName context, std::size_t number, const Function& function, std::string_view name,
                          std::span<const double> numbers);
     // The followed context calls a function that names shared objects. Returns what to report.

@@ -37,7 +37,7 @@ CommandId client_state(const Command& command) {
 }  // namespace
 
 DumpReader::DumpReader(ByteSource& source, const std::string& name, BlobLoader blobs)
-    : lexer_(source), blobs_(std::move(blobs)), buffer_sub_data_(find_command("glBufferSubData")) {
+    : lexer_(source), blobs_(std::move(blobs)) {
     command_.place = {std::make_shared<const std::string>(name), -1, Place::kCallNumber};
 }
 
@@ -242,8 +242,8 @@ void DumpReader::carry_out_command(const Function& function) {
     if (framebuffers_.follow(command_)) step({Step::Kind::kCommand, command_});
 }
 
-// Of a function that sets units. Programs with shaders have more texture units than the fixed function, and some reset the state of
-// all. Their names are those of other enumerants in a dump: GL_TEXTURE0 + 34 is GL_MAX_TEXTURE_UNITS.
+// Shaders have more texture units than the fixed function, and some programs reset them all. A dump may call such a unit by another
+// name of the same number: GL_TEXTURE0 + 34 is GL_MAX_TEXTURE_UNITS.
 bool DumpReader::is_of_units_for_shaders() {
     constexpr double kMostUnits = 192;  // GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS of llvmpipe
     if (function_name_.starts_with("glActiveTexture")) {
@@ -269,7 +269,7 @@ void DumpReader::end_frame() {
 void DumpReader::storage_with_samples() {
     if (!read_call() || arguments_.numbers.size() != 5) return outside(function_name_);
     const std::vector<double>& given = arguments_.numbers;
-    const Command storage{.id = find_command("glRenderbufferStorage").value(),
+    const Command storage{.id = CommandId::glRenderbufferStorage,
                           .arguments = {given[0], given[2], given[3], given[4]},
                           .place = command_.place};
     step({Step::Kind::kCommand, storage});
@@ -340,13 +340,13 @@ void DumpReader::copy_memory() {
     const Mapping* found = nullptr;
     for (const Mapping& mapping : mappings_)
         if (mapping.address <= to && (!found || mapping.address > found->address)) found = &mapping;
-    if (!found || !buffer_sub_data_) return outside("memcpy to a mapped buffer");
+    if (!found) return outside("memcpy to a mapped buffer");
     Arguments call;
     call.numbers = {static_cast<double>(found->target), found->offset + to - found->address, arguments_.numbers.back()};
     for (std::size_t i = 0; i < call.numbers.size(); ++i) call.list.push_back({Form::kNumber, i, 1});
     call.list.push_back(arguments_.list[1]);
     call.blobs = arguments_.blobs;
-    command_.id = *buffer_sub_data_;
+    command_.id = CommandId::glBufferSubData;
     convert(call, {}, blobs_, command_);
     step({Step::Kind::kCommand, command_});
 }

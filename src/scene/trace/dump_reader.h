@@ -99,7 +99,6 @@ class DumpReader {
     std::optional<ContextName> followed_;
     bool in_followed_ = true;
     std::vector<Mapping> mappings_;
-    std::optional<CommandId> buffer_sub_data_;
     const std::function<bool(const Step&)>* visit_ = nullptr;
     bool go_on_ = true;
 };

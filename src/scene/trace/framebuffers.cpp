@@ -1,7 +1,5 @@
 #include "scene/trace/framebuffers.h"
 
-#include <cmath>
-#include <string_view>
 #include <utility>
 
 namespace twinlight::trace {
@@ -9,10 +7,6 @@ namespace twinlight::trace {
 namespace {
 
 constexpr std::size_t kMostTextures = 1 << 16;  // a hostile dump may name any number
-
-Command command(std::string_view name, std::vector<double> arguments, const Place& place) {
-    return {.id = find_command(name).value(), .arguments = std::move(arguments), .place = place};
-}
 
 }  // namespace
 
@@ -55,10 +49,10 @@ std::optional<std::vector<Command>> Framebuffers::blit(std::span<const double> n
         numbers[8] != kGL_COLOR_BUFFER_BIT)
         return std::nullopt;
     return std::vector{
-        command("glPushAttrib", {kGL_TEXTURE_BIT}, place),
-        command("glBindTexture", {kGL_TEXTURE_2D, texture->second}, place),
-        command("glCopyTexSubImage2D", {kGL_TEXTURE_2D, 0, to_x, to_y, x, y, width, height}, place),
-        command("glPopAttrib", {}, place),
+        Command{CommandId::glPushAttrib, {kGL_TEXTURE_BIT}, place},
+        Command{CommandId::glBindTexture, {kGL_TEXTURE_2D, texture->second}, place},
+        Command{CommandId::glCopyTexSubImage2D, {kGL_TEXTURE_2D, 0, to_x, to_y, x, y, width, height}, place},
+        Command{CommandId::glPopAttrib, {}, place},
     };
 }
 
