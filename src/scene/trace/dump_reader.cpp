@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "scene/command/lexer.h"
+#include "scene/command/text.h"
 #include "scene/trace/convert.h"
 
 namespace twinlight::trace {
