@@ -14,7 +14,7 @@ MakeCommandRule mixes_glcolor3_and_4, mixes_tex_coords, sets_material_before_pop
     switches_lights_before_pop, generates_mipmaps_after_pop, restores_tracked_color, sets_sides_apart,
     sets_both_sides_after_vertex, sets_color_before_new_mode, tracks_color_before_list, lists_edge_flags,
     shows_cut_of_rectangles, shades_evaluated_meshes_flat, draws_others_beside_sprites, maps_drawn_pixels,
-    transfers_stencil_values;
+    mirrors_stenciled_pixels, transfers_stencil_values;
 
 // ---- Between vertices and pixels ----
 

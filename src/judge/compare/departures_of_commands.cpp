@@ -270,6 +270,20 @@ CommandRule maps_drawn_pixels() {
                 }));
 }
 
+// The driver draws a pixel rectangle as a polygon, which shows its back if one axis is mirrored.
+CommandRule mirrors_stenciled_pixels() {
+    const auto has_back = [](const Command& command) {
+        return command.name().starts_with("glStencil") && command.name().ends_with("Separate");
+    };
+    const auto mirrors = [](const Command& command) {
+        return command.id == Id::glPixelZoom && command.number(0) * command.number(1) < 0;
+    };
+    const auto draws = [](const Command& command) {
+        return command.id == Id::glDrawPixels || command.id == Id::glCopyPixels;
+    };
+    return both(both(any_command(has_back), any_command(mirrors)), any_command(draws));
+}
+
 CommandRule transfers_stencil_values() {
     return both(any_command([](const Command& command) {
                     return command.name().starts_with("glPixelTransfer") &&

@@ -11,6 +11,11 @@ namespace twinlight::fuzz {
 
 namespace {
 
+constexpr std::string_view kPixelMap = "glPixelMap in pixel rectangles",
+                           kMirrored = "the stencil test of mirrored pixels";
+
+bool is_of_rectangles(std::string_view departure) { return departure == kPixelMap || departure == kMirrored; }
+
 class Label {
   public:
     Label(Random& random, std::string_view departure) : random_(random), departure_(departure) {}
@@ -18,8 +23,7 @@ class Label {
     std::string text() {
         add("glMatrixMode(GL_MODELVIEW);");
         state();
-        const bool is_rectangle =
-            shows("glPixelMap in pixel rectangles") || (!is_of_raster_position() && random_.chance(0.4));
+        const bool is_rectangle = is_of_rectangles(departure_) || (!is_of_raster_position() && random_.chance(0.4));
         if (!is_rectangle) lighting();
         add("glColor4f({0}); glSecondaryColor3f({1:.3f}, {1:.3f}, {2:.3f}); glFogCoordf({3:.3f});", numbers(4, 0, 1),
             random_.uniform(0, 1), random_.uniform(0, 1), random_.uniform(0, 14));
@@ -163,11 +167,15 @@ class Label {
         const Format& format = formats[random_.below(8)];
         const int width = 1 + random_.below(7), height = 1 + random_.below(5);
         // Whole numbers: see "glPixelZoom from a position between pixels".
-        add("glPixelZoom({}, {});", random_.below(4) == 0 ? -2 : 1 + random_.below(4), 1 + random_.below(4));
+        const bool is_mirrored = shows(kMirrored) || random_.below(4) == 0;
+        add("glPixelZoom({}, {});", is_mirrored ? -2 : 1 + random_.below(4), 1 + random_.below(4));
+        if (shows(kMirrored))
+            add("glEnable(GL_STENCIL_TEST); glStencilFuncSeparate(GL_FRONT, GL_ALWAYS, 0, 255); "
+                "glStencilFuncSeparate(GL_BACK, GL_NEVER, 0, 255);");
         if (departure_.empty() && random_.chance(0.3))
             add("glPixelTransferf(GL_RED_SCALE, {:.3f}); glPixelTransferf(GL_ALPHA_BIAS, {:.3f});",
                 random_.uniform(0, 2), random_.uniform(-0.5, 0.5));
-        if (shows("glPixelMap in pixel rectangles")) {
+        if (shows(kPixelMap)) {
             add("glPixelTransferi(GL_MAP_COLOR, 1);");
             for (const char channel : std::string_view("RGBA"))
                 add("glPixelMapfv(GL_PIXEL_MAP_{0}_TO_{0}, 3, (GLfloat[]){{{1}}});", channel, numbers(3, 0, 1));
@@ -191,7 +199,7 @@ class Label {
 }  // namespace
 
 bool is_of_labels(std::string_view departure) {
-    return departure.find("raster position") != std::string_view::npos || departure == "glPixelMap in pixel rectangles";
+    return departure.find("raster position") != std::string_view::npos || is_of_rectangles(departure);
 }
 
 std::string label(Random& random, std::string_view departure) { return Label(random, departure).text(); }
