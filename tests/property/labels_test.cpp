@@ -4,12 +4,14 @@
 
 #include <array>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "../unit/compare_three_ways.h"
 #include "../unit/one_pixel.h"
 #include "judge/fuzz/random.h"
 #include "scene/state/answers.h"
+#include "scene/state/pixel_image.h"
 
 namespace twinlight {
 namespace {
@@ -229,6 +231,105 @@ TEST_F(LabelsTest, PixelsAreTransferred) {
     EXPECT_EQ(channel_code(found[0]), 102);
     EXPECT_EQ(channel_code(found[1]), 0);
     EXPECT_EQ(channel_code(found[2]), 153);
+}
+
+// Renderers draw many pixels as an image. They pass the fragment operations, and no state of polygons, points or planes counts.
+TEST_F(LabelsTest, ManyPixelsAreFragmentsLikeAFew) {
+    const std::string before =
+        "glClearColor(0.2, 0.4, 0.6, 0.8); glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | "
+        "GL_STENCIL_BUFFER_BIT);\n"
+        "glEnable(GL_DEPTH_TEST); glColor4f(0.6, 0.2, 0.4, 0.4); glRectf(-1, -1, 0, 1);"
+        "glDepthRange(0, 0.4); glRectf(-1, -1, 1, -0.5); glDepthRange(0, 1); glDisable(GL_DEPTH_TEST);\n";
+    const std::string pixels =
+        "glDrawPixels(4, 4, GL_RGBA, GL_FLOAT, (GLfloat[]){0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, 0.05, "
+        "0.15, 0.25, 0.35, 0.45, 0.55, 0.65, 0.75, 0.85, 0.95, 0, 0.1, 0.2, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, "
+        "1, 0, 0, 1, 0, 1, 0, 0.5, 0, 0, 1, 0.25, 1, 1, 1, 0.75, 0.3, 0.1, 0.4, 0.1, 0.5, 0.9, 0.2, 0.6, "
+        "0.7, 0.8, 0.3, 0.8, 0.2, 0.4, 0.6, 1});\n";
+    for (const char* const place :
+         {"glWindowPos3f(2, 1, 0.4); glPixelZoom(3, 3);", "glWindowPos3f(14, 1, 0.4); glPixelZoom(-3, 2);",
+          "glWindowPos3f(10, 15, 0.4); glPixelZoom(3, -3);", "glWindowPos3f(-1, -2, 0.4); glPixelZoom(4, 4);"})
+        for (const char* const state :
+             {"", "glEnable(GL_BLEND); glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);",
+              "glEnable(GL_ALPHA_TEST); glAlphaFunc(GL_GREATER, 0.4);",
+              "glEnable(GL_COLOR_LOGIC_OP); glLogicOp(GL_COPY_INVERTED);", "glColorMask(1, 0, 1, 0);",
+              "glEnable(GL_SCISSOR_TEST); glScissor(4, 3, 7, 10);", "glEnable(GL_DEPTH_TEST);",
+              "glEnable(GL_DEPTH_TEST); glDepthFunc(GL_GREATER);",
+              "glEnable(GL_DEPTH_TEST); glEnable(GL_POLYGON_OFFSET_FILL); glPolygonOffset(0, 1e7);",
+              "glEnable(GL_CULL_FACE); glCullFace(GL_FRONT_AND_BACK);", "glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);",
+              "glPolygonMode(GL_FRONT_AND_BACK, GL_POINT); glPointSize(3);",
+              "glEnable(GL_POLYGON_STIPPLE); glPolygonStipple((GLubyte[128]){0});",
+              "glEnable(GL_POINT_SMOOTH); glPointSize(5); glEnable(GL_BLEND); glBlendFunc(GL_SRC_ALPHA, GL_ZERO);",
+              "glClipPlane(GL_CLIP_PLANE0, (GLdouble[]){1, 0, 0, 0}); glEnable(GL_CLIP_PLANE0);",
+              "glViewport(5, 5, 3, 3); glShadeModel(GL_FLAT);"}) {
+            const std::string text = before + place + state + pixels;
+            const Scene scene = scene_of(text);
+            ASSERT_TRUE(scene.frame.draws().back()->shows_only_image()) << text;
+            const std::vector<Picture> all = pictures(scene);
+            EXPECT_NE(all[0].image.pixels, reference::render(scene_of(before).frame, {}).pixels) << "draws nothing:\n"
+                                                                                                 << text;
+            EXPECT_EQ(compare_three_ways(scene).verdict(), compare::Verdict::kWithin) << text;
+            for (const auto& [name, image] : std::span(all).subspan(2))
+                EXPECT_TRUE(image.pixels == all[1].image.pixels) << name << "\n" << text;
+        }
+}
+
+// 4.1.5. The fixed function is left out, because Mesa's mirrored rectangles have a back.
+TEST_F(LabelsTest, ManyPixelsHaveTheStencilStateOfTheFront) {
+    for (const char* const front : {"GL_CW", "GL_CCW"})
+        for (const char* const place :
+             {"glWindowPos2i(3, 4); glPixelZoom(9, 9);", "glWindowPos2i(12, 4); glPixelZoom(-9, 9);"}) {
+            const std::string text = fmt::format(
+                "glEnable(GL_STENCIL_TEST); glStencilFuncSeparate(GL_BACK, GL_NEVER, 0, 255); glFrontFace({});\n"
+                "{} glDrawPixels(1, 1, GL_RGBA, GL_FLOAT, (GLfloat[]){{0.2, 0.4, 0.6, 0.8}});\n",
+                front, place);
+            const Scene scene = scene_of(text);
+            ASSERT_TRUE(scene.frame.draws().back()->shows_only_image()) << text;
+            for (const auto& [name, image] : pictures(scene))
+                if (name != std::string_view("fixed"))
+                    expect_color(name, image.at(8, 8), {0.2F, 0.4F, 0.6F, 0.8F}, text);
+        }
+}
+
+TEST_F(LabelsTest, ManyPixelsHaveThePlanOfOne) {
+    const auto plans = [&](const std::string& zoom) {
+        return renderer_
+            .render(scene_of("glWindowPos2i(3, 4); glPixelZoom(" + zoom +
+                             "); glDrawPixels(1, 1, GL_RGB, GL_FLOAT, (GLfloat[]){0.2, 0.4, 0.6});\n")
+                        .frame,
+                    {})
+            .plans;
+    };
+    const std::vector<PlannedDraw> one = plans("1, 1"), many = plans("9, 9");
+    ASSERT_EQ(one.size(), 1U);
+    ASSERT_EQ(many.size(), 1U);
+    EXPECT_TRUE(many[0].plan.effects == one[0].plan.effects);
+    EXPECT_EQ(many[0].number, one[0].number);
+}
+
+// A texel for each, with all bits of a float.
+TEST(PixelImages, HaveTheColorsOfARectangle) {
+    const auto image = [](int width, int height, const std::vector<glm::ivec2>& further = {}) {
+        std::vector<glm::ivec2> places;
+        std::vector<Vertex> vertices;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) places.emplace_back(20 + x, 30 + y);
+        places.insert(places.end(), further.begin(), further.end());
+        for (const glm::ivec2& place : places)
+            vertices.push_back({.color = {place.x / 100.0, place.y / 100.0, 1 / 3.0, 1}});
+        return image_of_pixels(places, vertices);
+    };
+    const auto found = image(12, 8);
+    ASSERT_TRUE(found);
+    const TextureImage& level = found->levels.at(0);
+    EXPECT_EQ(level.width, 12);
+    EXPECT_EQ(level.height, 8);
+    EXPECT_EQ(level.texel(0, 0), glm::vec4(glm::dvec4(0.2, 0.3, 1 / 3.0, 1)));
+    EXPECT_EQ(level.texel(11, 0), glm::vec4(glm::dvec4(0.31, 0.3, 1 / 3.0, 1)));
+    EXPECT_EQ(level.texel(5, 7), glm::vec4(glm::dvec4(0.25, 0.37, 1 / 3.0, 1)));
+    EXPECT_FALSE(image(3, 3)) << "points are as fast";
+    EXPECT_FALSE(image(12, 8, {{20, 38}}));
+    EXPECT_FALSE(image(12, 8, {{31, 38}}));
+    EXPECT_FALSE(image(0, 0, std::vector<glm::ivec2>(100, {5, 5})));
 }
 
 TEST_F(LabelsTest, PixelsOfColorIndicesAreNamed) {

@@ -12,6 +12,7 @@
 #include "render/context/context.h"
 #include "render/context/gl.h"
 #include "render/programmable/draw_values.h"
+#include "render/programmable/image_rectangle.h"
 #include "render/programmable/kept_meshes.h"
 #include "render/programmable/kept_programs.h"
 #include "render/programmable/precise/precise.h"
@@ -100,6 +101,9 @@ class Preparation {
             } else if (draw.pixels && draw.pixels->has_stencils) {
                 end_all();
                 add_stencils(draw, numbered);
+            } else if (draw.shows_only_image() && !options_.precise) {
+                end_all();
+                add_image(draw, numbered);
             } else {
                 if (!continues_run(draw)) end_run();
                 run_.push_back(&draw);
@@ -353,6 +357,22 @@ class Preparation {
             add({&of_value, 1}, {&numbered, 1});
             numbered.begins_shape = false;
         }
+    }
+
+    // What is said of it is the plan of its first pixel, as if that were drawn alone.
+    void add_image(const Draw& draw, const Numbered& numbered) {
+        if (plans_) {
+            Draw first = draw;
+            first.vertices = {draw.vertices[0]};
+            first.pixels = std::make_shared<const WindowPixels>(
+                WindowPixels{.places = {draw.pixels->places.front()}, .depths = draw.pixels->depths});
+            keep(plan_effects(first, options_, vertex_facts(first)), draw, numbered);
+        }
+        const Draw rectangle = as_textured_rectangle(draw);
+        const Plan plan = plan_effects(rectangle, options_, vertex_facts(rectangle));
+        take(rectangle, program_of(rectangle, plan), [&](const EffectSet& effects, const glm::dvec3& origin_object) {
+            return std::make_shared<const UploadedMesh>(rectangle, effects, false, origin_object);
+        });
     }
 
     void keep(Plan plan, const Draw& draw, const Numbered& numbered) {

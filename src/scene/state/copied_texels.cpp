@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "scene/state/pixel_image.h"
 #include "scene/state/pixel_unpacking.h"
 
 namespace twinlight {
@@ -109,6 +110,7 @@ void fill_pixels(Draw& draw, const CopySource& from) {
                 pixels.color_ranges[i][1][c] = *most;
             }
         }
+        pixels.image = image_of_pixels(pixels.places, vertices);
     } else if (pixels.has_stencils) {
         pixels.stencils.clear();
         for (std::size_t i = 0; i < count; ++i) {

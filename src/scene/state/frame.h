@@ -606,6 +606,9 @@ struct WindowPixels {
     // with any reference value: by_stencil_value(). Empty until they are copied.
     bool has_stencils = false;
     std::vector<std::uint8_t> stencils{};  // of each of the vertices
+    // The colours of the vertices once more, as a texture with a texel for each pixel, if many pixels with colours of their own fill a
+    // rectangle: image_of_pixels(). Null otherwise.
+    std::shared_ptr<const Texture> image{};
     // Where correct renderers may draw the Draw or not: rounding decides where the raster position is.
     std::vector<glm::ivec2> doubtful{};
     // What only pictures decide. A renderer draws with pixels that have none: with_copied_texels().
@@ -675,6 +678,11 @@ struct Draw {
     // Whether textures are combined by more than one texture unit or by GL_COMBINE.
     bool combines_textures() const {
         return !further_units.empty() || (texture.texture && texture.env_mode == kGL_COMBINE);
+    }
+    // Whether the picture gets pixels->image as it is: nothing but fragment operations changes its colours.
+    bool shows_only_image() const {
+        return pixels && pixels->image && !texture.texture && further_units.empty() && !lighting.enabled &&
+               !fog.enabled && secondary_colors.empty();
     }
     // Visits the texture units that have a texture: visit(number, unit), in ascending order.
     template <class Visit>

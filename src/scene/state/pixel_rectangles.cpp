@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "scene/state/pixel_image.h"
 #include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
 
@@ -156,6 +157,7 @@ void State::draw_at_raster_position(const Command& c, WindowPixels pixels, const
         draw.lighting = LightingState();
         std::vector<Vertex>& vertices = draw.vertices.edit();
         for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i].color = colors[i];
+        if (!pixels.copied) pixels.image = image_of_pixels(pixels.places, vertices);
     } else if (!draw.lighting.enabled && adds_secondary) {
         draw.secondary_colors.assign(draw.vertices.size(), raster.secondary_color);
     } else if (draw.lighting.enabled && !adds_secondary &&
@@ -225,7 +227,7 @@ void State::draw_pixels(const Command& c) {
     if (!image || !has_time(c, static_cast<double>(columns.size()) * static_cast<double>(rows.size()) +
                                    static_cast<double>(source.width) * source.height))
         return;
-    if (!has_room(c, columns.size() * rows.size() * sizeof(glm::dvec4))) return;
+    if (!has_room(c, columns.size() * rows.size() * (sizeof(glm::dvec4) + sizeof(glm::vec4)))) return;
     WindowPixels drawn;
     std::vector<glm::dvec4> colors, row;
     int unpacked = -1;
