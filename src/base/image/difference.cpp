@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -44,11 +45,13 @@ struct Region {
     int max = -1;
     std::uint64_t sum_of_squares = 0;
     int worst_x = 0, worst_y = 0;
+    bool has_colors = false;
 
     void add(const Codes& codes, int x, int y) {
         const int largest = *std::ranges::max_element(codes);
         ++pixels;
         differing += largest > 0 ? 1 : 0;
+        has_colors = has_colors || std::ranges::any_of(std::span(codes).first<3>(), [](int code) { return code > 0; });
         for (const int code : codes) sum_of_squares += static_cast<std::uint64_t>(code * code);
         if (largest > max) {
             max = largest;
@@ -64,7 +67,8 @@ struct Region {
                 .max = std::max(max, 0) / 255.0,
                 .rms = std::sqrt(static_cast<double>(sum_of_squares) / samples) / 255,
                 .worst_x = worst_x,
-                .worst_y = worst_y};
+                .worst_y = worst_y,
+                .only_alpha = differing > 0 && !has_colors};
     }
 };
 

@@ -19,6 +19,7 @@ struct RegionDifference {
     // The first pixel, row by row from the top left, with the difference `max`. If nothing differs, the region's first
     // pixel; (0,0) for an empty region.
     int worst_x = 0, worst_y = 0;
+    bool only_alpha = false;  // pixels differ, but none in red, green or blue
 
     double differing_share() const {
         return pixels == 0 ? 0 : static_cast<double>(differing) / static_cast<double>(pixels);

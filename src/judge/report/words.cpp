@@ -165,6 +165,7 @@ Answer differing_answer(const Comparison& comparison) {
         .where = fmt::format("{}; the worst is at ({}, {}). Allowed: {}.", count_of(comparison, worst, region),
                              region.worst_x, region.worst_y, words_of(comparison.tolerance)),
         .details = {}};
+    if (region.only_alpha) answer.where += " Only alpha differs, which no window shows.";
     for (const Pair& pair : comparison.pairs) {
         if (pair.verdict != Verdict::kBeyond || &pair == &worst) continue;
         const RegionDifference& other = pair.difference.beyond_allowed;

@@ -247,6 +247,23 @@ TEST(Verdict, NamesThePairsThatDiffer) {
     EXPECT_EQ(answers.sentences().size(), 4U);
 }
 
+TEST(Verdict, SaysWhenOnlyAlphaDiffers) {
+    Comparison comparison = Stub().compare();
+    Pair& pair = comparison.pairs[1];
+    pair.verdict = Verdict::kBeyond;
+    const auto where = [&](const Rgba& other) {
+        const Image one(40, 30, {0.2F, 0.4F, 0.6F, 0.8F});
+        Image differing = one;
+        differing.at(3, 4) = other;
+        pair.difference = difference(one, differing, PixelMask(one.pixels.size()));
+        return answer(comparison).where;
+    };
+    const std::string words = "Only alpha differs, which no window shows.";
+    EXPECT_TRUE(where({0.2F, 0.4F, 0.6F, 0.5F}).ends_with(words));
+    EXPECT_FALSE(where({0.2F, 0.4F, 0.5F, 0.5F}).ends_with(words));
+    EXPECT_FALSE(where({0.2F, 0.4F, 0.5F, 0.8F}).ends_with(words));
+}
+
 // A pixel off by 1/255 is within the tolerance, and the answers still say where it is.
 TEST(Verdict, ShowsWhereAllowedRoundingDiffers) {
     Comparison comparison = Stub().compare();
