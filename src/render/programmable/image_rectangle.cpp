@@ -21,7 +21,6 @@ Draw as_textured_rectangle(const Draw& draw) {
     raster.cull_enabled = false;
     raster.polygon_mode_front = raster.polygon_mode_back = kGL_FILL;
     raster.polygon_offset = {};
-    raster.polygon_stipple = nullptr;
     std::vector<Vertex> corners(4, draw.vertices[0]);
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const double s = i == 1 || i == 2 ? 1 : 0, t = i >= 2 ? 1 : 0;
