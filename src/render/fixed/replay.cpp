@@ -57,15 +57,13 @@ void draw_bitmap(const Draw& draw, std::size_t first, std::size_t end) {
 }
 
 void draw_image(const WindowPixels& pixels) {
-    load_matrix(GL_PROJECTION, glm::dmat4(1));
-    load_matrix(GL_MODELVIEW, glm::dmat4(1));
     const TextureImage& image = pixels.image->levels.front();
-    const glm::dvec3 corner(glm::dvec2(pixels.places.front()) / (kMostWindowPixels / 2.0), 2 * pixels.depths.front());
-    glRasterPos3dv(&(corner - 1.0)[0]);
+    const glm::ivec2 corner = pixels.places.front();
+    glWindowPos3d(corner.x, corner.y, pixels.depths.front());
     glDrawPixels(image.width, image.height, GL_RGBA, GL_FLOAT, image.texels.data());
 }
 
-// Pixels with nothing but a colour are drawn as points, because a rectangle may have many colours.
+// Without an image, pixels with nothing but a colour are drawn as points, because they may have many colours.
 void draw_points(const Draw& draw) {
     load_matrix(GL_PROJECTION, glm::dmat4(1));
     load_matrix(GL_MODELVIEW, glm::dmat4(1));
@@ -149,10 +147,8 @@ struct PreparedDraw {
         load_matrix(GL_PROJECTION, draw->clip_from_eye);
         load_matrix(GL_MODELVIEW, draw->eye_from_object);
         const bool has_only_colors = !lighting.enabled && !textured && units.empty() && !fogged;
-        if (draw->shows_only_image())
-            draw_image(*draw->pixels);
-        else if (draw->pixels && has_only_colors && draw->secondary_colors.empty())
-            draw_points(*draw);
+        if (draw->pixels && has_only_colors && draw->secondary_colors.empty())
+            draw->pixels->image ? draw_image(*draw->pixels) : draw_points(*draw);
         else if (draw->pixels)
             draw_pixels(*draw);
         else if (by_vertex)

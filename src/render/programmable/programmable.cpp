@@ -359,7 +359,7 @@ class Preparation {
         }
     }
 
-    // What is said of it is the plan of its first pixel, as if that were drawn alone.
+    // What is said of it is the plan of its first pixel, which is that of all: colours of pixels lie in [0, 1] and are not lit.
     void add_image(const Draw& draw, const Numbered& numbered) {
         if (plans_) {
             Draw first = draw;
