@@ -11,7 +11,8 @@ It runs as root, in a clean clone of this repository's last commit. Uncommitted 
 
   tools/in-clean-root.sh trixie 'make demo && make test'
 
-RELEASE      bookworm (Debian 12), trixie (Debian 13) or noble (Ubuntu 24.04)
+RELEASE      bookworm (Debian 12), trixie (Debian 13), forky (Debian testing), noble (Ubuntu 24.04)
+             or resolute (Ubuntu 26.04)
 --mirror URL take packages from this mirror, not from the release's own
 --fresh      make the bare system again (do this from time to time: it is not upgraded)
 --keep       keep the root after the run, to look at what the command left behind
@@ -60,8 +61,10 @@ release=$1 command=${2-}
 case $release in
     bookworm) name="Debian 12" components=main keys=debian-archive-keyring scripts="bookworm bullseye" ;;
     trixie) name="Debian 13" components=main keys=debian-archive-keyring scripts="trixie bookworm" ;;
+    forky) name="Debian testing" components=main keys=debian-archive-keyring scripts="forky testing trixie bookworm" ;;
     noble) name="Ubuntu 24.04" components=main,universe keys=ubuntu-archive-keyring scripts="noble jammy focal" ;;
-    *) wrong_use "the releases are bookworm, trixie and noble, not '$release'" ;;
+    resolute) name="Ubuntu 26.04" components=main,universe keys=ubuntu-archive-keyring scripts="resolute noble jammy focal" ;;
+    *) wrong_use "the releases are bookworm, trixie, forky, noble and resolute, not '$release'" ;;
 esac
 
 # ---- What this machine needs ----

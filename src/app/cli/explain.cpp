@@ -1,5 +1,6 @@
 // twinlight explain: which effects and lights each draw of a scene needs, and why the others are skipped.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

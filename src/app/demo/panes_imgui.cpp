@@ -157,7 +157,7 @@ std::string Panes::time_of(const Session& session, std::size_t number) const {
 // The time is beside the title, or in the footer where there is no room.
 const Box& Panes::time_bar(const Session& session, const Cell& cell) const {
     const std::string title = title_of(session, session.panes[cell.pane]);
-    const float needed = fonts().bold->CalcTextSizeA(fonts().bold->FontSize, 1e4F, 0, title.c_str()).x +
+    const float needed = fonts().bold->CalcTextSizeA(height_of(*fonts().bold), 1e4F, 0, title.c_str()).x +
                          ImGui::CalcTextSize(time_of(session, cell.pane).c_str()).x + 30;
     return needed < static_cast<float>(cell.header.width) ? cell.header : cell.footer;
 }

@@ -30,8 +30,8 @@ void StatusLine::show(session::Session& session, const session::Box& bar, bool k
     const float y = text_y(bar);
     std::string scene = commands(session).name;
     if (const std::string step = session::step_caption(commands(session)); !step.empty()) scene += ", " + step;
-    draw.AddText(fonts().bold, fonts().bold->FontSize, {12, y}, kText, scene.c_str());
-    const float after_name = 12 + fonts().bold->CalcTextSizeA(fonts().bold->FontSize, 1e4F, 0, scene.c_str()).x + 18;
+    draw.AddText(fonts().bold, height_of(*fonts().bold), {12, y}, kText, scene.c_str());
+    const float after_name = 12 + fonts().bold->CalcTextSizeA(height_of(*fonts().bold), 1e4F, 0, scene.c_str()).x + 18;
     const char* help = "? keys   right click: menu";
     const float help_x = to.x - ImGui::CalcTextSize(help).x - 12;
     if (session.error.empty()) {

@@ -26,6 +26,15 @@ std::string chinese_font();
 const Fonts& fonts();
 double scale();
 
+// The height of a line, in pixels. ImGui 1.92 renamed the member.
+inline float height_of(const ImFont& font) {
+#if IMGUI_VERSION_NUM >= 19200
+    return font.LegacySize;
+#else
+    return font.FontSize;
+#endif
+}
+
 inline constexpr ImU32 kBackground = IM_COL32(24, 26, 31, 255);
 inline constexpr ImU32 kBar = IM_COL32(38, 41, 48, 255);
 inline constexpr ImU32 kText = IM_COL32(226, 229, 235, 255);

@@ -248,8 +248,8 @@ void WorldView::show(session::Session& session, const session::Cell& cell, unsig
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const auto bar = [&](const Box& at, ImDrawFlags corners, ImU32 color, const std::string& words, ImFont* font) {
         draw.AddRectFilled(corner(at), far_corner(at), kBar, 4, corners);
-        const float y = static_cast<float>(at.y) + (static_cast<float>(at.height) - font->FontSize) / 2;
-        draw.AddText(font, font->FontSize, {static_cast<float>(at.x) + 10, y}, color, words.c_str());
+        const float y = static_cast<float>(at.y) + (static_cast<float>(at.height) - height_of(*font)) / 2;
+        draw.AddText(font, height_of(*font), {static_cast<float>(at.x) + 10, y}, color, words.c_str());
     };
     carry_out_mouse(session, box);
 

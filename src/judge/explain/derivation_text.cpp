@@ -1,5 +1,6 @@
 // The derivation as text.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "judge/explain/derivation.h"
 

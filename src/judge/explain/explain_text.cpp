@@ -1,5 +1,6 @@
 // An explanation as text.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // What is written about samples of the spectrum: sentences, JSON, tables.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,7 @@
 #include "render/programmable/bake.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>

@@ -1,6 +1,7 @@
 #include "render/programmable/lighting_names.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "render/programmable/vertex_attributes.h"
 

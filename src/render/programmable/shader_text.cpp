@@ -1,5 +1,6 @@
 // The GLSL that draws a frame, as text to read.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>

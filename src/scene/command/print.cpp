@@ -1,5 +1,6 @@
 // Prints commands as C. The text compiles, and reading it gives the same commands.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

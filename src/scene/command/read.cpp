@@ -1,6 +1,7 @@
 // Reads the C dialect: declarations of scalars and arrays, calls, pragmas. A recursive-descent parser over the tokens
 // of Lexer. It evaluates expressions as it reads them, with C's types (so 4/3 is 1).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>

@@ -1,5 +1,6 @@
 // Reads the arguments of a call as the table of commands describes them.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "scene/command/memory.h"
 #include "scene/command/mesh.h"

@@ -1,6 +1,7 @@
 #include "scene/shape/quadric.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <span>

@@ -2,6 +2,7 @@
 #include "scene/state/arrays.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

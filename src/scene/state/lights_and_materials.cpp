@@ -1,6 +1,7 @@
 // glLight, glMaterial, glLightModel, glColorMaterial, glShadeModel, their queries, and the lecture's variants
 // (2.14.2, 2.14.3, 2.14.7).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

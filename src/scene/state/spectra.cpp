@@ -1,5 +1,6 @@
 // The pragmas for spectra: the number of samples, the spectra of materials and lights, the conversion to sRGB.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 

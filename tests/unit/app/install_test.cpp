@@ -1,5 +1,6 @@
 // make install and make uninstall; the manual pages and the completion name every option that --help lists.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

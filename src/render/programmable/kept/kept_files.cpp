@@ -1,6 +1,7 @@
 #include "render/programmable/kept/kept_files.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
