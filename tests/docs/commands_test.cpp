@@ -17,7 +17,7 @@
 #include "base/image/file.h"
 #include "documents.h"
 
-namespace twinlight {
+namespace twinlight::commands_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -304,4 +304,4 @@ TEST_F(CommandsOfDocs, ThatAreWrongAreFound) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::commands_test

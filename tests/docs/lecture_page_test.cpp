@@ -9,7 +9,7 @@
 #include "base/image/file.h"
 #include "scene/scenes/load.h"
 
-namespace twinlight {
+namespace twinlight::lecture_page_test {
 namespace {
 
 constexpr const char* kPages[] = {"docs/lecture.md", "docs/zh-CN/lecture.md"};
@@ -58,4 +58,4 @@ TEST(LecturePage, HasEverySceneOfTheLecture) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::lecture_page_test

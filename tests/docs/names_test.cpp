@@ -16,7 +16,7 @@
 #include "base/image/file.h"
 #include "documents.h"
 
-namespace twinlight {
+namespace twinlight::names_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -344,4 +344,4 @@ TEST(LinksOfDocs, LeadSomewhere) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::names_test

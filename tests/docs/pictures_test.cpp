@@ -7,7 +7,7 @@
 #include "../unit/run_program.h"
 #include "base/image/file.h"
 
-namespace twinlight {
+namespace twinlight::pictures_test {
 namespace {
 
 std::set<std::string> names_in(const std::filesystem::path& folder) {
@@ -33,4 +33,4 @@ TEST(DocsPictures, OfTheLightingAreCurrent) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::pictures_test

@@ -16,7 +16,7 @@
 #include "lighting/rulings.h"
 #include "render/reference/pixel_history.h"
 
-namespace twinlight {
+namespace twinlight::tables_test {
 namespace {
 
 using check::Case;
@@ -249,4 +249,4 @@ TEST(DocsTables, AreCountedRight) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::tables_test

@@ -17,7 +17,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::fragment_departures_test {
 
 namespace {
 
@@ -153,4 +153,4 @@ const std::vector<FragmentCase>& fragment_cases() {
     return cases;
 }
 
-}  // namespace twinlight
+}  // namespace twinlight::fragment_departures_test

@@ -17,7 +17,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight::check {
+namespace twinlight::check::hard_cases_test {
 
 namespace {
 
@@ -303,4 +303,4 @@ TEST(HardCases, AreReadWhateverTheLengthOfALine) {
 
 }  // namespace
 
-}  // namespace twinlight::check
+}  // namespace twinlight::check::hard_cases_test

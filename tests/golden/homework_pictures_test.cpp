@@ -16,7 +16,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::homework_pictures_test {
 
 namespace {
 
@@ -46,4 +46,4 @@ INSTANTIATE_TEST_SUITE_P(Programs, GoldenHomework, testing::ValuesIn(program_nam
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::homework_pictures_test

@@ -19,7 +19,7 @@
 #include "scene/state/answers.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::known_differences_test {
 
 namespace {
 
@@ -290,4 +290,4 @@ TEST(Departures, AreTheOnesOfTheList) {
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::known_differences_test

@@ -16,7 +16,7 @@
 #include "scene/shape/report_shapes.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::lecture_test {
 namespace {
 
 constexpr int kWidth = 640, kHeight = 480;
@@ -261,4 +261,4 @@ TEST(LectureCone, TheNormalInTheReportsOrderIsNotPerpendicularToTheSide) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::lecture_test

@@ -21,7 +21,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::scenes_test {
 
 namespace {
 
@@ -147,4 +147,4 @@ TEST(LessonScenes, AgreeThreeWays) {
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::scenes_test

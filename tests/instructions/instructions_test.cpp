@@ -15,7 +15,7 @@
 #include "base/image/file.h"
 #include "counted_work.h"
 
-namespace twinlight {
+namespace twinlight::instructions_test {
 namespace {
 
 constexpr const char* kFile = "tests/instructions/counts.txt";
@@ -132,4 +132,4 @@ TEST(Instructions, StayWithinHalfAPercent) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::instructions_test

@@ -15,7 +15,7 @@
 #include "judge/fuzz/against_oracle.h"
 #include "scene/command/text.h"
 
-namespace twinlight {
+namespace twinlight::oracle_test {
 namespace {
 
 fuzz::OracleOptions only_the_reference(const fuzz::RunOptions& run) {
@@ -134,4 +134,4 @@ TEST(Oracle, StatesReachWhatTheyAreMadeFor) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::oracle_test

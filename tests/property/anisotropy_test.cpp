@@ -10,7 +10,7 @@
 #include "scene/state/answers.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::anisotropy_test {
 namespace {
 
 constexpr int kSide = 64;
@@ -98,4 +98,4 @@ TEST(Anisotropy, IsKept) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::anisotropy_test

@@ -15,7 +15,7 @@
 #include "scene/state/answers.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::color_sum_test {
 namespace {
 
 constexpr int kSide = 16;
@@ -157,4 +157,4 @@ TEST(SecondaryColor, IsPartOfTheState) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::color_sum_test

@@ -7,7 +7,7 @@
 
 #include "../unit/one_pixel.h"
 
-namespace twinlight {
+namespace twinlight::compressed_formats_test {
 namespace {
 
 class CompressedFormats : public OnePixel {};
@@ -52,4 +52,4 @@ TEST_F(CompressedFormats, AreReplacedByTheirBaseFormats) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::compressed_formats_test

@@ -12,7 +12,7 @@
 #include "scene/command/text.h"
 #include "scene/state/recorded_frame.h"
 
-namespace twinlight {
+namespace twinlight::copied_pixels_test {
 namespace {
 
 class CopiedPixelsTest : public OnePixel {};
@@ -177,4 +177,4 @@ TEST_F(CopiedPixelsTest, AllowWhatTheCopiedPictureAllows) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::copied_pixels_test

@@ -11,7 +11,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::cube_maps_test {
 namespace {
 
 class CubeMaps : public OnePixel {
@@ -159,4 +159,4 @@ TEST(CubePlaces, AreOnTheFaceOfTheLargestCoordinate) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::cube_maps_test

@@ -12,7 +12,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::depth_textures_test {
 namespace {
 
 class DepthTextures : public OnePixel {
@@ -251,4 +251,4 @@ TEST_F(DepthTextures, TakeOnlyPixelsOfDepths) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::depth_textures_test

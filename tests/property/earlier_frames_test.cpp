@@ -9,7 +9,7 @@
 #include "../unit/one_pixel.h"
 #include "scene/state/recorded_frame.h"
 
-namespace twinlight {
+namespace twinlight::earlier_frames_test {
 namespace {
 
 // Pictures of 16 x 16 pixels.
@@ -111,4 +111,4 @@ TEST_F(EarlierFramesTest, AreLeftOutWhereTheMemoryDoesNotHoldThem) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::earlier_frames_test

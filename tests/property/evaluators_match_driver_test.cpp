@@ -14,7 +14,7 @@
 #include "scene/state/state.h"
 #include "sent_points.h"
 
-namespace twinlight {
+namespace twinlight::evaluators_match_driver_test {
 namespace {
 
 constexpr int kStates = 200;
@@ -117,4 +117,4 @@ TEST(EvaluatorsMatchDriver, InFloatsOverRandomMaps) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::evaluators_match_driver_test

@@ -19,10 +19,10 @@
 
 namespace twinlight {
 
-inline constexpr int kSide = 48;
+inline constexpr int kExactSide = 48;
 inline constexpr double kCode = 1.0 / 255;
 
-inline Frame frame_of(const std::string& text, int width = kSide, int height = kSide) {
+inline Frame frame_of(const std::string& text, int width = kExactSide, int height = kExactSide) {
     const auto scene = std::make_shared<const CommandList>(read_scene(text, "scene.gl", "scene"));
     return make_frame(*scene, {.width = width, .height = height});
 }

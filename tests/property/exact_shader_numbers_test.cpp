@@ -13,7 +13,7 @@
 #include "render/programmable/programmable.h"
 #include "render/reference/pixel_history.h"
 
-namespace twinlight {
+namespace twinlight::exact_shader_numbers_test {
 namespace {
 
 // ---- The planner's bounds of a surface ----
@@ -54,7 +54,7 @@ TEST(SurfaceFacts, HoldForTheVerticesOfTheMesh) {
 
 // The plan skips a faint light: the picture changes by no more than the plan's error bound.
 TEST(SurfaceFacts, LeaveNoPictureOffByMoreThanThePlansBound) {
-    const auto context = make_offscreen_context(kSide, kSide);
+    const auto context = make_offscreen_context(kExactSide, kExactSide);
     programmable::Renderer renderer;
     const std::string faint =
         "glLightf(GL_LIGHT1, GL_QUADRATIC_ATTENUATION, 1); glLightfv(GL_LIGHT1, GL_POSITION, (float[]){3, 5, 4, 1}); "
@@ -76,7 +76,7 @@ TEST(SurfaceFacts, LeaveNoPictureOffByMoreThanThePlansBound) {
 
 // Depths in the depth buffer, at some pixels of every shape.
 TEST(ExactShaderDepths, AreTheReferences) {
-    const auto context = make_offscreen_context(kSide, kSide);
+    const auto context = make_offscreen_context(kExactSide, kExactSide);
     programmable::Renderer renderer;
     constexpr double kStep = 1.0 / (1 << 24);
     // Half a step of rounding, and a few float errors of a sum that can be 1 where depths are small.
@@ -93,9 +93,9 @@ TEST(ExactShaderDepths, AreTheReferences) {
                 const Frame frame = frame_of(kCamera + kLit + state.commands + shape);
                 const Truth truth(frame);
                 renderer.render(frame, exact(programmable::Tier::kUniform));
-                for (int y = 3; y < kSide; y += 7)
-                    for (int x = 3; x < kSide; x += 7) {
-                        if (truth.is_edge(static_cast<std::size_t>((kSide - 1 - y) * kSide + x))) continue;
+                for (int y = 3; y < kExactSide; y += 7)
+                    for (int x = 3; x < kExactSide; x += 7) {
+                        if (truth.is_edge(static_cast<std::size_t>((kExactSide - 1 - y) * kExactSide + x))) continue;
                         double expected = 1;
                         for (const reference::PixelFragment& fragment :
                              reference::pixel_history(frame, {{.shading = Shading::kExact}}, x, y).fragments)
@@ -148,4 +148,4 @@ TEST(ExactShaderFloats, AreOrdersOfMagnitudeNearerThanAFineMesh) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::exact_shader_numbers_test

@@ -10,7 +10,7 @@
 #include "render/programmable/programmable.h"
 #include "scene/scenes/load.h"
 
-namespace twinlight {
+namespace twinlight::exact_shader_test {
 namespace {
 
 struct Found {
@@ -77,7 +77,7 @@ class ExactShader : public ::testing::Test {
                          frame_of(kCamera + kLit + state.commands + shapes()[i]), tolerance);
     }
 
-    std::unique_ptr<OffscreenContext> context_ = make_offscreen_context(kSide, kSide);
+    std::unique_ptr<OffscreenContext> context_ = make_offscreen_context(kExactSide, kExactSide);
     programmable::Renderer renderer_;
     int cases_ = 0, drawn_ = 0, edges_ = 0, edges_off_ = 0, interiors_off_ = 0;
     double worst_ = 0;
@@ -181,4 +181,4 @@ TEST(ExactShaderScenes, DifferFromTheReferenceInMeshesAlone) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::exact_shader_test

@@ -8,7 +8,7 @@
 #include "../unit/one_pixel.h"
 #include "scene/command/text.h"
 
-namespace twinlight {
+namespace twinlight::framebuffer_objects_test {
 namespace {
 
 class FramebufferObjectsTest : public OnePixel {};
@@ -289,4 +289,4 @@ TEST_F(FramebufferObjectsTest, AllowWhatTheirPictureAllows) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::framebuffer_objects_test

@@ -13,7 +13,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::framebuffer_state_test {
 namespace {
 
 class RandomCommands {
@@ -154,4 +154,4 @@ TEST(FramebufferState, IsTheDriversAfterRandomCommands) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::framebuffer_state_test

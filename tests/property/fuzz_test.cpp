@@ -16,7 +16,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight::fuzz {
+namespace twinlight::fuzz::fuzz_test {
 namespace {
 
 Driver this_driver() {
@@ -183,4 +183,4 @@ TEST(Fuzz, StopsWhenItIsAsked) {
 }
 
 }  // namespace
-}  // namespace twinlight::fuzz
+}  // namespace twinlight::fuzz::fuzz_test

@@ -3,7 +3,7 @@
 
 #include "hostile_traces.h"
 
-namespace twinlight {
+namespace twinlight::hostile_commands_test {
 
 namespace {
 
@@ -304,4 +304,4 @@ TEST_F(HostileCommands, FillEveryStack) {
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::hostile_commands_test

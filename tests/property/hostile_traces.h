@@ -21,7 +21,7 @@
 
 namespace twinlight {
 
-inline constexpr int kSide = 32;
+inline constexpr int kHostileSide = 32;
 inline const std::string kPicture = "a picture";
 inline const std::string kViewport = "1 glViewport(x = 0, y = 0, width = 32, height = 32)\n";
 inline const std::string kTriangle =
@@ -44,7 +44,7 @@ inline std::string floats(const std::vector<float>& values) {
 class HostileTraces : public testing::Test {
   protected:
     static void SetUpTestSuite() {
-        context() = make_offscreen_context(kSide, kSide);
+        context() = make_offscreen_context(kHostileSide, kHostileSide);
         shaders() = std::make_unique<programmable::Renderer>();
     }
     static void TearDownTestSuite() {
@@ -69,12 +69,12 @@ class HostileTraces : public testing::Test {
         try {
             const auto recording = load_recording(folder_ / "dump.txt");
             const RecordedFrame recorded =
-                make_recorded_frame(recording, {.number = {}, .width = kSide, .height = kSide});
+                make_recorded_frame(recording, {.number = {}, .width = kHostileSide, .height = kHostileSide});
             if (renderers) {
                 const Frame& frame = recorded.scene.frame;
-                EXPECT_EQ(fixed::render(recorded.scene).width, kSide);
-                EXPECT_EQ(shaders()->render(frame, {}).image.width, kSide);
-                EXPECT_EQ(reference::render(frame, {}).width, kSide);
+                EXPECT_EQ(fixed::render(recorded.scene).width, kHostileSide);
+                EXPECT_EQ(shaders()->render(frame, {}).image.width, kHostileSide);
+                EXPECT_EQ(reference::render(frame, {}).width, kHostileSide);
             }
             return kPicture;
         } catch (const SceneError& error) {

@@ -10,7 +10,7 @@
 #include "../unit/sanitized.h"
 #include "judge/fuzz/random.h"
 
-namespace twinlight {
+namespace twinlight::hostile_traces_test {
 
 namespace {
 
@@ -79,7 +79,7 @@ TEST_F(HostileTraces, MayHaveNumbersThatAreNotFinite) {
                           "8 glLoadMatrixf(m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, nan, 0, 0, 0, 0, 1})\n" +
                           kTriangle + kSwap);
     const RecordedFrame recorded =
-        make_recorded_frame(load_recording(folder_ / "dump.txt"), {.number = {}, .width = kSide, .height = kSide});
+        make_recorded_frame(load_recording(folder_ / "dump.txt"), {.number = {}, .width = kHostileSide, .height = kHostileSide});
     EXPECT_EQ(recorded.error_count, 0u);
     ASSERT_EQ(recorded.notes.size(), 1u);
     EXPECT_NE(recorded.notes[0].find("4 of the program's commands up to this frame have NaN or infinity; the first: "),
@@ -111,7 +111,7 @@ TEST_F(HostileTraces, MayHaveNumbersThatAreNotFinite) {
     ASSERT_EQ(exported.status, 0) << exported.err;
     write("again.gl", exported.out);
     const auto again = load_recording(folder_ / "again.gl");
-    const Frame frame = make_frame(*again->command_list(), {.width = kSide, .height = kSide});
+    const Frame frame = make_frame(*again->command_list(), {.width = kHostileSide, .height = kHostileSide});
     EXPECT_EQ(reference::render(frame, {}).pixels, expected.pixels);
 }
 
@@ -268,4 +268,4 @@ TEST_F(HostileFiles, StayWithinTheMemoryOfWhatTheyKeep) {
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::hostile_traces_test

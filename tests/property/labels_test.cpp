@@ -13,7 +13,7 @@
 #include "scene/state/answers.h"
 #include "scene/state/pixel_image.h"
 
-namespace twinlight {
+namespace twinlight::labels_test {
 namespace {
 
 // A bitmap of 4 x 4 pixels; the lowest row has its first pixel, the next one its first two, ...
@@ -437,4 +437,4 @@ TEST(RasterPositions, AreTheDrivers) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::labels_test

@@ -6,7 +6,7 @@
 #include "../unit/one_pixel.h"
 #include "scene/state/resized.h"
 
-namespace twinlight {
+namespace twinlight::pixel_copies_test {
 namespace {
 
 class PixelCopiesTest : public OnePixel {
@@ -304,4 +304,4 @@ TEST_F(PixelCopiesTest, AllowWhatTheCopiedPictureAllows) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::pixel_copies_test

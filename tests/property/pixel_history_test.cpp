@@ -13,7 +13,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight::reference {
+namespace twinlight::reference::pixel_history_test {
 namespace {
 
 constexpr StateOptions kSize{.width = 64, .height = 64};
@@ -107,4 +107,4 @@ TEST(PixelHistory, EndsInThePicturesColorInRandomScenes) {
 }
 
 }  // namespace
-}  // namespace twinlight::reference
+}  // namespace twinlight::reference::pixel_history_test

@@ -17,7 +17,7 @@
 #include "render/effect/plan.h"
 #include "render/reference/draw_lighting.h"
 
-namespace twinlight {
+namespace twinlight::plan_bounds_test {
 namespace {
 
 // The rounding error of the two sums, relative to the magnitudes of their terms: about a hundred double operations, a
@@ -274,4 +274,4 @@ TEST(PlanBounds, HoldOverRandomScenes) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::plan_bounds_test

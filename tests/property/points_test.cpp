@@ -8,7 +8,7 @@
 #include "../unit/all_renderers.h"
 #include "scene/state/answers.h"
 
-namespace twinlight {
+namespace twinlight::points_test {
 namespace {
 
 constexpr int kSide = 64;
@@ -239,4 +239,4 @@ TEST(PointParameters, AreAnsweredAndSaved) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::points_test

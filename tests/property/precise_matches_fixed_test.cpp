@@ -32,7 +32,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::precise_matches_fixed_test {
 namespace {
 
 using Id = CommandId;
@@ -415,4 +415,4 @@ glBegin(GL_POINTS); glVertex3f(0, 0, 0); glEnd();)",
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::precise_matches_fixed_test

@@ -23,7 +23,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::programmable_fragments_test {
 namespace {
 
 constexpr int kWidth = 96, kHeight = 72;
@@ -402,4 +402,4 @@ TEST(ProgrammableFragments, AreTheFixedFunctionsOverRandomStates) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::programmable_fragments_test

@@ -15,7 +15,7 @@
 #include "render/programmable/programmable.h"
 #include "render/reference/reference.h"
 
-namespace twinlight {
+namespace twinlight::programmable_matches_reference_test {
 namespace {
 
 constexpr int kStates = 60;
@@ -169,4 +169,4 @@ TEST(ProgrammableMatchesReference, InTheFixedFunctionsOrderOfOperations) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::programmable_matches_reference_test

@@ -9,7 +9,7 @@
 #include "scene/command/text.h"
 #include "scene/mesh/obj.h"
 
-namespace twinlight {
+namespace twinlight::read_print_test {
 
 namespace {
 
@@ -167,4 +167,4 @@ TEST(ReadPrint, GivesTheSameCommandForEveryRowOfTheTable) {
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::read_print_test

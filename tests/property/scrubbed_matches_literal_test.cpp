@@ -20,7 +20,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::scrubbed_matches_literal_test {
 namespace {
 
 // A comparison whose first pair is scrubbed ~ literal, and whose second is scrubbed ~ reference.
@@ -123,4 +123,4 @@ TEST(Scrubbed, DrawsRandomStatesAsLiterally) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::scrubbed_matches_literal_test

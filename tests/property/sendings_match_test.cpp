@@ -7,7 +7,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::sendings_match_test {
 namespace {
 
 TEST(Sending, ChangesNothingOfThePicture) {
@@ -51,4 +51,4 @@ glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_BYTE, indices);
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::sendings_match_test

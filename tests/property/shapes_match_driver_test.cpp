@@ -17,7 +17,7 @@
 #include "scene/state/answers.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::shapes_match_driver_test {
 namespace {
 
 const std::vector<std::string> kQuadrics = {
@@ -195,4 +195,4 @@ TEST_F(ShapesAndTheDriver, AgreeOnPicturesOfShapesInLists) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::shapes_match_driver_test

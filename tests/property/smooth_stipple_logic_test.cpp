@@ -15,7 +15,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::smooth_stipple_logic_test {
 namespace {
 
 constexpr int kSize = 32;
@@ -239,4 +239,4 @@ TEST(SmoothLines, ThatChangeFromEndToEndAreEdges) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::smooth_stipple_logic_test

@@ -17,7 +17,7 @@
 #include "scene/state/answers.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::state_matches_driver_test {
 
 namespace {
 
@@ -529,4 +529,4 @@ TEST(StateMatchesDriver, ErrorForErrorAndValueForValueOverRandomCommands) {
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::state_matches_driver_test

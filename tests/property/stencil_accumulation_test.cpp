@@ -19,7 +19,7 @@
 #include "scene/state/answers.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::stencil_accumulation_test {
 namespace {
 
 constexpr int kSize = 16;
@@ -262,4 +262,4 @@ TEST(AllowedDifference, OpensPixelsWhoseStencilValueIsOpen) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::stencil_accumulation_test

@@ -14,7 +14,7 @@
 #include "scene/state/state.h"
 #include "sent_points.h"
 
-namespace twinlight {
+namespace twinlight::tex_gen_matches_driver_test {
 namespace {
 
 constexpr int kStates = 100;  // the driver compiles a program for each
@@ -100,4 +100,4 @@ TEST(TexGenMatchesDriver, InFloatsOverRandomStates) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::tex_gen_matches_driver_test

@@ -13,7 +13,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::texture_units_test {
 namespace {
 
 class TextureUnits : public OnePixel {};
@@ -273,4 +273,4 @@ TEST(TextureUnitErrors, AreThoseOfGl) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::texture_units_test

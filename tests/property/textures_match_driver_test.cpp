@@ -17,7 +17,7 @@
 #include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::textures_match_driver_test {
 
 namespace {
 
@@ -340,4 +340,4 @@ TEST(TexturesMatchDriver, ABaseLevelBeyondAllImagesDrawsWithoutTexture) {
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::textures_match_driver_test

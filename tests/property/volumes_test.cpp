@@ -8,7 +8,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::volumes_test {
 namespace {
 
 class Volumes : public OnePixel {
@@ -268,4 +268,4 @@ TEST_F(Volumes, LoseTheirBorder) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::volumes_test

@@ -18,7 +18,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/recorded_frame.h"
 
-namespace twinlight {
+namespace twinlight::real_programs_test {
 
 namespace {
 
@@ -107,4 +107,4 @@ TEST(RealProgram, GlxgearsRecordedNowIsAsGlSaysInEveryRenderer) {
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::real_programs_test

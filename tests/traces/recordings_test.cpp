@@ -12,7 +12,7 @@
 #include "../unit/run_program.h"
 #include "base/image/file.h"
 
-namespace twinlight {
+namespace twinlight::recordings_test {
 namespace {
 
 constexpr const char* kFolder = "tests/traces";
@@ -163,4 +163,4 @@ TEST_F(Record, RefusesANameThatTheTableLacks) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::recordings_test

@@ -20,7 +20,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::docs_test {
 namespace {
 
 // "glFog{f,i}[v]" as glFogf, glFogfv, glFogi, glFogiv.
@@ -189,4 +189,4 @@ TEST(Docs, NameTheSystemsThatWereTried) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::docs_test

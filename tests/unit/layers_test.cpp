@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace twinlight {
+namespace twinlight::layers_test {
 
 namespace {
 
@@ -132,7 +132,7 @@ TEST(Layers, IncludeOnlyWhatTheyMay) {
     EXPECT_GT(includes, 100);  // the test does read files
 }
 
-// So a header that lacks an include does not compile, though `make headers` leaves it out; and a test's precompiled header hides
+// So a header that lacks an include does not compile, though `make headers` leaves it out; and a room hides
 // no missing <gtest/gtest.h>.
 TEST(Layers, IncludeTheirOwnHeaderFirst) {
     int headers = 0, tests = 0;
@@ -234,4 +234,4 @@ TEST(Layers, AreWhatTheDocsShow) {
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::layers_test

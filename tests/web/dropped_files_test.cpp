@@ -14,7 +14,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/recorded_frame.h"
 
-namespace twinlight::web {
+namespace twinlight::web::dropped_files_test {
 
 namespace {
 
@@ -119,4 +119,4 @@ TEST(WebDroppedDumps, TooLongForTheEditorNameWhatToDo) {
 
 }  // namespace
 
-}  // namespace twinlight::web
+}  // namespace twinlight::web::dropped_files_test

@@ -14,7 +14,7 @@
 #include "judge/check/case.h"
 #include "scene/scenes/load.h"
 
-namespace twinlight::web {
+namespace twinlight::web::module_test {
 
 namespace {
 
@@ -132,4 +132,4 @@ TEST(WebModule, DrawsAsTheNativeReference) {
 
 }  // namespace
 
-}  // namespace twinlight::web
+}  // namespace twinlight::web::module_test

@@ -9,7 +9,7 @@
 #include "app/web/page_scene.h"
 #include "render/reference/reference.h"
 
-namespace twinlight::web {
+namespace twinlight::web::page_controls_test {
 
 namespace {
 
@@ -115,4 +115,4 @@ TEST(PageScene, DrawsRowsAsTheWholePicture) {
 
 }  // namespace
 
-}  // namespace twinlight::web
+}  // namespace twinlight::web::page_controls_test

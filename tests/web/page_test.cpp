@@ -20,7 +20,7 @@
 #include "judge/check/case.h"
 #include "scene/scenes/load.h"
 
-namespace twinlight::web {
+namespace twinlight::web::page_test {
 
 namespace {
 
@@ -452,4 +452,4 @@ TEST(WebPage, DrawsEveryScene) {
 
 }  // namespace
 
-}  // namespace twinlight::web
+}  // namespace twinlight::web::page_test

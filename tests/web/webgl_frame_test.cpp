@@ -12,7 +12,7 @@
 #include "app/web/page_scene.h"
 #include "judge/compare/tolerance.h"
 
-namespace twinlight::web {
+namespace twinlight::web::webgl_frame_test {
 
 namespace {
 
@@ -409,4 +409,4 @@ TEST(Tolerance, AllowsWhatRoundedPositionsChange) {
 
 }  // namespace
 
-}  // namespace twinlight::web
+}  // namespace twinlight::web::webgl_frame_test

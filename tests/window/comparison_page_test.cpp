@@ -12,7 +12,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::comparison_page_test {
 namespace {
 
 using nlohmann::json;
@@ -157,4 +157,4 @@ TEST_F(Pages, OfTheHardCasesShowWhatIsChosenAndSearched) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::comparison_page_test

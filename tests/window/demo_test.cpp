@@ -36,7 +36,7 @@
 #include "scene/state/state.h"
 #include "xvfb.h"
 
-namespace twinlight::session {
+namespace twinlight::session::demo_test {
 namespace {
 
 // Two lights, one of them the camera's, a flat and a smooth object with highlights, so that every key changes something.
@@ -688,4 +688,4 @@ TEST_F(DemoWindow, ShowsItsOptionsAndKeysWithoutADisplay) {
 }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::demo_test

@@ -15,7 +15,7 @@
 #include "scene/state/state.h"
 #include "xvfb.h"
 
-namespace twinlight {
+namespace twinlight::exported_c_test {
 namespace {
 
 constexpr int kWidth = 640, kHeight = 480;  // of the exported window
@@ -127,4 +127,4 @@ TEST(ExportedC, DrawsWhatTheFixedFunctionDraws) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::exported_c_test

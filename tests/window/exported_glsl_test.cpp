@@ -22,7 +22,7 @@
 #include "scene/state/state.h"
 #include "xvfb.h"
 
-namespace twinlight {
+namespace twinlight::exported_glsl_test {
 namespace {
 
 // A scene for tests: every kind of light, two-sided and colour materials, flat quadrilaterals, scaled normals, fog, a
@@ -279,4 +279,4 @@ TEST_F(ExportedGlsl, StaysRightWhenLightsAndTheCameraMove) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::exported_glsl_test

@@ -22,7 +22,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::exported_page_test {
 namespace {
 
 using nlohmann::json;
@@ -470,4 +470,4 @@ TEST_F(ExportedPage, DrawsBuiltInScenes) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::exported_page_test

@@ -15,7 +15,7 @@
 #include "scene/shape/shape.h"
 #include "xvfb.h"
 
-namespace twinlight {
+namespace twinlight::freeglut_shapes_test {
 namespace {
 
 const std::vector<std::string> kCalls = {
@@ -255,4 +255,4 @@ TEST_F(FreeglutShapes, AreWhatTheLibrarySends) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::freeglut_shapes_test

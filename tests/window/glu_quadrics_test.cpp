@@ -14,7 +14,7 @@
 
 #include "recording.h"
 
-namespace twinlight {
+namespace twinlight::glu_quadrics_test {
 namespace {
 
 // Shapes and their sizes; counts usual, odd, the least, and beyond what GLU takes.
@@ -195,4 +195,4 @@ TEST(GluQuadrics, AreRefusedWhereTheLibraryRefusesThem) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::glu_quadrics_test

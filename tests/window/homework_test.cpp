@@ -31,7 +31,7 @@
 #include "scene/state/state.h"
 #include "xvfb.h"
 
-namespace twinlight {
+namespace twinlight::homework_test {
 namespace {
 
 constexpr const char* kFolder = "tests/homework";
@@ -219,4 +219,4 @@ TEST(HomeworkFolder, HasTwelveProgramsOfAtMost300Lines) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::homework_test

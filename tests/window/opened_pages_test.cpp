@@ -13,7 +13,7 @@
 #include "base/image/file.h"
 #include "browser.h"
 
-namespace twinlight {
+namespace twinlight::opened_pages_test {
 namespace {
 
 using nlohmann::json;
@@ -146,4 +146,4 @@ TEST_F(OpenedPages, WithErrorsAreFound) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::opened_pages_test

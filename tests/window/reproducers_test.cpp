@@ -14,7 +14,7 @@
 #include "render/context/driver_name.h"
 #include "xvfb.h"
 
-namespace twinlight {
+namespace twinlight::reproducers_test {
 namespace {
 
 constexpr double kHalfCode = 0.5 / 255;  // of the window
@@ -157,4 +157,4 @@ TEST_F(Reproducers, ShowTheLastVertexOfAPlace) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::reproducers_test

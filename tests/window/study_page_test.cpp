@@ -9,7 +9,7 @@
 #include "../unit/run_program.h"
 #include "browser.h"
 
-namespace twinlight {
+namespace twinlight::study_page_test {
 namespace {
 
 using nlohmann::json;
@@ -101,4 +101,4 @@ TEST_F(StudyPage, ShowsSeveralMachines) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::study_page_test

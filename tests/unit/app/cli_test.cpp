@@ -15,7 +15,7 @@
 #include "base/image/file.h"
 #include "base/image/png.h"
 
-namespace twinlight {
+namespace twinlight::cli_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -954,4 +954,4 @@ TEST_F(Cli, ExplainsAPixelWithTheFormulasOfTheLecturesVariants) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::cli_test

@@ -13,7 +13,7 @@
 #include "../run_program.h"
 #include "base/image/file.h"
 
-namespace twinlight {
+namespace twinlight::explain_fragment_test {
 namespace {
 
 using nlohmann::json;
@@ -273,4 +273,4 @@ TEST_F(ExplainFragment, SaysWhereRoundingDecidesWhichSurfaceShows) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::explain_fragment_test

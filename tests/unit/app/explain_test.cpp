@@ -18,7 +18,7 @@
 #include "base/image/file.h"
 #include "base/image/png.h"
 
-namespace twinlight {
+namespace twinlight::explain_test {
 namespace {
 
 using nlohmann::json;
@@ -428,4 +428,4 @@ TEST_F(Explain, RefusesVerticesThatDoNotExist) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::explain_test

@@ -15,7 +15,7 @@
 #include "../run_program.h"
 #include "base/image/file.h"
 
-namespace twinlight {
+namespace twinlight::install_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -277,4 +277,4 @@ TEST(Dist, HoldsEveryFileOfTheCommitAndBuilds) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::install_test

@@ -8,7 +8,7 @@
 #include "base/image/file.h"
 #include "judge/lesson/lesson.h"
 
-namespace twinlight {
+namespace twinlight::lesson_cli_test {
 namespace {
 
 using nlohmann::json;
@@ -111,4 +111,4 @@ TEST(LessonCommand, RefusesBadUse) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::lesson_cli_test

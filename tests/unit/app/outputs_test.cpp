@@ -12,7 +12,7 @@
 #include "base/image/file.h"
 #include "base/image/png.h"
 
-namespace twinlight {
+namespace twinlight::outputs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,4 +102,4 @@ TEST_F(Outputs, AreWholeOrNotThereAfterAnInterruption) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::outputs_test

@@ -12,7 +12,7 @@
 #include "base/image/file.h"
 #include "base/image/png.h"
 
-namespace twinlight {
+namespace twinlight::record_test {
 namespace {
 
 // Draws nothing in its first two frames, then four triangles, then one in each frame.
@@ -220,4 +220,4 @@ TEST_F(RecordCommand, FindsTheWindowSystemInTheProgramsLibraries) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::record_test

@@ -8,7 +8,7 @@
 #include "../run_program.h"
 #include "base/image/file.h"
 
-namespace twinlight {
+namespace twinlight::refused_shaders_test {
 namespace {
 
 // $PROGRAM with these arguments; temporary files go to the folder.
@@ -54,4 +54,4 @@ TEST(RefusedShaders, LeaveTheOtherChoicesOfAStudy) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::refused_shaders_test

@@ -10,7 +10,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight::session {
+namespace twinlight::session::session_accuracy_test {
 namespace {
 
 constexpr double kCode = 1.0 / 255;
@@ -110,4 +110,4 @@ TEST(SessionAccuracy, WithoutSlicesMeasuresTheScenesOwnMesh) {
 }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::session_accuracy_test

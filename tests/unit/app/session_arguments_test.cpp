@@ -13,7 +13,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight::session {
+namespace twinlight::session::session_arguments_test {
 namespace {
 
 Command command(const std::string& text) { return read_scene(text, "test.gl", "test").commands.at(0); }
@@ -233,4 +233,4 @@ TEST(SessionArguments, ChangedArgumentsAreThoseThatDifferFromTheFile) {
 }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::session_arguments_test

@@ -12,7 +12,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight::session {
+namespace twinlight::session::session_camera_test {
 namespace {
 
 // Cameras here are at most 10 from their centre, so arguments are rounded to 0.00001. That moves the eye by at most
@@ -303,4 +303,4 @@ TEST(SessionCamera, TheMiddleIsThatOfAllPointsInEyeSpace) {
 }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::session_camera_test

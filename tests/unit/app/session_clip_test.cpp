@@ -11,7 +11,7 @@
 #include "base/image/file.h"
 #include "base/image/png.h"
 
-namespace twinlight::session {
+namespace twinlight::session::session_clip_test {
 namespace {
 
 Image filled(float gray) {
@@ -85,4 +85,4 @@ TEST(SessionClip, TakesPartOfAPicture) {
 }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::session_clip_test

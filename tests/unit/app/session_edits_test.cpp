@@ -11,7 +11,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight::session {
+namespace twinlight::session::session_edits_test {
 namespace {
 
 CommandList scene(const std::string& text) { return read_scene(text, "test.gl", "test"); }
@@ -265,4 +265,4 @@ TEST(SessionEdits, EveryLightOfTheLabCanBeSwitched) {
 }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::session_edits_test

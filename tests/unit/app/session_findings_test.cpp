@@ -12,7 +12,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight::session {
+namespace twinlight::session::session_findings_test {
 namespace {
 
 constexpr WindowSize kSize{160, 120};
@@ -119,4 +119,4 @@ TEST(SessionFindings, OfTheBuiltInScenesAreThoseOfTheLinter) {
 }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::session_findings_test

@@ -6,7 +6,7 @@
 #include "app/session/session.h"
 #include "scene/command/text.h"
 
-namespace twinlight::session {
+namespace twinlight::session::session_lesson_test {
 namespace {
 
 using lesson::Language;
@@ -89,4 +89,4 @@ TEST(SessionLesson, JoinsTheLinesOfParagraphs) {
 }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::session_lesson_test

@@ -14,7 +14,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight::session {
+namespace twinlight::session::session_light_values_test {
 namespace {
 
 CommandList scene(const std::string& text) { return read_scene(text, "test.gl", "test"); }
@@ -262,4 +262,4 @@ TEST(SessionPresets, ReplaceTheCallsThatServedOnlyThisCommand) {
 }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::session_light_values_test

@@ -10,7 +10,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight::session {
+namespace twinlight::session::session_mesh_error_test {
 namespace {
 
 constexpr double kArithmetic = 1e-12;  // sines, cosines and roots of lengths near 1
@@ -55,4 +55,4 @@ TEST(SessionMeshError, AQuarterForTwiceTheSlices) {
 TEST(SessionMeshError, AShapeWithFlatFacesHasNone) { EXPECT_FALSE(error_of_shape("glutSolidCube(1);").has_surfaces); }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::session_mesh_error_test

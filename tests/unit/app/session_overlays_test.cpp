@@ -11,7 +11,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight::session {
+namespace twinlight::session::session_overlays_test {
 namespace {
 
 // Positions are stored as floats near 1.
@@ -229,4 +229,4 @@ TEST(SessionOverlays, NothingIsOnAtFirst) {
 }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::session_overlays_test

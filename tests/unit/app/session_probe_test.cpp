@@ -9,7 +9,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight::session {
+namespace twinlight::session::session_probe_test {
 namespace {
 
 // Rounding of some twenty operations on numbers below 10.
@@ -178,4 +178,4 @@ TEST(SessionProbe, SortsTheLinesByLight) {
 }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::session_probe_test

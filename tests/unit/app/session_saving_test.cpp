@@ -12,7 +12,7 @@
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
 
-namespace twinlight::session {
+namespace twinlight::session::session_saving_test {
 namespace {
 
 Session session_of(const std::string& name) {
@@ -89,4 +89,4 @@ TEST(SessionSaving, ASceneWithPicturesStaysInItsFolder) {
 }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::session_saving_test

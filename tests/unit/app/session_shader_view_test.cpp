@@ -10,7 +10,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight::session {
+namespace twinlight::session::session_shader_view_test {
 namespace {
 
 using enum Ink;
@@ -84,4 +84,4 @@ TEST(SessionShaderView, SplitsTheProgramsOfAScene) {
 }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::session_shader_view_test

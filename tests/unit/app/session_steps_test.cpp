@@ -9,7 +9,7 @@
 #include "app/session/steps.h"
 #include "scene/command/text.h"
 
-namespace twinlight::session {
+namespace twinlight::session::session_steps_test {
 namespace {
 
 const std::string kCamera = "gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0);\n";
@@ -125,4 +125,4 @@ TEST(SessionSteps, WithEqualCommandsAreDifferent) {
 }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::session_steps_test

@@ -16,7 +16,7 @@
 #include "scene/scenes/images.h"
 #include "scene/scenes/load.h"
 
-namespace twinlight::session {
+namespace twinlight::session::session_test {
 namespace {
 
 std::shared_ptr<const CommandList> scene(const std::string& text) {
@@ -305,4 +305,4 @@ TEST(SessionLayout, FindsThePixelUnderTheMouse) {
 }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::session_test

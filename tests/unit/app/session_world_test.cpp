@@ -9,7 +9,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight::session {
+namespace twinlight::session::session_world_test {
 namespace {
 
 constexpr int kWidth = 400, kHeight = 300;
@@ -328,4 +328,4 @@ TEST(SessionWorld, OfALoopOnlyTheCallThatSetTheLightChanges) {
 }
 
 }  // namespace
-}  // namespace twinlight::session
+}  // namespace twinlight::session::session_world_test

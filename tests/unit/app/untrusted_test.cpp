@@ -17,7 +17,7 @@
 #include "../sanitized.h"
 #include "base/image/file.h"
 
-namespace twinlight {
+namespace twinlight::untrusted_test {
 namespace {
 
 const std::string kSphere = "glClear(GL_COLOR_BUFFER_BIT); glutSolidSphere(1, 8, 8);\n";
@@ -278,4 +278,4 @@ TEST(MemoryLimit, CountsAtLeastWhatAComparisonUses) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::untrusted_test

@@ -12,7 +12,7 @@
 #include "../run_program.h"
 #include "base/image/file.h"
 
-namespace twinlight {
+namespace twinlight::words_test {
 namespace {
 
 struct Phrase {
@@ -291,4 +291,4 @@ TEST(Words, OfEveryHelpAreNotWorn) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::words_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace twinlight {
+namespace twinlight::as_float_test {
 namespace {
 
 struct Pair {
@@ -28,4 +28,4 @@ TEST(AsFloat, RoundsToTheNearest) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::as_float_test

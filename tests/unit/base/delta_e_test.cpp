@@ -9,7 +9,7 @@
 
 #include "base/math/srgb.h"
 
-namespace twinlight {
+namespace twinlight::delta_e_test {
 namespace {
 
 struct Pair {
@@ -152,4 +152,4 @@ TEST(PerceivedDifference, RefusesPicturesOfDifferentSizes) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::delta_e_test

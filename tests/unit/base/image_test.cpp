@@ -13,7 +13,7 @@
 #include "base/image/file.h"
 #include "base/image/png.h"
 
-namespace twinlight {
+namespace twinlight::image_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -241,4 +241,4 @@ TEST(Difference, TakesTheNearerOfTwoRightAnswersBeyondTheAllowedDifference) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::image_test

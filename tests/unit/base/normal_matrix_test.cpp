@@ -7,7 +7,7 @@
 #include <glm/mat3x3.hpp>
 #include <random>
 
-namespace twinlight {
+namespace twinlight::normal_matrix_test {
 namespace {
 
 using Digits = boost::multiprecision::cpp_bin_float_50;
@@ -49,4 +49,4 @@ TEST(NormalMatrix, KeepsItsDigitsWhereColumnsAreNearlyParallel) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::normal_matrix_test

@@ -24,7 +24,7 @@
 #include "scene/command/command.h"
 #include "scene/command/text.h"
 
-namespace twinlight::report {
+namespace twinlight::report::comparison_test {
 namespace {
 
 using namespace compare;
@@ -723,4 +723,4 @@ TEST(Comparison, TakesTheBoundOfThePlansForAllowed) {
 }
 
 }  // namespace
-}  // namespace twinlight::report
+}  // namespace twinlight::report::comparison_test

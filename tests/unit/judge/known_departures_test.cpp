@@ -7,7 +7,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight::compare {
+namespace twinlight::compare::known_departures_test {
 namespace {
 
 Driver driver(const std::string& renderer, const std::string& version) {
@@ -148,4 +148,4 @@ TEST(KnownDepartures, MayShowElsewhere) {
 }
 
 }  // namespace
-}  // namespace twinlight::compare
+}  // namespace twinlight::compare::known_departures_test

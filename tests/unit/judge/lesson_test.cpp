@@ -17,7 +17,7 @@
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
 
-namespace twinlight::lesson {
+namespace twinlight::lesson::lesson_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -174,4 +174,4 @@ TEST(LessonPages, AreRefusedWithTheLine) {
 }
 
 }  // namespace
-}  // namespace twinlight::lesson
+}  // namespace twinlight::lesson::lesson_test

@@ -23,7 +23,7 @@
 #include "scene/state/recorded_frame.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::lint_test {
 namespace {
 
 constexpr int kWidth = 160, kHeight = 120;  // of the pictures in docs/lint
@@ -446,4 +446,4 @@ TEST(LintCommand, RenderAndComparePrintTheSameWarnings) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::lint_test

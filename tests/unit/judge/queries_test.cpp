@@ -9,7 +9,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::queries_test {
 namespace {
 
 using compare::Query;
@@ -65,4 +65,4 @@ TEST(Queries, AreHundredAtMost) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::queries_test

@@ -7,7 +7,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight::study {
+namespace twinlight::study::spectral_study_test {
 namespace {
 
 Frame frame_of(const std::string& text) {
@@ -98,4 +98,4 @@ TEST(SpectralStudy, IsWrittenAsJsonAndAsAPlot) {
 }
 
 }  // namespace
-}  // namespace twinlight::study
+}  // namespace twinlight::study::spectral_study_test

@@ -14,7 +14,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight::study {
+namespace twinlight::study::study_test {
 namespace {
 
 CommandList scene_of(const std::string& text) { return read_scene(text, "scene.gl", "scene"); }
@@ -572,4 +572,4 @@ TEST(StudyFiles, OfSeveralMachinesAreLaidOverEachOther) {
 }
 
 }  // namespace
-}  // namespace twinlight::study
+}  // namespace twinlight::study::study_test

@@ -7,7 +7,7 @@
 
 #include "../lighting_case.h"
 
-namespace twinlight::lighting {
+namespace twinlight::lighting::equation_rulings_test {
 namespace {
 
 void expect_finite(const MeasuredLit<double>& lit) {
@@ -109,4 +109,4 @@ TEST(Clamp, TakesComponentsToTheUnitInterval) {  // 2.14.6
 }
 
 }  // namespace
-}  // namespace twinlight::lighting
+}  // namespace twinlight::lighting::equation_rulings_test

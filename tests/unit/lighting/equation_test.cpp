@@ -8,7 +8,7 @@
 
 #include "../lighting_case.h"
 
-namespace twinlight::lighting {
+namespace twinlight::lighting::equation_test {
 namespace {
 
 // ---- The sum ----
@@ -408,4 +408,4 @@ TEST(Breakdown, AddsUpToThePrimaryColour) {
 }
 
 }  // namespace
-}  // namespace twinlight::lighting
+}  // namespace twinlight::lighting::equation_test

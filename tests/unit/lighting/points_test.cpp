@@ -13,7 +13,7 @@
 #include "judge/fuzz/random.h"
 #include "lighting/real_cast.h"
 
-namespace twinlight::lighting {
+namespace twinlight::lighting::points_test {
 namespace {
 
 constexpr double kUlp = std::numeric_limits<double>::epsilon();
@@ -312,4 +312,4 @@ TEST(WideInstructions, AreConfinedToTheirOwnSymbols) {
 }
 
 }  // namespace
-}  // namespace twinlight::lighting
+}  // namespace twinlight::lighting::points_test

@@ -7,7 +7,7 @@
 #include "render/context/context.h"
 #include "render/context/driver_name.h"
 
-namespace twinlight {
+namespace twinlight::drawing_precision_test {
 namespace {
 
 // Mesa's software drivers interpolate between the vertices as they are, and round colours to the nearest code: nothing is allowed
@@ -74,4 +74,4 @@ TEST(DrawingPrecision, AddsNothingForExactDrivers) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::drawing_precision_test

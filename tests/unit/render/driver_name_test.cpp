@@ -5,7 +5,7 @@
 
 #include "render/context/context.h"
 
-namespace twinlight {
+namespace twinlight::driver_name_test {
 namespace {
 
 TEST(DriverName, HasParts) {
@@ -55,4 +55,4 @@ TEST(DriverName, OfThisContextIsWhole) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::driver_name_test

@@ -3,7 +3,7 @@
 
 #include "../small_frames.h"
 
-namespace twinlight {
+namespace twinlight::edge_pixels_test {
 namespace {
 
 PixelMask edges(std::initializer_list<Draw> draws) {
@@ -113,4 +113,4 @@ TEST(EdgePixels, ForgetWhatWasCleared) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::edge_pixels_test

@@ -6,7 +6,7 @@
 
 #include "../planned_draws.h"
 
-namespace twinlight {
+namespace twinlight::effect_test {
 namespace {
 
 TEST(Plan, CallsForTheDiffuseTermAloneInTheInitialState) {
@@ -349,4 +349,4 @@ TEST(EffectSet, IsDescribedOneFactALine) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::effect_test

@@ -9,7 +9,7 @@
 #include "base/image/file.h"
 #include "render/context/context.h"
 
-namespace twinlight {
+namespace twinlight::egl_test {
 namespace {
 
 class Egl : public testing::Test {
@@ -89,4 +89,4 @@ TEST_F(Egl, TellsInOneLineWhatDoesNotStart) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::egl_test

@@ -13,7 +13,7 @@
 #include "scene/shape/surface.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::exact_surfaces_test {
 namespace {
 
 Frame frame_of(const std::string& text, int side = 200) {
@@ -240,4 +240,4 @@ TEST(ExactPictures, OfFlatShapesAreThoseOfPhongShading) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::exact_surfaces_test

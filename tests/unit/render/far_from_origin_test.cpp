@@ -11,7 +11,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight::programmable {
+namespace twinlight::programmable::far_from_origin_test {
 namespace {
 
 constexpr int kSide = 96;
@@ -99,4 +99,4 @@ TEST(FarFromTheOrigin, ExportedValuesAreRelativeToAPlaceAmongTheVertices) {
 }
 
 }  // namespace
-}  // namespace twinlight::programmable
+}  // namespace twinlight::programmable::far_from_origin_test

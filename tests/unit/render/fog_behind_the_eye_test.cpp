@@ -10,7 +10,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::fog_behind_the_eye_test {
 namespace {
 
 constexpr std::string_view kKnown = "exponential fog on primitives that reach behind the eye";
@@ -79,4 +79,4 @@ TEST(FogBehindTheEye, IsAKnownBugWhereItIsExponential) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::fog_behind_the_eye_test

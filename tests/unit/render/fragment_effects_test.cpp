@@ -5,7 +5,7 @@
 
 #include "../planned_draws.h"
 
-namespace twinlight {
+namespace twinlight::fragment_effects_test {
 namespace {
 
 Draw textured(Enum env_mode, Enum format, Draw draw = lit_triangle()) {
@@ -80,4 +80,4 @@ TEST(Plan, CallsForFogAndClipPlanesThatAreThere) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::fragment_effects_test

@@ -7,7 +7,7 @@
 
 #include "../small_frames.h"
 
-namespace twinlight {
+namespace twinlight::fragment_operations_test {
 namespace {
 
 constexpr double kCode = 1.0 / 255;
@@ -194,4 +194,4 @@ TEST(ColorSum, ComesAfterTheTexture) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::fragment_operations_test

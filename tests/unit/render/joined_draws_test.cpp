@@ -22,7 +22,7 @@
 #include "scene/state/recorded_frame.h"
 #include "scene/state/state.h"
 
-namespace twinlight::programmable {
+namespace twinlight::programmable::joined_draws_test {
 namespace {
 
 constexpr Options kLive = {{{.shading = {}}}, Tier::kAuto};
@@ -485,4 +485,4 @@ TEST(PlansByState, GiveTheProgramsAndNumbersThatEachDrawWouldGet) {
 }
 
 }  // namespace
-}  // namespace twinlight::programmable
+}  // namespace twinlight::programmable::joined_draws_test

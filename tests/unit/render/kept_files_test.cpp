@@ -13,7 +13,7 @@
 #include "render/programmable/kept/kept_text.h"
 #include "render/webgl/exported_page.h"
 
-namespace twinlight::programmable {
+namespace twinlight::programmable::kept_files_test {
 namespace {
 
 PlanOptions for_any_pose() {
@@ -212,4 +212,4 @@ TEST(KeptFiles, GenerateTextureCoordinates) {
 }
 
 }  // namespace
-}  // namespace twinlight::programmable
+}  // namespace twinlight::programmable::kept_files_test

@@ -13,7 +13,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight::programmable {
+namespace twinlight::programmable::kept_meshes_test {
 namespace {
 
 constexpr Options kLive = {{{.shading = {}}}, Tier::kAuto};
@@ -269,4 +269,4 @@ TEST(KeptPictures, OfTheBuiltInScenesAreTheSameBitByBit) {
 }
 
 }  // namespace
-}  // namespace twinlight::programmable
+}  // namespace twinlight::programmable::kept_meshes_test

@@ -7,7 +7,7 @@
 #include "../planned_draws.h"
 #include "render/effect/bounds.h"
 
-namespace twinlight {
+namespace twinlight::light_bounds_test {
 namespace {
 
 LightBound bound(const Draw& draw, std::size_t light, const PlanOptions& options = {}) {
@@ -99,4 +99,4 @@ TEST(Attenuation, IsBoundedForAnyFactors) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::light_bounds_test

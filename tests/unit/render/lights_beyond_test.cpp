@@ -15,7 +15,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::lights_beyond_test {
 namespace {
 
 constexpr int kSide = 64;
@@ -100,4 +100,4 @@ TEST(LightsBeyondEight, AreBoundedByScrubbedState) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::lights_beyond_test

@@ -14,7 +14,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight::reference {
+namespace twinlight::reference::pictures_test {
 namespace {
 
 constexpr int kWidth = 48, kHeight = 36;
@@ -113,4 +113,4 @@ TEST(Pictures, KeepPixelsThatOtherOptionsDoNotChange) {
 }
 
 }  // namespace
-}  // namespace twinlight::reference
+}  // namespace twinlight::reference::pictures_test

@@ -9,7 +9,7 @@
 #include "render/effect/plan.h"
 #include "render/programmable/shader_assembly.h"
 
-namespace twinlight::programmable {
+namespace twinlight::programmable::programmable_fragments_test {
 namespace {
 
 // ---- Textures ----
@@ -266,4 +266,4 @@ TEST(ProgrammableTextures, LeaveTheContextAsItWas) {
 }
 
 }  // namespace
-}  // namespace twinlight::programmable
+}  // namespace twinlight::programmable::programmable_fragments_test

@@ -3,7 +3,7 @@
 
 #include "../hand_built_draws.h"
 
-namespace twinlight::programmable {
+namespace twinlight::programmable::programmable_hard_cases_test {
 namespace {
 
 void expect_finite(const Draw& draw) {
@@ -97,4 +97,4 @@ TEST(ProgrammableHardCases, VeryLongAndVeryShortVectorsHaveTheirDirection) {
 }
 
 }  // namespace
-}  // namespace twinlight::programmable
+}  // namespace twinlight::programmable::programmable_hard_cases_test

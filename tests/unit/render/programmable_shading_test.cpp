@@ -11,7 +11,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight::programmable {
+namespace twinlight::programmable::programmable_shading_test {
 namespace {
 
 // ---- Shading ----
@@ -220,4 +220,4 @@ TEST(Programmable, LeavesTheContextAsItWas) {
 }
 
 }  // namespace
-}  // namespace twinlight::programmable
+}  // namespace twinlight::programmable::programmable_shading_test

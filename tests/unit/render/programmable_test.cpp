@@ -10,7 +10,7 @@
 #include "render/effect/plan.h"
 #include "render/programmable/shader_assembly.h"
 
-namespace twinlight::programmable {
+namespace twinlight::programmable::programmable_test {
 namespace {
 
 // ---- The shader text ----
@@ -335,4 +335,4 @@ TEST(Programmable, DividesTheVertexByItsW) {
 }
 
 }  // namespace
-}  // namespace twinlight::programmable
+}  // namespace twinlight::programmable::programmable_test

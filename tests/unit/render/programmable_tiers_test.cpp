@@ -13,7 +13,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight::programmable {
+namespace twinlight::programmable::programmable_tiers_test {
 namespace {
 
 constexpr Options with(Tier tier) {
@@ -289,4 +289,4 @@ TEST(ManyLights, OfTwoSidesAreChosenByTheFaceThatShows) {
 }
 
 }  // namespace
-}  // namespace twinlight::programmable
+}  // namespace twinlight::programmable::programmable_tiers_test

@@ -9,7 +9,7 @@
 #include "render/reference/coverage.h"
 #include "render/reference/staged_frame.h"
 
-namespace twinlight {
+namespace twinlight::rasteriser_test {
 namespace {
 
 constexpr double kFloat = 1.0 / (1 << 23);  // an Image stores floats
@@ -367,4 +367,4 @@ TEST(Clear, OfTheDepthAloneKeepsColours) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::rasteriser_test

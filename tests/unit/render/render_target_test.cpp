@@ -5,7 +5,7 @@
 
 #include "render/context/gl.h"
 
-namespace twinlight {
+namespace twinlight::render_target_test {
 namespace {
 
 constexpr int kSide = 4;
@@ -67,4 +67,4 @@ TEST(RenderTarget, HasRowZeroAtTheTop) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::render_target_test

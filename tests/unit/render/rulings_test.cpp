@@ -11,7 +11,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight::reference {
+namespace twinlight::reference::rulings_test {
 namespace {
 
 using lighting::Ruling;
@@ -183,4 +183,4 @@ TEST(DecidingRulings, AreNotOfOrdinaryScenes) {
 }
 
 }  // namespace
-}  // namespace twinlight::reference
+}  // namespace twinlight::reference::rulings_test

@@ -10,7 +10,7 @@
 #include "render/programmable/shader_assembly.h"
 #include "render/programmable/shader_pieces.h"
 
-namespace twinlight::programmable {
+namespace twinlight::programmable::shader_files_test {
 namespace {
 
 // Programs take whole functions, and C++ writes each light's block, so the files need few conditional lines.
@@ -96,4 +96,4 @@ TEST(ExportedShaders, HaveNoFunctionTwiceAndNoneThatIsNotCalled) {
 }
 
 }  // namespace
-}  // namespace twinlight::programmable
+}  // namespace twinlight::programmable::shader_files_test

@@ -10,7 +10,7 @@
 #include "scene/state/answers.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::tex_gen_test {
 namespace {
 
 constexpr double kExact = 1e-12;
@@ -189,4 +189,4 @@ TEST(TexGenPlan, SendsTextureCoordinatesOnlyIfOneIsNotGenerated) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::tex_gen_test

@@ -12,7 +12,7 @@
 #include "render/reference/texture_bounds.h"
 #include "render/reference/texture_environment.h"
 
-namespace twinlight {
+namespace twinlight::texture_test {
 namespace {
 
 using namespace reference;
@@ -163,4 +163,4 @@ TEST(Ruling, LinearFogThatEndsWhereItStartsIsAStep) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::texture_test

@@ -5,7 +5,7 @@
 
 #include "../hand_built_draws.h"
 
-namespace twinlight::programmable {
+namespace twinlight::programmable::uniforms_test {
 namespace {
 
 std::vector<float> values_of(const Uniforms& uniforms, std::string_view name) {
@@ -67,4 +67,4 @@ TEST(Plan, WithoutReasonsHasTheSameEffectsAndNumbers) {
 }
 
 }  // namespace
-}  // namespace twinlight::programmable
+}  // namespace twinlight::programmable::uniforms_test

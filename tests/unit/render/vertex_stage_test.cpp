@@ -11,7 +11,7 @@
 
 #include "../small_frames.h"
 
-namespace twinlight {
+namespace twinlight::vertex_stage_test {
 namespace {
 
 using reference::LitVertex;
@@ -261,4 +261,4 @@ TEST(Pictures, TakeTheShadingOfTheOptionsBeforeTheDraws) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::vertex_stage_test

@@ -10,7 +10,7 @@
 #include "scene/state/answers.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::evaluators_test {
 namespace {
 
 constexpr double kExact = 1e-12;
@@ -183,4 +183,4 @@ TEST(Evaluators, GridsAreSavedByGlPushAttribAndMapsAreNot) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::evaluators_test

@@ -12,7 +12,7 @@
 #include "scene/state/answers.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::legacy_commands_test {
 namespace {
 
 CommandList read(const std::string& text) { return read_scene(text, "scene.gl", "scene"); }
@@ -443,4 +443,4 @@ TEST(Priorities, AreOfTheTexturesThatThereAre) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::legacy_commands_test

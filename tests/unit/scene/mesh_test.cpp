@@ -21,7 +21,7 @@
 #include "scene/shape/written_out.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::mesh_test {
 namespace {
 
 MeshFiles files_with(const std::string& mtl) {
@@ -405,4 +405,4 @@ TEST(Meshes, OfBuiltInScenesAreFoundFromEveryFolder) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::mesh_test

@@ -8,7 +8,7 @@
 #include "scene/command/command.h"
 #include "scene/command/object_names.h"
 
-namespace twinlight {
+namespace twinlight::names_test {
 
 namespace {
 
@@ -119,4 +119,4 @@ TEST(ObjectNames, FindTheFirstRowThatIsFree) {
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::names_test

@@ -9,7 +9,7 @@
 #include "base/image/file.h"
 #include "scene/command/text.h"
 
-namespace twinlight {
+namespace twinlight::program_test {
 
 namespace {
 
@@ -589,4 +589,4 @@ TEST(Programs, AreTextsWithMainAndGlutsLoop) {
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::program_test

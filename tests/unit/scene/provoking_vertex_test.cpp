@@ -4,7 +4,7 @@
 
 #include "../small_frames.h"
 
-namespace twinlight {
+namespace twinlight::provoking_vertex_test {
 namespace {
 
 constexpr int kWide = 30;
@@ -139,4 +139,4 @@ TEST(Primitives, LeaveOutWhatIsIncomplete) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::provoking_vertex_test

@@ -15,7 +15,7 @@
 #include "scene/state/answers.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::quadrics_test {
 namespace {
 
 std::vector<Command> read(std::string_view text) { return read_scene(text, "scene.gl", "scene").commands; }
@@ -316,4 +316,4 @@ TEST(Quadrics, TurnWithTheirOrientation) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::quadrics_test

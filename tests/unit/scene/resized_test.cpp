@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace twinlight {
+namespace twinlight::resized_test {
 namespace {
 
 TEST(Resized, NeighboursStillTouch) {
@@ -29,4 +29,4 @@ TEST(Resized, NeighboursStillTouch) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::resized_test

@@ -21,7 +21,7 @@
 #include "scene/spectrum/spectrum.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::scenes_test {
 namespace {
 
 std::string name_of(const EmbeddedFile& file) { return std::string(file.name.substr(0, file.name.rfind(".gl"))); }
@@ -247,4 +247,4 @@ TEST(SceneLab, HasOneDirectionalLightSixPointLightsAndASpotlightAtTheCamera) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::scenes_test

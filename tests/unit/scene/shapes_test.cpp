@@ -17,7 +17,7 @@
 #include "scene/command/command.h"
 #include "scene/shape/shape.h"
 
-namespace twinlight {
+namespace twinlight::shapes_test {
 namespace {
 
 using Triangle = std::array<ShapeVertex, 3>;
@@ -370,4 +370,4 @@ TEST(ShapeArguments, ThatMakeNoSenseAreRefusedWithTheRemedy) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::shapes_test

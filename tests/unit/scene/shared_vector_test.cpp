@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace twinlight {
+namespace twinlight::shared_vector_test {
 namespace {
 
 using Numbers = SharedVector<int>;
@@ -48,4 +48,4 @@ TEST(SharedVector, ThatMovesTakesTheMemoryAlong) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::shared_vector_test

@@ -12,7 +12,7 @@
 #include "scene/state/gl_error.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::spectral_scenes_test {
 namespace {
 
 Frame frame_of(const std::string& text, int size = 16) {
@@ -230,4 +230,4 @@ TEST(SpectralPictures, SayWhatShadersDoNotDo) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::spectral_scenes_test

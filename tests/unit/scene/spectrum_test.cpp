@@ -10,7 +10,7 @@
 #include "scene/command/command.h"
 #include "scene/spectrum/samples.h"
 
-namespace twinlight {
+namespace twinlight::spectrum_test {
 namespace {
 
 using Vec = Vec3<double>;
@@ -249,4 +249,4 @@ TEST(SpectralSamples, AreOffByWhatTheDocumentationSays) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::spectrum_test

@@ -12,7 +12,7 @@
 
 #include "scene/command/text.h"
 
-namespace twinlight {
+namespace twinlight::state_test {
 
 namespace {
 
@@ -512,4 +512,4 @@ TEST(State, DrawsNoColorWithoutABuffer) {
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::state_test

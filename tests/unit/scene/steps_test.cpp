@@ -7,7 +7,7 @@
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
 
-namespace twinlight {
+namespace twinlight::steps_test {
 namespace {
 
 using Strings = std::vector<std::string>;
@@ -168,4 +168,4 @@ TEST(Steps, PrintedAreReadAsTheStep) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::steps_test

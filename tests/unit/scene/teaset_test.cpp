@@ -8,7 +8,7 @@
 
 #include "scene/shape/freeglut_shapes.h"
 
-namespace twinlight {
+namespace twinlight::teaset_test {
 namespace {
 
 constexpr std::size_t kPatch = 8 * 8;  // vertices per patch of a solid
@@ -119,4 +119,4 @@ TEST(TeaSet, KeepsItsNormalsWhateverItsSize) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::teaset_test

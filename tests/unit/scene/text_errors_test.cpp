@@ -11,7 +11,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::text_errors_test {
 namespace {
 
 // The places of all errors, "line:column", and the messages.
@@ -204,4 +204,4 @@ TEST(Characters, AreDecodedFromUtf8) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::text_errors_test

@@ -9,7 +9,7 @@
 
 #include "scene/command/memory.h"
 
-namespace twinlight {
+namespace twinlight::text_test {
 
 namespace {
 
@@ -433,4 +433,4 @@ TEST(Printing, KeepsEveryBitOfANumber) {
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::text_test

@@ -12,7 +12,7 @@
 #include "scene/scenes/images.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::texture_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -251,4 +251,4 @@ TEST_F(TextureFiles, ArePngsOfALimitedSize) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::texture_files_test

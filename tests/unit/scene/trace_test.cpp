@@ -17,7 +17,7 @@
 #include "scene/state/recorded_frame.h"
 #include "scene/trace/blobs.h"
 
-namespace twinlight {
+namespace twinlight::trace_test {
 
 namespace {
 
@@ -721,4 +721,4 @@ TEST(Apitrace, LeavesNothingBehindHoweverTheProgramEnds) {
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::trace_test

@@ -9,7 +9,7 @@
 #include <limits>
 #include <span>
 
-namespace twinlight {
+namespace twinlight::vertex_order_test {
 namespace {
 
 std::vector<std::uint32_t> grid(std::uint32_t columns, std::uint32_t rows) {
@@ -75,4 +75,4 @@ TEST(Patches, ShadeAVertexHardlyMoreThanOnce) {
 TEST(Patches, TakeMeshesWithoutTriangles) { EXPECT_TRUE(patched({}, 0).patches.empty()); }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::vertex_order_test

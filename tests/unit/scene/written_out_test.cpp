@@ -6,7 +6,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::written_out_test {
 
 namespace {
 
@@ -33,4 +33,4 @@ TEST(PragmasWrittenOut, DrawTheSamePicture) {
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::written_out_test
