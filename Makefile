@@ -1,20 +1,26 @@
 # Twinlight's build. `make help` lists the targets; `make deps` installs what they need.
 #
 #   config=release|debug|sanitize   release builds into build/, the others into build/<config>/; `make fuzz` into build/fuzz/
-#   GL=osmesa|egl                   how to draw without a window: Mesa's OSMesa (build/) or EGL's drivers (build/egl/)
-#   units=rooms|files               compile each folder as one file (release and fuzz: takes less than half the time), or each file by itself
+#   GL=osmesa|egl                   how to draw without a window: Mesa's OSMesa, or EGL's drivers (build/egl/). Without GL=, build/ has
+#                                   the programs with OSMesa, or with EGL where the system has no OSMesa.
+#   units=rooms|files               compile each folder as one file (takes less than half the time), or each file by itself (debug)
 #   CI=true                         warnings are errors
+#   ALL_CASES=true                  the longest tests try all their cases, not a quarter of them
 
 config ?= release
-GL ?= osmesa
+# GL= as it was given; OSMesa where it is installed, or can be.
+GL_given := $(GL)
+ifeq (,$(GL_given))
+override GL := $(if $(shell pkg-config --exists osmesa && echo yes),osmesa,$(if $(shell pkg-config --exists egl && echo yes),egl,osmesa))
+endif
 CXX ?= g++
 $(if $(filter release debug sanitize fuzz,$(config)),,$(error config must be release, debug or sanitize, not '$(config)'))
 $(if $(filter osmesa egl,$(GL)),,$(error GL must be osmesa or egl, not '$(GL)'))
-units ?= $(if $(filter release fuzz,$(config)),rooms,files)
+units ?= $(if $(filter debug,$(config)),files,rooms)
 $(if $(filter rooms files,$(units)),,$(error units must be rooms or files, not '$(units)'))
 BUILD := $(if $(filter release,$(config)),build,build/$(config))
 # The programs. Both values of GL share the objects in $(BUILD).
-PROGRAMS := $(BUILD)$(if $(filter egl,$(GL)),/egl)
+PROGRAMS := $(BUILD)$(if $(filter egl,$(GL_given)),/egl)
 
 # Use every processor, unless the caller chose a number of jobs; a make within make shares its caller's jobs.
 ifeq (0,$(MAKELEVEL)$(filter -j%,$(MAKEFLAGS)))
@@ -33,11 +39,15 @@ endif
 try_fuzzer := echo 'extern "C" int LLVMFuzzerTestOneInput(char*, int) { return 0; }' | \
     clang++ -x c++ -fsanitize=fuzzer,address - -o /dev/null
 
+# Mesa 25.1 was the last with OSMesa.
+apt_has_osmesa := apt-cache policy libosmesa6-dev 2>/dev/null | grep -q "Candidate: [^(]"
+
 define DEPENDENCIES
 g++                 command -v $(CXX)
 pkg-config          command -v pkg-config
-$(if $(filter osmesa,$(GL)),libosmesa6-dev      pkg-config --exists osmesa)
-$(if $(or $(CI),$(filter egl,$(GL))),libegl-dev          pkg-config --exists egl)
+$(if $(GL_given),,libosmesa6-dev|libegl-dev pkg-config --exists osmesa || { pkg-config --exists egl && ! $(apt_has_osmesa); })
+$(if $(filter osmesa,$(GL_given)),libosmesa6-dev      pkg-config --exists osmesa)
+$(if $(or $(CI),$(filter egl,$(GL_given))),libegl-dev          pkg-config --exists egl)
 libglu1-mesa-dev    pkg-config --exists glu
 freeglut3-dev       pkg-config --exists glut
 libglm-dev          pkg-config --exists glm
@@ -84,9 +94,10 @@ WARNINGS += $(if $(filter 13,$(GCC)),-Wno-array-bounds) $(if $(filter 14,$(GCC))
 # The reference is compared bit by bit across builds: no contraction of a*b+c behind the source's back.
 CXXFLAGS_common := -std=c++20 -ffp-contract=off $(WARNINGS) -Isrc -DGL_GLEXT_PROTOTYPES
 CXXFLAGS_release := -O2
-CXXFLAGS_debug := -O0 -g
+# For what no picture waits for: rooms without a loop over pixels, vertices or commands. It compiles in three quarters of the time.
 # (At -O1 g++ 12 sees copies beyond a std::string's own buffer where there are none.)
-OPTIMISATION_test := $(if $(filter release,$(config)),-O1 -Wno-array-bounds -Wno-stringop-overflow)
+OPTIMISATION_less := $(if $(filter release,$(config)),-O1 -Wno-array-bounds -Wno-stringop-overflow)
+CXXFLAGS_debug := -O0 -g
 # For src/lighting/points.h, which lights many points at once on processors that have these instructions.
 INSTRUCTIONS_points_avx2 := -mavx2 -mfma
 # (g++ 12's own header leaves some values undefined on purpose, and g++ warns about them.)
@@ -103,6 +114,8 @@ CXXFLAGS_fuzz := -O1 -g1 -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,addre
 LDFLAGS_fuzz := -fsanitize=address,undefined
 CXXFLAGS_all = $(CXXFLAGS_common) $(CXXFLAGS_$(config)) $(shell pkg-config --cflags $(MODULES) 2>/dev/null) $(CXXFLAGS)
 CXXFLAGS_all := $(CXXFLAGS_all)
+# A large room takes g++ a fifth longer if it stops to collect its memory. Without that it needs 1.3 GB at most instead of 1.
+compile := $(CXX) $(if $(findstring clang,$(CXX)),,--param ggc-min-heapsize=1000000)
 LDFLAGS_all := $(LDFLAGS_$(config)) $(LDFLAGS)
 LIBS := $(shell pkg-config --libs fmt stb 2>/dev/null)
 # OSMesa comes before GLU, so that GLU's own GL calls reach OSMesa and not libGL.
@@ -136,8 +149,12 @@ SOURCES_fuzz_common := tests/fuzz/command_bytes.cpp tests/fuzz/stb.cpp
 SOURCES_fuzz_seeds := tests/fuzz/write_seeds.cpp
 SOURCES_fuzz := $(SOURCES_fuzzers) $(SOURCES_fuzz_common) $(SOURCES_fuzz_seeds)
 SOURCES_fuzz_library := $(filter-out src/judge/% $(addsuffix /%,$(addprefix src/render/,context stages fixed programmable webgl)),$(SOURCES_library))
+# The tables of bad input; with the sanitizers they are a program of their own.
+SOURCES_bad_input := tests/property/bad_input_test.cpp
 SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
 SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz) $(SOURCES_recorder),$(sort $(shell find tests -name '*.cpp')))
+# The folders of tests that are built; all of them without TESTS=.
+SOURCES_some_tests := $(if $(TESTS),$(filter $(TESTS:%=%/%),$(SOURCES_tests)),$(SOURCES_tests))
 SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_web) $(SOURCES_tests) $(SOURCES_recorder) \
     $(SOURCES_bench) $(SOURCES_fuzz))
 HEADERS := $(sort $(shell find src tests -name '*.h'))
@@ -156,31 +173,33 @@ FILES_lessons := $(filter-out %/README.md,$(wildcard docs/lessons/*.md))
 FILES_lessons_zh := $(filter-out %/README.md,$(wildcard docs/zh-CN/lessons/*.md))
 FILES_pages := $(wildcard src/judge/report/pages/*) $(BUILD)/embedded/chart.js
 
-# With units=rooms, each folder of src/ (a room) is one translation unit, which reads its headers once. ALONE lists the files that
-# are compiled by themselves.
+# With units=rooms, each folder of src/ and tests/ (a room) is one translation unit, which reads its headers once. ALONE lists the
+# files that are compiled by themselves.
 ifeq ($(units),files)
 ALONE := %.cpp
 else
 # Some programs link these without the rest of their room, or the rest without these.
-ALONE := $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_bench_library)
+ALONE := $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_bench_library) $(SOURCES_bench_meshes) $(SOURCES_fuzz) $(SOURCES_bad_input)
 # These have their own flags (INSTRUCTIONS_...).
 ALONE += src/lighting/points_avx%.cpp
 # This calls so many of the equation's functions that g++ would no longer inline them where pictures are lit.
 ALONE += src/render/reference/pixel_history.cpp
 # Only Emscripten compiles this.
 ALONE += src/app/web/module.cpp
-# Tests share a precompiled header instead.
-ALONE += tests/%.cpp
 endif
 ROOMS := $(patsubst %/,%,$(sort $(dir $(filter-out $(ALONE),$(SOURCES_all)))))
 object = $(sort $(patsubst %.cpp,$(BUILD)/objects/%.o,$(filter $(ALONE),$(1))) \
     $(patsubst %,$(BUILD)/objects/%.room.o,$(patsubst %/,%,$(dir $(filter-out $(ALONE),$(1))))))
+# The rooms that are optimised less.
+LESS := $(patsubst %,src/%,app app/cli app/demo app/session app/web base/text judge/check judge/explain judge/fuzz judge/lesson judge/lint \
+    judge/report judge/study render/programmable/kept render/programmable/precise render/webgl scene/scenes) \
+    $(patsubst %/,%,$(sort $(dir $(SOURCES_tests))))
 OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
 OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # Programs without a window link this as well as their own objects.
 OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(BUILD)/libtwinlight.a
 
-.PHONY: all deps demo test test-binary bench fuzz bad-input gallery programs golden tables instructions format check headers tidy clean help force
+.PHONY: all deps demo test test-binary bench fuzz bad-input nightly gallery programs golden tables instructions format check headers tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -188,6 +207,9 @@ all: deps
 	@$(MAKE) programs
 
 programs: $(PROGRAMS)/twinlight $(PROGRAMS)/twinlight-demo
+ifeq (egl,$(if $(GL_given),,$(GL)))
+	@echo "This system has no OSMesa: twinlight draws with EGL's surfaceless device instead."
+endif
 test-binary: $(PROGRAMS)/twinlight-tests $(PROGRAMS)/shape-recorder programs
 
 demo: deps  ## build, then open the window; without a display, write a comparison report instead
@@ -198,10 +220,10 @@ demo: deps  ## build, then open the window; without a display, write a compariso
 	    echo "Open build/report/index.html in a browser."; fi
 
 test_environment := LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks_of_drivers.supp:print_suppressions=0
-test: deps  ## build, then run every test; needs no display (TEST='Spot*' runs some)
+test: deps  ## build, then run every test; needs no display (TEST='Spot*' runs some; TESTS='tests/golden' builds only those of some folders)
 	@$(MAKE) test-binary
 	@if pkg-config --exists egl; then $(MAKE) GL=egl $(BUILD)/egl/twinlight; fi
-	@if command -v $(EMXX) >/dev/null; then $(MAKE) config=release GL=osmesa web; fi
+	@if command -v $(EMXX) >/dev/null; then $(MAKE) config=release GL= web; fi
 	@$(test_environment) TWINLIGHT_BUILD=$(PROGRAMS) \
 	    tests/run.sh $(PROGRAMS)/twinlight-tests '$(or $(TEST),*)'
 
@@ -221,11 +243,12 @@ fuzz: deps  ## look for crashes on random input (TIME=seconds per target; TARGET
 	$(MAKE) config=fuzz CXX=clang++ CI= $(patsubst %,build/fuzz/%-fuzzer,$(or $(TARGET),$(fuzz_targets))) build/fuzz/write-seeds && \
 	printf '%s\n' $(or $(TARGET),$(fuzz_targets)) | xargs -P $$(nproc) -I TARGET tests/fuzz/run.sh TARGET $(TIME)
 
-bad-input: deps  ## try each row of tests/bad_input under the address and undefined-behaviour sanitizers (needs what fuzz needs)
-	@if ! { $(try_fuzzer); } 2>/dev/null; then \
-	    echo "bad-input: skipped, because clang++ or its sanitizers are not installed (Debian packages clang and libclang-rt-dev)"; exit 0; fi; \
-	$(MAKE) config=fuzz CXX=clang++ CI= build/fuzz/twinlight build/fuzz/bad-input && $(test_environment) TWINLIGHT_BUILD=build/fuzz \
-	    tests/run.sh build/fuzz/bad-input
+bad-input: deps  ## try each row of tests/bad_input under the address and undefined-behaviour sanitizers
+	@$(MAKE) config=sanitize build/sanitize/twinlight build/sanitize/bad-input
+	@$(test_environment) TWINLIGHT_BUILD=build/sanitize tests/run.sh build/sanitize/bad-input
+
+nightly:  ## what takes too long for each change, on all five systems (PART='fuzz noble' runs some)
+	@tools/nightly.sh $(PART)
 
 gallery: deps  ## draw all scenes and their steps with every renderer: build/gallery/index.html (SCENES='lab report' draws some)
 	@$(MAKE) $(PROGRAMS)/twinlight
@@ -253,16 +276,19 @@ check:  ## check the format, compile each file by itself, run clang-tidy, and ru
 	@if command -v clang-format >/dev/null; then \
 	    clang-format --dry-run -Werror $(SOURCES_all) $(HEADERS); \
 	    else echo "format: skipped, because clang-format is not installed"; fi
-	@$(MAKE) headers
+	@$(MAKE) headers EACH=true
 	@if command -v clang-tidy >/dev/null; then $(MAKE) tidy; \
 	    else echo "tidy: skipped, because clang-tidy is not installed"; fi
-	@$(MAKE) test config=sanitize
+	@$(MAKE) test config=sanitize units=files
 
 # A source includes its own header first, so only headers without a source are compiled here. (kept/loader.h is C; only Emscripten needs
 # app/web/compat.)
 HEADERS_alone := $(filter-out $(SOURCES_all:.cpp=.h) $(FILES_shaders) src/app/web/compat/%,$(HEADERS))
-headers: deps  ## compile headers by themselves: each must include what it uses (units=files does so with sources)
-	@$(MAKE) --keep-going $(HEADERS_alone:%=alone/%)
+headers: deps  ## compile headers: each must include what it uses (EACH=true: each by itself; else those of a folder one after the other)
+	@$(MAKE) --keep-going $(if $(EACH),$(HEADERS_alone:%=alone/%),$(patsubst %/,together/%,$(sort $(dir $(HEADERS_alone)))))
+together/%:
+	@printf '#include "%s"\n' $(filter $*/%,$(foreach header,$(HEADERS_alone),$(if $(filter $*/,$(dir $(header))),$(header)))) | \
+	    $(CXX) $(CXXFLAGS_all) -iquote . -fsyntax-only -x c++ -
 alone/%: %
 	@$(CXX) $(CXXFLAGS_all) $(INSTRUCTIONS) -fsyntax-only -include $< -x c++ /dev/null
 
@@ -286,13 +312,15 @@ include src/app/web/web.mk
 
 # ---- Rules ------------------------------------------------------------------------------------------------------
 
-# Two files that are rewritten when their content changes: the compiler's flags, and the list of files.
-flags := $(CXX) $(CXXFLAGS_all) $(LDFLAGS_all)
+# Files that are rewritten when their content changes: the compiler's flags, the list of files, and the folders of tests.
+flags := $(compile) $(CXXFLAGS_all) $(OPTIMISATION_less) $(LESS) $(LDFLAGS_all)
 files := $(SOURCES_all) $(FILES_scenes) $(FILES_scene_assets) $(FILES_shaders) $(FILES_webgl) $(FILES_pages) $(FILES_cases) $(FILES_lessons) $(FILES_lessons_zh)
+tests := $(TESTS)
 changed = $(if $(subst |$($(1))|,,|$(file <$(BUILD)/$(1))|),force)
 $(BUILD)/flags: $(call changed,flags)
 $(BUILD)/files: $(call changed,files)
-$(BUILD)/flags $(BUILD)/files:
+$(BUILD)/tests: $(call changed,tests)
+$(BUILD)/flags $(BUILD)/files $(BUILD)/tests:
 	@mkdir -p $(@D); printf '%s\n' '$(subst ','\'',$($(@F)))' >$@
 
 # A room's translation unit includes its sources; it is written when the list of them changes.
@@ -308,22 +336,22 @@ $(foreach name,$(ROOMS),$(eval $(call room,$(name))))
 ROOM_WARNINGS := $(if $(findstring clang,$(CXX)),,-Wno-subobject-linkage)
 $(BUILD)/objects/%.room.o: $(BUILD)/objects/%.room.cpp $(BUILD)/flags
 	@echo "compile $*/*.cpp"
-	@$(CXX) $(CXXFLAGS_all) $(ROOM_WARNINGS) -iquote . -MMD -MP -c $< -o $@
+	@$(compile) $(CXXFLAGS_all) $(if $(filter $(LESS),$*),$(OPTIMISATION_less)) $(precompiled) $(ROOM_WARNINGS) -iquote . -MMD -MP -c $< -o $@
 
 $(BUILD)/objects/%.o: %.cpp $(BUILD)/flags
 	@echo "compile $<"
 	@mkdir -p $(@D)
-	@$(CXX) $(CXXFLAGS_all) $(INSTRUCTIONS) $(CXXFLAGS_test) -MMD -MP -c $< -o $@
+	@$(compile) $(CXXFLAGS_all) $(if $(filter $(LESS),$*),$(OPTIMISATION_less)) $(or $(INSTRUCTIONS),$(precompiled)) -MMD -MP -c $< -o $@
 
-# Tests share a precompiled header and are optimised less, which takes little more than half the time. With units=files it holds
-# GoogleTest alone, so that each test must include what it uses.
-OBJECTS_tests := $(call object,$(SOURCES_tests))
-$(OBJECTS_tests): $(BUILD)/tests-$(units).h.gch
-PRECOMPILED := $(OPTIMISATION_test) $(if $(filter files,$(units)),-DONLY_GOOGLETEST)
-$(OBJECTS_tests): CXXFLAGS_test = $(PRECOMPILED) -include $(BUILD)/tests-$(units).h
-$(BUILD)/tests-$(units).h.gch: tests/precompiled.h $(BUILD)/flags
+# What nearly all rooms include is compiled once.
+ifeq ($(units),rooms)
+PRECOMPILED := $(BUILD)/precompiled.h
+precompiled := -include $(PRECOMPILED)
+$(call object,$(SOURCES_all)): $(PRECOMPILED).gch
+endif
+$(BUILD)/precompiled.h.gch: src/precompiled.h $(BUILD)/flags
 	@echo "compile $<"
-	@$(CXX) $(CXXFLAGS_all) $(PRECOMPILED) -MMD -MP -MT $@ -MF $(@:.gch=.d) -x c++-header -c $< -o $@
+	@mkdir -p $(@D); $(compile) $(CXXFLAGS_all) -MMD -MP -MT $@ -MF $(@:.gch=.d) -x c++-header -c $< -o $@
 
 $(BUILD)/libtwinlight.a: $(OBJECTS_library) $(BUILD)/files
 	@rm -f $@
@@ -338,7 +366,7 @@ $(PROGRAMS)/twinlight-demo: $(call object,$(SOURCES_demo)) $(BUILD)/libtwinlight
 	$(link) $(LIBS_window) $(LIBS)
 
 # The library's objects come first: of a template that a test instantiates too, the linker takes their copy, optimised as in the programs.
-$(PROGRAMS)/twinlight-tests: $(call object,$(SOURCES_$(GL))) $(OBJECTS_library) $(OBJECTS_tests) \
+$(PROGRAMS)/twinlight-tests: $(call object,$(SOURCES_$(GL))) $(OBJECTS_library) $(call object,$(SOURCES_some_tests)) $(BUILD)/tests \
     $(call object,$(SOURCES_bench_meshes) $(SOURCES_app) $(SOURCES_session) $(SOURCES_web))
 	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
 
@@ -350,13 +378,8 @@ $(fuzz_targets:%=$(BUILD)/%-fuzzer): $(BUILD)/%-fuzzer: $(BUILD)/objects/tests/f
 	$(link) -fsanitize=fuzzer $(LIBS_fuzz)
 
 # The tables of bad input as a program of their own, for the sanitizers.
-$(BUILD)/bad-input: $(BUILD)/objects/tests/property/bad_input_test.o $(OFFSCREEN)
+$(BUILD)/bad-input: $(call object,$(SOURCES_bad_input)) $(OFFSCREEN)
 	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
-
-# Only bad-input runs what the fuzzers do not link. Without optimisation it compiles in little more than half the time.
-ifeq (fuzz,$(config))
-$(filter-out $(OBJECTS_fuzz),$(OBJECTS_library) $(call object,$(SOURCES_cli) $(SOURCES_osmesa))): CXXFLAGS_all += -O0
-endif
 
 $(BUILD)/write-seeds: $(call object,$(SOURCES_fuzz_seeds)) $(OBJECTS_fuzz)
 	$(link) $(LIBS_fuzz)
@@ -365,30 +388,30 @@ $(BUILD)/write-seeds: $(call object,$(SOURCES_fuzz_seeds)) $(OBJECTS_fuzz)
 $(PROGRAMS)/shape-recorder: $(call object,$(SOURCES_recorder))
 	$(link) $(LIBS_window)
 
-# Files that are embedded in the programs: a table of {name, text} for each folder, declared in the header that is named.
-embed = @mkdir -p $(@D); tools/embed.sh $(1) $(2) $(3) >$@
+# Files that are embedded in the programs: a table of {name, text} for each folder.
+embed = @mkdir -p $(@D); tools/embed.sh $(1) $(2) >$@
 
 $(BUILD)/embedded/scenes.cpp: $(FILES_scenes) $(BUILD)/files tools/embed.sh
-	$(call embed,scene/scenes/load.h,kSceneFiles,$(FILES_scenes))
+	$(call embed,kSceneFiles,$(FILES_scenes))
 $(BUILD)/embedded/scene_assets.cpp: $(FILES_scene_assets) $(BUILD)/files tools/embed.sh
-	$(call embed,scene/scenes/load.h,kSceneAssets,$(sort $(FILES_scene_assets)))
+	$(call embed,kSceneAssets,$(sort $(FILES_scene_assets)))
 $(BUILD)/embedded/shaders.cpp: $(FILES_shaders) $(BUILD)/files tools/embed.sh
-	$(call embed,render/programmable/shader_assembly.h,kShaderFiles,$(sort $(FILES_shaders)))
+	$(call embed,kShaderFiles,$(sort $(FILES_shaders)))
 $(BUILD)/embedded/webgl.cpp: $(FILES_webgl) $(BUILD)/files tools/embed.sh
-	$(call embed,render/webgl/exported_page.h,kWebglFiles,$(FILES_webgl))
+	$(call embed,kWebglFiles,$(FILES_webgl))
 $(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files tools/embed.sh
-	$(call embed,judge/report/html.h,kPageFiles,$(sort $(FILES_pages)))
+	$(call embed,kPageFiles,$(sort $(FILES_pages)))
 $(BUILD)/embedded/cases.cpp: $(FILES_cases) $(BUILD)/files tools/embed.sh
-	$(call embed,judge/check/case.h,kCaseFiles,$(sort $(FILES_cases)))
+	$(call embed,kCaseFiles,$(sort $(FILES_cases)))
 $(BUILD)/embedded/lessons.cpp: $(FILES_lessons) $(BUILD)/files tools/embed.sh
-	$(call embed,judge/lesson/lesson.h,kLessonFiles,$(sort $(FILES_lessons)))
+	$(call embed,kLessonFiles,$(sort $(FILES_lessons)))
 $(BUILD)/embedded/lessons-zh.cpp: $(FILES_lessons_zh) $(BUILD)/files tools/embed.sh
-	$(call embed,judge/lesson/lesson.h,kChineseLessonFiles,$(sort $(FILES_lessons_zh)))
+	$(call embed,kChineseLessonFiles,$(sort $(FILES_lessons_zh)))
 
 $(BUILD)/embedded/chart.js: $(CHART)
 	@mkdir -p $(@D); cp $< $@
 
 $(BUILD)/embedded/%.o: $(BUILD)/embedded/%.cpp $(BUILD)/flags
-	@$(CXX) $(CXXFLAGS_all) -MMD -MP -c $< -o $@
+	@$(CXX) $(CXXFLAGS_all) -O0 -MMD -MP -c $< -o $@
 
--include $(patsubst %.o,%.d,$(call object,$(SOURCES_all)) $(OBJECTS_embedded)) $(BUILD)/tests-$(units).h.d
+-include $(patsubst %.o,%.d,$(call object,$(SOURCES_all)) $(OBJECTS_embedded)) $(BUILD)/precompiled.h.d

@@ -1,9 +1,10 @@
 #!/bin/sh
-# embed.sh HEADER TABLE FILE...: prints the C++ that defines TABLE, a std::vector<EmbeddedFile> declared in HEADER, from the files.
+# embed.sh TABLE FILE...: prints the C++ that defines TABLE, a std::vector<EmbeddedFile>, from the files.
 set -eu
-header=$1 table=$2
-shift 2
-printf '#include "%s"\nnamespace twinlight {\nconst std::vector<EmbeddedFile> %s = {\n' "$header" "$table"
+table=$1
+shift
+printf '#include "base/image/embedded.h"\nnamespace twinlight {\nextern const std::vector<EmbeddedFile> %s;\n' "$table"
+printf 'const std::vector<EmbeddedFile> %s = {\n' "$table"
 for file; do
     case $file in
     *.png) # bytes: a string of escapes, and its length

@@ -1,4 +1,4 @@
-// Reads and writes whole files. A file is written completely or not at all. Also: files embedded in the program.
+// Reads and writes whole files. A file is written completely or not at all.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,6 @@
 #include <vector>
 
 namespace twinlight {
-
-// A file inside the program. tools/embed.sh writes tables of them.
-struct EmbeddedFile {
-    std::string_view name;  // without its folder
-    std::string_view text;
-};
 
 // what() is one line: "path: reason".
 struct FileError : std::runtime_error {

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "base/image/file.h"
+#include "base/image/embedded.h"
 #include "render/look.h"
 #include "scene/command/command.h"
 #include "scene/state/scene.h"

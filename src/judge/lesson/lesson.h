@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/image/file.h"
+#include "base/image/embedded.h"
 #include "judge/lesson/work.h"
 
 namespace twinlight {

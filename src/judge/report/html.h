@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/image/file.h"
+#include "base/image/embedded.h"
 
 namespace twinlight {
 

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "base/image/file.h"
+#include "base/image/embedded.h"
 #include "render/effect/effect_set.h"
 #include "render/programmable/form.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/image/file.h"
+#include "base/image/embedded.h"
 #include "render/look.h"
 #include "scene/state/frame.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/image/file.h"
+#include "base/image/embedded.h"
 #include "scene/command/command.h"
 #include "scene/command/text.h"
 
