@@ -5,6 +5,7 @@ set -uo pipefail
 usage() {
     cat <<END
 Usage: tools/in-clean-root.sh [options] RELEASE 'COMMAND'
+       tools/in-clean-root.sh [options] --times RELEASE
        tools/in-clean-root.sh [options] --try RELEASE
 Runs a command on a bare Debian or Ubuntu: the packages that every installation has, make and git, nothing else.
 It runs as root, in a clean clone of this repository's last commit. Uncommitted changes are not in it.
@@ -18,6 +19,8 @@ RELEASE      bookworm (Debian 12), trixie (Debian 13), forky (Debian testing), n
 --keep       keep the root after the run, to look at what the command left behind
 --give FILE  copy this file into the root's /srv, beside the clone
 --take FILES after the run, copy these files of the clone ('build/*.deb') here, into build/RELEASE
+--row FILE   append a row about the run to this file, for the tables of docs/testing.md
+--times      instead of a command: run README's two commands, and print the seconds that each takes
 --try        run no command: only make the bare system, to see whether this machine can
 
 The bare system, downloaded packages and the last run's log are kept in
@@ -34,7 +37,7 @@ say() { printf 'in-clean-root: %s\n' "$*" >&2; }
 wrong_use() { say "$*"; say "See tools/in-clean-root.sh --help"; exit 2; }
 cannot_run() { say "$*"; exit 77; }
 
-mirror= fresh= keep= try= give= take=
+mirror= fresh= keep= try= times= give= take= row=
 while [[ ${1-} == -* ]]; do
     case $1 in
         --help | -h) usage; exit 0 ;;
@@ -44,17 +47,23 @@ while [[ ${1-} == -* ]]; do
         --keep) keep=yes ;;
         --give) [ -f "${2-}" ] || wrong_use "--give needs a file"; give=$2; shift ;;
         --take) [ $# -ge 2 ] || wrong_use "--take needs a file's path in the clone"; take=$2; shift ;;
+        --row) [ $# -ge 2 ] || wrong_use "--row needs a file"; row=$2; shift ;;
+        --times) times=yes ;;
         --try) try=yes ;;
         *) wrong_use "there is no option $1" ;;
     esac
     shift
 done
-if [ -n "$try" ]; then
-    [ $# -eq 1 ] || wrong_use "--try needs a release and no command"
+if [ -n "$try$times" ]; then
+    [ $# -eq 1 ] || wrong_use "--try and --times need a release and no command"
 else
     [ $# -eq 2 ] || wrong_use "a release and a command are needed (quote the command)"
 fi
 release=$1 command=${2-}
+if [ -n "$times" ]; then
+    # The packages come first, so that the network's speed is a number of its own.
+    command='for goal in "deps (packages)" demo test; do begin=$SECONDS; make ${goal%% *}; echo "seconds: make $goal: $((SECONDS - begin))"; done'
+fi
 
 # The components that hold our packages, the distribution's keys, and how debootstrap makes it: a debootstrap that is older than
 # the release makes it as an earlier one.
@@ -169,10 +178,22 @@ fi
 # ---- One line about the run ----
 
 gcc=$(chroot "$root" g++ -dumpfullversion 2>/dev/null)
-mesa=$(chroot "$root" dpkg-query -W -f '${Version}' libosmesa6 2>/dev/null | sed 's/[-~].*//')
+mesa=$(chroot "$root" dpkg-query -W -f '${Version}' libgl1-mesa-dri 2>/dev/null | sed 's/[-~].*//')
+osmesa=$(chroot "$root" dpkg-query -W -f '${Version}' libosmesa6 2>/dev/null | sed 's/[-~].*//')
+[ -z "$osmesa" ] || [ "$osmesa" = "$mesa" ] || mesa="$mesa, OSMesa $osmesa"
 system="$name${gcc:+, g++ $gcc}${mesa:+, Mesa $mesa}"
 [ -z "$keep" ] || say "the root is kept, with the clone in $clone: chroot $root"
-if [ "$status" -eq 0 ]; then
+if [ -n "$row" ]; then
+    result=succeeded
+    [ "$status" -eq 0 ] || result="failed (status $status)"
+    # The last count of tests, if the command ran some: '[  PASSED  ] 1850 tests.'
+    count=$(sed -nE 's/^\[  PASSED  \] ([0-9]+ tests?)\.$/\1/p' "$log" | tail -n 1)
+    echo "| $name | $release | ${gcc:-} | ${mesa:-} | $(date -u +%F) | $(git -C "$source" rev-parse --short=8 HEAD) | \`$command\` | $result${count:+, $count passed} |" >>"$row"
+fi
+if [ "$status" -eq 0 ] && [ -n "$times" ]; then
+    say "$system, on $(nproc) processors ($(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -n 1)):"
+    sed -n 's/^seconds: //p' "$log" >&2
+elif [ "$status" -eq 0 ]; then
     say "$system: '$command' succeeded"
 else
     failed=$(cat "$root/failed-command" 2>/dev/null)
