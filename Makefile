@@ -91,6 +91,9 @@ OPTIMISATION_test := $(if $(filter release,$(config)),-O1 -Wno-array-bounds -Wno
 INSTRUCTIONS_points_avx2 := -mavx2 -mfma
 # (g++ 12's own header leaves some values undefined on purpose, and g++ warns about them.)
 INSTRUCTIONS_points_avx512 := -mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx512vl -Wno-uninitialized -Wno-maybe-uninitialized
+# What the tests need of these instructions.
+INSTRUCTIONS_lane_results_avx2 := $(INSTRUCTIONS_points_avx2)
+INSTRUCTIONS_lane_results_avx512 := $(INSTRUCTIONS_points_avx512)
 INSTRUCTIONS = $(if $(filter x86_64%,$(MACHINE)),$(INSTRUCTIONS_$(basename $(@F))))
 MACHINE := $(shell $(CXX) -dumpmachine 2>/dev/null)
 # -g1 is enough for line numbers in the sanitizers' reports, and compiles up to a third faster than -g.
@@ -321,6 +324,8 @@ OBJECTS_tests := $(call object,$(SOURCES_tests))
 $(OBJECTS_tests): $(BUILD)/tests-$(units).h.gch
 PRECOMPILED := $(OPTIMISATION_test) $(if $(filter files,$(units)),-DONLY_GOOGLETEST)
 $(OBJECTS_tests): CXXFLAGS_test = $(PRECOMPILED) -include $(BUILD)/tests-$(units).h
+# These two are compiled for wide instructions, and so must hold nothing else that is shared.
+$(patsubst %,$(BUILD)/objects/tests/unit/lighting/lane_results_%.o,avx2 avx512): CXXFLAGS_test :=
 $(BUILD)/tests-$(units).h.gch: tests/precompiled.h $(BUILD)/flags
 	@echo "compile $<"
 	@$(CXX) $(CXXFLAGS_all) $(PRECOMPILED) -MMD -MP -MT $@ -MF $(@:.gch=.d) -x c++-header -c $< -o $@
