@@ -119,8 +119,7 @@ template <bool kHasFused, class Real, class Visit>
     visit("length(a, b, c) without guards", unit.length);
     visit("whether a^5 by rounded products is finite",
           select(abs(fifth_power<PowerBy::kRoundedProducts>(a)) <= largest, one, zero));
-    visit("whether a^5 by a table is finite",
-          select(abs(fifth_power<PowerBy::kTable>(abs(a))) <= largest, one, zero));
+    visit("whether a^5 by a table is finite", select(abs(fifth_power<PowerBy::kTable>(abs(a))) <= largest, one, zero));
     if constexpr (kHasFused) {
         visit("a b + c with one rounding", fused_sum(a, b, c));
         visit("a b - c with one rounding", fused_difference(a, b, c));

@@ -301,8 +301,8 @@ TEST(WideInstructions, AreConfinedToTheirOwnSymbols) {
     if (std::system("command -v nm >/dev/null 2>&1") != 0) GTEST_SKIP() << "nm is not installed";
     for (const std::string file : {"src/lighting/points", "tests/unit/lighting/lane_results"}) {
         for (const std::string set : {"avx2", "avx512"}) {
-            const ProgramResult symbols = run_shell("objects/" + file + "_" + set + ".o",
-                                                    "nm -C --defined-only --extern-only \"$PROGRAM\"");
+            const ProgramResult symbols =
+                run_shell("objects/" + file + "_" + set + ".o", "nm -C --defined-only --extern-only \"$PROGRAM\"");
             ASSERT_EQ(symbols.status, 0) << symbols.err;
             std::istringstream lines(symbols.out);
             int count = 0;
