@@ -102,6 +102,9 @@ CXXFLAGS_debug := -O0 -g
 INSTRUCTIONS_points_avx2 := -mavx2 -mfma
 # (g++ 12's own header leaves some values undefined on purpose, and g++ warns about them.)
 INSTRUCTIONS_points_avx512 := -mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx512vl -Wno-uninitialized -Wno-maybe-uninitialized
+# What the tests need of these instructions.
+INSTRUCTIONS_lane_results_avx2 := $(INSTRUCTIONS_points_avx2)
+INSTRUCTIONS_lane_results_avx512 := $(INSTRUCTIONS_points_avx512)
 INSTRUCTIONS = $(if $(filter x86_64%,$(MACHINE)),$(INSTRUCTIONS_$(basename $(@F))))
 MACHINE := $(shell $(CXX) -dumpmachine 2>/dev/null)
 # -g1 is enough for line numbers in the sanitizers' reports, and compiles up to a third faster than -g.
@@ -181,7 +184,7 @@ else
 # Some programs link these without the rest of their room, or the rest without these.
 ALONE := $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_bench_library) $(SOURCES_bench_meshes) $(SOURCES_fuzz) $(SOURCES_bad_input)
 # These have their own flags (INSTRUCTIONS_...).
-ALONE += src/lighting/points_avx%.cpp
+ALONE += src/lighting/points_avx%.cpp tests/unit/lighting/lane_results_avx%.cpp
 # This calls so many of the equation's functions that g++ would no longer inline them where pictures are lit.
 ALONE += src/render/reference/pixel_history.cpp
 # Only Emscripten compiles this.

@@ -19,6 +19,24 @@ enum class Range : std::uint8_t {
     kPlain,  // no guards: if one is needed, the result is NaN or infinite, and the caller repeats the work with kAny
 };
 
+// a > b ? a : b in each lane, so b if one of them is NaN. This is what the processor's instruction computes. It is not
+// xsimd's max(): which operand that returns for NaN depends on its version.
+#if defined(__AVX512F__)
+[[gnu::always_inline]] inline __m512d larger_or_second(__m512d a, __m512d b) { return _mm512_max_pd(a, b); }
+[[gnu::always_inline]] inline __m512 larger_or_second(__m512 a, __m512 b) { return _mm512_max_ps(a, b); }
+#elif defined(__AVX__)
+[[gnu::always_inline]] inline __m256d larger_or_second(__m256d a, __m256d b) { return _mm256_max_pd(a, b); }
+[[gnu::always_inline]] inline __m256 larger_or_second(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }
+#elif defined(__x86_64__)
+[[gnu::always_inline]] inline __m128d larger_or_second(__m128d a, __m128d b) { return _mm_max_pd(a, b); }
+[[gnu::always_inline]] inline __m128 larger_or_second(__m128 a, __m128 b) { return _mm_max_ps(a, b); }
+#else
+template <class Scalar, class Arch>
+xsimd::batch<Scalar, Arch> larger_or_second(xsimd::batch<Scalar, Arch> a, xsimd::batch<Scalar, Arch> b) {
+    return xsimd::select(a > b, a, b);
+}
+#endif
+
 // Scalar: float or double. Arch: the xsimd instruction set that the including file is compiled for.
 template <class Scalar, class Arch, Range kRange, PowerBy kPower>
 struct Lanes {
@@ -40,7 +58,8 @@ struct Lanes {
     friend Lanes operator-(Lanes a, Lanes b) { return Lanes(a.batch - b.batch); }
     friend Lanes operator*(Lanes a, Lanes b) { return Lanes(a.batch * b.batch); }
     friend Lanes operator/(Lanes a, Lanes b) { return Lanes(a.batch / b.batch); }
-    friend Lanes operator-(Lanes a) { return Lanes(-a.batch); }
+    // xsimd's own minus gives 0 for 0 in some instruction sets; this gives -0.
+    friend Lanes operator-(Lanes a) { return Lanes(Batch(Scalar(-0.0)) - a.batch); }
     friend Mask operator<(Lanes a, Lanes b) { return a.batch < b.batch; }
     friend Mask operator<=(Lanes a, Lanes b) { return a.batch <= b.batch; }
     friend Mask operator>(Lanes a, Lanes b) { return a.batch > b.batch; }
@@ -52,14 +71,11 @@ struct Lanes {
     friend Lanes sqrt(Lanes a) { return Lanes(xsimd::sqrt(a.batch)); }
     friend Lanes power(Lanes base, Lanes exponent) { return Lanes(power_of<kPower>(base.batch, exponent.batch)); }
 
-    // NaN is never the larger value (real.h). Without guards it must survive, so the operands are swapped.
+    // With guards: as in real.h, where NaN in `a` is never the larger value. Without: NaN in `a` must survive, so the
+    // operands are swapped.
     friend Lanes larger(Lanes a, Lanes b) {
         if constexpr (kRange == Range::kPlain) std::swap(a, b);
-#if defined(__x86_64__)
-        return Lanes(xsimd::max(a.batch, b.batch));  // returns b if one of them is NaN
-#else
-        return select(a > b, a, b);
-#endif
+        return Lanes(Batch(larger_or_second(a.batch, b.batch)));
     }
 
     Batch batch;

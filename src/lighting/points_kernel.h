@@ -51,8 +51,8 @@ template <class Real>
 }
 
 template <class Real>
-[[gnu::always_inline]] inline void store(const Real& points, Column& column, std::size_t first) {
-    double* to = column.data() + first;
+[[gnu::always_inline]] inline void store(const Real& points, double* column, std::size_t first) {
+    double* to = column + first;
     if constexpr (std::is_floating_point_v<Real>) {
         *to = static_cast<double>(points);
     } else if constexpr (std::is_same_v<typename Real::Batch::value_type, double>) {
@@ -65,9 +65,9 @@ template <class Real>
 }
 template <class Real>
 [[gnu::always_inline]] inline void store(const Vec3<Real>& points, Vec3<Column>& columns, std::size_t first) {
-    store(points.x, columns.x, first);
-    store(points.y, columns.y, first);
-    store(points.z, columns.z, first);
+    store(points.x, columns.x.data(), first);
+    store(points.y, columns.y.data(), first);
+    store(points.z, columns.z.data(), first);
 }
 
 template <class Real>

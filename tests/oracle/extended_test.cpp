@@ -25,7 +25,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::extended_test {
 
 namespace {
 
@@ -305,4 +305,4 @@ TEST(ExtendedPrecision, AgreesWithTheOracleInTwentyFiveDigits) {
 }
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::extended_test

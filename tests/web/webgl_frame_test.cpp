@@ -290,7 +290,7 @@ TEST(WebglFrame, PutsTheBordersColourAroundTextures) {
     EXPECT_EQ(frame.words[first + 2], 0xFFFF0000u);
     const Json inside = uniforms_of(frame.header["items"][0], frame.header)["u_texture_inside"];
     EXPECT_EQ(inside, (Json{1.0 / 3, 1, 1}));
-    EXPECT_EQ(frame.header["missing"], Json::array());
+    EXPECT_EQ(Json(frame.header["missing"]), Json::array());
 
     const Json mipmapped = header_of(texture + square);
     EXPECT_EQ(mipmapped["textures"][0]["images"][0][2], 1);

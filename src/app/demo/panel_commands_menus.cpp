@@ -66,10 +66,12 @@ constexpr const char* kTemplates[] = {
     "glFrontFace(GL_CW);",
 };
 
-// Whether the text has all letters of the pattern, in any case, in this order next to each other.
+// Whether the pattern occurs in the text, in upper or lower case. An empty pattern occurs in every text.
+// (With g++ 12's library, clang 14 cannot compile std::ranges::search().)
 bool has_text(std::string_view text, std::string_view pattern) {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    return !std::ranges::search(text, pattern, {}, lower, lower).empty();
+    const auto is_same = [&](char a, char b) { return lower(a) == lower(b); };
+    return std::search(text.begin(), text.end(), pattern.begin(), pattern.end(), is_same) != text.end();
 }
 
 }  // namespace

@@ -17,18 +17,18 @@
 namespace twinlight {
 
 std::string encode_png(const Image& image) {
-    constexpr int kChannels = 3;
+    constexpr int kPngChannels = 3;
     std::vector<std::uint8_t> codes;
-    codes.reserve(image.pixels.size() * kChannels);
+    codes.reserve(image.pixels.size() * kPngChannels);
     for (const Rgba& pixel : image.pixels) {
-        for (std::size_t channel = 0; channel < kChannels; ++channel) codes.push_back(channel_code(pixel[channel]));
+        for (std::size_t channel = 0; channel < kPngChannels; ++channel) codes.push_back(channel_code(pixel[channel]));
     }
     std::string png;
     const auto append = [](void* context, void* data, int size) {
         static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
     };
-    const int written = stbi_write_png_to_func(append, &png, image.width, image.height, kChannels, codes.data(),
-                                               image.width * kChannels);
+    const int written = stbi_write_png_to_func(append, &png, image.width, image.height, kPngChannels, codes.data(),
+                                               image.width * kPngChannels);
     if (written == 0) throw std::runtime_error("the picture could not be encoded as PNG");
     return png;
 }

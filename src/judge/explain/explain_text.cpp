@@ -140,16 +140,16 @@ std::string pictures_text(const std::vector<Rendered>& pictures, bool variants) 
 }  // namespace
 
 std::string steps_after_lighting(const PixelFragment& fragment, const Draw& draw, bool lecture_variants) {
-    std::vector<std::string> steps = {"clamping"};
+    std::string steps = "after clamping";
     if (draw.combines_textures())
-        steps.emplace_back("textures (3.8)");
+        steps += ", textures (3.8)";
     else if (draw.texture.texture)
-        steps.emplace_back("texture (3.8)");
+        steps += ", texture (3.8)";
     const bool separates = fragment.is_lit && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
-    if (separates || !draw.secondary_colors.empty()) steps.emplace_back("colour sum (3.9)");
-    if (draw.fog.enabled) steps.emplace_back("fog (3.10)");
-    if (lecture_variants && draw.fragment.srgb_coded) steps.emplace_back("sRGB");
-    return fmt::format("after {}", fmt::join(steps, ", "));
+    if (separates || !draw.secondary_colors.empty()) steps += ", colour sum (3.9)";
+    if (draw.fog.enabled) steps += ", fog (3.10)";
+    if (lecture_variants && draw.fragment.srgb_coded) steps += ", sRGB";
+    return steps;
 }
 
 std::size_t first_seen(const Frame& frame, const std::vector<PixelFragment>& fragments) {

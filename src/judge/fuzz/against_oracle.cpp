@@ -378,7 +378,6 @@ class OracleRun {
 
     // A context keeps all its programs, so it is replaced from time to time.
     void renew_context() {
-        context_.reset();
         context_.emplace(compare::kShaderPicture, compare::kShaderPicture, ColorBuffer::kFloat);
         context_->make_current();
         if (options_.shaders) shader_variants_ = check::shader_variants();

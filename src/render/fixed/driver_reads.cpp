@@ -111,7 +111,7 @@ bool Driver::holds(const ArrayPointer& array, Enum name) const {
     struct Queries {
         Enum array, pointer, stride, buffer, type, size;  // 0: no such query
     };
-    static constexpr Queries kQueries[] = {
+    static constexpr Queries kArrayQueries[] = {
         {GL_VERTEX_ARRAY, GL_VERTEX_ARRAY_POINTER, GL_VERTEX_ARRAY_STRIDE, GL_VERTEX_ARRAY_BUFFER_BINDING,
          GL_VERTEX_ARRAY_TYPE, GL_VERTEX_ARRAY_SIZE},
         {GL_NORMAL_ARRAY, GL_NORMAL_ARRAY_POINTER, GL_NORMAL_ARRAY_STRIDE, GL_NORMAL_ARRAY_BUFFER_BINDING,
@@ -123,7 +123,7 @@ bool Driver::holds(const ArrayPointer& array, Enum name) const {
         {GL_TEXTURE_COORD_ARRAY, GL_TEXTURE_COORD_ARRAY_POINTER, GL_TEXTURE_COORD_ARRAY_STRIDE,
          GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING, GL_TEXTURE_COORD_ARRAY_TYPE, GL_TEXTURE_COORD_ARRAY_SIZE},
     };
-    const Queries& queries = *std::ranges::find(kQueries, name, &Queries::array);
+    const Queries& queries = *std::ranges::find(kArrayQueries, name, &Queries::array);
     if ((glIsEnabled(name) == GL_TRUE) != array.enabled) return false;
     if (!array.enabled) return true;
     const auto same = [](Enum query, double value) { return query == 0 || integer(query, -1) == value; };

@@ -299,15 +299,18 @@ TEST(WideInstructions, AreConfinedToTheirOwnSymbols) {
     GTEST_SKIP() << "only for release builds on x86-64";
 #endif
     if (std::system("command -v nm >/dev/null 2>&1") != 0) GTEST_SKIP() << "nm is not installed";
-    for (const std::string set : {"avx2", "avx512"}) {
-        const ProgramResult symbols =
-            run_shell("objects/src/lighting/points_" + set + ".o", "nm -C --defined-only --extern-only \"$PROGRAM\"");
-        ASSERT_EQ(symbols.status, 0) << symbols.err;
-        std::istringstream lines(symbols.out);
-        int count = 0;
-        for (std::string line; std::getline(lines, line); ++count)
-            EXPECT_TRUE(line.find(set) != std::string::npos || line.find(" DW.ref.") != std::string::npos) << line;
-        EXPECT_GT(count, 0);
+    for (const std::string file : {"src/lighting/points", "tests/unit/lighting/lane_results"}) {
+        for (const std::string set : {"avx2", "avx512"}) {
+            const ProgramResult symbols =
+                run_shell("objects/" + file + "_" + set + ".o", "nm -C --defined-only --extern-only \"$PROGRAM\"");
+            ASSERT_EQ(symbols.status, 0) << symbols.err;
+            std::istringstream lines(symbols.out);
+            int count = 0;
+            for (std::string line; std::getline(lines, line); ++count)
+                EXPECT_TRUE(line.find(set) != std::string::npos || line.find(" DW.ref.") != std::string::npos)
+                    << file << ": " << line;
+            EXPECT_GT(count, 0);
+        }
     }
 }
 
