@@ -25,7 +25,7 @@
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
-namespace twinlight::extended_test {
+namespace twinlight {
 
 namespace {
 
@@ -305,4 +305,4 @@ TEST(ExtendedPrecision, AgreesWithTheOracleInTwentyFiveDigits) {
 }
 
 }  // namespace
-}  // namespace twinlight::extended_test
+}  // namespace twinlight
