@@ -11,8 +11,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <new>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "base/image/file.h"
@@ -134,7 +136,32 @@ CLI::Validator not_empty() {
     return CLI::Validator([](const std::string& text) { return text.empty() ? "the name is empty" : ""; }, "");
 }
 
+namespace {
+
+// --help looks alike with CLI11 2.1 and 2.6, which writes the usage without a label and breaks lines again.
+class HelpText : public CLI::Formatter {
+  public:
+    std::string make_usage(const CLI::App* app, std::string name) const override {
+        std::string usage = CLI::Formatter::make_usage(app, std::move(name));
+        usage.erase(0, usage.find_first_not_of('\n'));
+        return usage.starts_with("Usage:") ? usage : "Usage: " + usage;
+    }
+};
+template <class Formatter>
+void keep_lines(Formatter& formatter) {
+    if constexpr (requires { formatter.enable_description_formatting(false); }) {
+        formatter.enable_description_formatting(false);
+        formatter.enable_footer_formatting(false);
+    }
+}
+
+}  // namespace
+
 bool parse_command_line(CLI::App& app, int argc, char** argv) {
+    const auto help = std::make_shared<HelpText>();
+    keep_lines(*help);
+    app.formatter(help);
+    for (CLI::App* command : app.get_subcommands({})) command->formatter(help);
     try {
         app.parse(argc, argv);
         return true;

@@ -6,6 +6,7 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/image/file.h"
@@ -26,9 +27,10 @@ inline std::vector<Document> documents() {
     std::ranges::sort(paths);
     std::vector<Document> all;
     for (const std::string& path : paths) {
-        Document& document = all.emplace_back(path);
+        Document document{path, {}};
         std::istringstream in(read_file(path));
         for (std::string line; std::getline(in, line);) document.lines.push_back(line);
+        all.push_back(std::move(document));
     }
     return all;
 }
