@@ -133,8 +133,10 @@ LIBS_gtest := $(shell pkg-config --libs gtest_main 2>/dev/null)
 
 # These provide GL without a window; each program links one of them.
 SOURCES_osmesa := src/render/context/osmesa.cpp
-SOURCES_egl := src/render/context/egl.cpp
-SOURCES_library := $(filter-out src/app/% $(SOURCES_osmesa) $(SOURCES_egl),$(sort $(shell find src -name '*.cpp')))
+# (Where EGL stands in for OSMesa, it draws without a GPU, too.)
+SOURCES_egls := $(wildcard src/render/context/egl*.cpp)
+SOURCES_egl := $(filter-out %/egl_$(if $(GL_given),software,any).cpp,$(SOURCES_egls))
+SOURCES_library := $(filter-out src/app/% $(SOURCES_osmesa) $(SOURCES_egls),$(sort $(shell find src -name '*.cpp')))
 SOURCES_app := $(wildcard src/app/*.cpp)
 SOURCES_cli := $(SOURCES_app) $(wildcard src/app/cli/*.cpp)
 # The window's state, without GL; the tests link it, too.
@@ -158,7 +160,7 @@ SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
 SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz) $(SOURCES_recorder),$(sort $(shell find tests -name '*.cpp')))
 # The folders of tests that are built; all of them without TESTS=.
 SOURCES_some_tests := $(if $(TESTS),$(filter $(TESTS:%=%/%),$(SOURCES_tests)),$(SOURCES_tests))
-SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_web) $(SOURCES_tests) $(SOURCES_recorder) \
+SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egls) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_web) $(SOURCES_tests) $(SOURCES_recorder) \
     $(SOURCES_bench) $(SOURCES_fuzz))
 HEADERS := $(sort $(shell find src tests -name '*.h'))
 EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes scene_assets shaders webgl pages cases lessons lessons-zh)
@@ -182,7 +184,7 @@ ifeq ($(units),files)
 ALONE := %.cpp
 else
 # Some programs link these without the rest of their room, or the rest without these.
-ALONE := $(SOURCES_osmesa) $(SOURCES_egl) $(SOURCES_bench_library) $(SOURCES_bench_meshes) $(SOURCES_fuzz) $(SOURCES_bad_input)
+ALONE := $(SOURCES_osmesa) $(SOURCES_egls) $(SOURCES_bench_library) $(SOURCES_bench_meshes) $(SOURCES_fuzz) $(SOURCES_bad_input)
 # These have their own flags (INSTRUCTIONS_...).
 ALONE += src/lighting/points_avx%.cpp tests/unit/lighting/lane_results_avx%.cpp
 # This calls so many of the equation's functions that g++ would no longer inline them where pictures are lit.
@@ -216,13 +218,19 @@ endif
 test-binary: $(PROGRAMS)/twinlight-tests $(PROGRAMS)/shape-recorder programs
 
 demo: deps  ## build, then open the window; without a display, write a comparison report instead
-	@$(MAKE) programs
-	@if [ -n "$$DISPLAY" ]; then exec $(PROGRAMS)/twinlight-demo $(SCENE); else \
+	@if [ -n "$$DISPLAY" ]; then \
+	    $(MAKE) $(PROGRAMS)/twinlight-demo || exit; \
+	    nice $(MAKE) programs >$(BUILD)/programs.log 2>&1 & \
+	    $(PROGRAMS)/twinlight-demo $(SCENE); status=$$?; \
+	    [ -e $(PROGRAMS)/twinlight ] || echo "$(PROGRAMS)/twinlight is still being compiled."; \
+	    wait; $(MAKE) programs && exit $$status; else \
+	    $(MAKE) programs || exit; \
 	    echo "There is no display (DISPLAY is not set): writing a comparison report of the scene 'report' instead."; \
 	    mkdir -p build/report && $(PROGRAMS)/twinlight compare report -o build/report && \
 	    echo "Open build/report/index.html in a browser."; fi
 
-test_environment := LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks_of_drivers.supp:print_suppressions=0
+test_environment := LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks_of_drivers.supp:print_suppressions=0 \
+    $(if $(ALL_CASES),ALL_CASES=$(ALL_CASES))
 test: deps  ## build, then run every test; needs no display (TEST='Spot*' runs some; TESTS='tests/golden' builds only those of some folders)
 	@$(MAKE) test-binary
 	@if pkg-config --exists egl; then $(MAKE) GL=egl $(BUILD)/egl/twinlight; fi
@@ -365,7 +373,9 @@ link = @echo "link $@"; mkdir -p $(@D); $(CXX) $(LDFLAGS_all) $(filter %.o %.a,$
 $(PROGRAMS)/twinlight: $(call object,$(SOURCES_cli)) $(OFFSCREEN)
 	$(link) $(LIBS_offscreen) $(LIBS)
 
-$(PROGRAMS)/twinlight-demo: $(call object,$(SOURCES_demo)) $(BUILD)/libtwinlight.a
+# The window has no use for some rooms, so it need not wait for them.
+SOURCES_demo_library := $(filter-out src/judge/check/% src/judge/fuzz/% src/judge/oracle/%,$(SOURCES_library))
+$(PROGRAMS)/twinlight-demo: $(call object,$(SOURCES_demo) $(SOURCES_demo_library)) $(OBJECTS_embedded)
 	$(link) $(LIBS_window) $(LIBS)
 
 # The library's objects come first: of a template that a test instantiates too, the linker takes their copy, optimised as in the programs.

@@ -188,7 +188,7 @@ if [ -n "$row" ]; then
     [ "$status" -eq 0 ] || result="failed (status $status)"
     # The last count of tests, if the command ran some: '[  PASSED  ] 1850 tests.'
     count=$(sed -nE 's/^\[  PASSED  \] ([0-9]+ tests?)\.$/\1/p' "$log" | tail -n 1)
-    echo "| $name | $release | ${gcc:-} | ${mesa:-} | $(date -u +%F) | $(git -C "$source" rev-parse --short=8 HEAD) | \`$command\` | $result${count:+, $count passed} |" >>"$row"
+    echo "| $name | $release | g++ ${gcc:-?} | ${mesa:-?} | $(date -u +%F) | $(git -C "$source" rev-parse --short=8 HEAD) | \`$command\` | $result${count:+, $count passed} |" >>"$row"
 fi
 if [ "$status" -eq 0 ] && [ -n "$times" ]; then
     say "$system, on $(nproc) processors ($(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -n 1)):"

@@ -13,7 +13,7 @@
 namespace twinlight {
 
 inline constexpr glm::dvec4 kRed{1, 0, 0, 1}, kGreen{0, 1, 0, 1}, kBlue{0, 0, 1, 1}, kWhite{1, 1, 1, 1};
-inline constexpr glm::dvec4 kBlack{0, 0, 0, 0};  // what a frame starts from
+inline constexpr glm::dvec4 kNothingDrawn{0, 0, 0, 0};  // what a frame starts from
 
 // A vertex at (x, y, z) with its colour. z = 0 is the near plane, z = -1 the far one: window depth is -z.
 inline Vertex vertex(double x, double y, const glm::dvec4& color = kWhite, double z = 0) {
@@ -58,7 +58,7 @@ inline Pixels drawn(const Image& image) {
     Pixels pixels;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
-            if (pixel(image, x, y) != kBlack) pixels.insert({x, y});
+            if (pixel(image, x, y) != kNothingDrawn) pixels.insert({x, y});
     return pixels;
 }
 

@@ -13,6 +13,7 @@
 
 #include "render/context/context.h"
 #include "render/context/driver_name.h"
+#include "render/context/egl_devices.h"
 #include "render/context/gl.h"
 #include "render/context/softpipe.h"
 
@@ -34,8 +35,10 @@ struct Source {
     void* native;
 };
 
-// GPUs first, then Mesa's default, then all other devices.
+// GPUs first, if they are taken; then Mesa's default, then all other devices.
 std::vector<Source> sources() {
+    constexpr int kKeep = 0;  // keeps the user's setting
+    if (!kTakesGpus) ::setenv("LIBGL_ALWAYS_SOFTWARE", "true", kKeep);
     const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     std::vector<Source> gpus, others;
     if (has_word(extensions, "EGL_MESA_platform_surfaceless"))
@@ -53,6 +56,7 @@ std::vector<Source> sources() {
             (is_software ? others : gpus).push_back({fmt::format("device {}", i), EGL_PLATFORM_DEVICE_EXT, device});
         }
     }
+    if (!kTakesGpus) return others;
     gpus.insert(gpus.end(), others.begin(), others.end());
     return gpus;
 }
@@ -102,7 +106,7 @@ Connection connect() {
     }
     throw std::runtime_error(
         fmt::format("EGL provides no OpenGL with a compatibility profile ({}); install the GPU's driver or Mesa's "
-                    "(libegl-mesa0, libgl1-mesa-dri), or build without GL=egl",
+                    "(libegl-mesa0, libgl1-mesa-dri)",
                     tried.empty() ? "it offers neither a device nor a surfaceless display" : tried));
 }
 

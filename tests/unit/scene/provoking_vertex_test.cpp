@@ -27,7 +27,7 @@ class Flat {
     }
     int at(int x, int y) const {
         const glm::dvec4 color = pixel(image_, x, y);
-        return color == kBlack ? -1 : static_cast<int>(color.r * 16 - 1 + 0.5);
+        return color == kNothingDrawn ? -1 : static_cast<int>(color.r * 16 - 1 + 0.5);
     }
 
   private:
