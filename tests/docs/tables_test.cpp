@@ -111,7 +111,7 @@ std::string subjects_table() {
 // ---- Known bugs ----
 
 struct Bug {
-    std::string name, section, text, driver, nvidia, mended;
+    std::string name, section, text, driver, nvidia, fixed, since;
 };
 
 // The entries of golden/known_differences; a line that starts with spaces continues the one before it.
@@ -121,7 +121,7 @@ std::vector<Bug> bugs() {
     std::string* value = nullptr;
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with('[') && line.ends_with(']')) {
-            list.push_back({line.substr(1, line.size() - 2), "", "", "", "", ""});
+            list.push_back({.name = line.substr(1, line.size() - 2)});
             value = nullptr;
         } else if (line.starts_with(' ') && value) {
             *value += line.substr(line.find_first_not_of(' ') - 1);
@@ -132,7 +132,8 @@ std::vector<Bug> bugs() {
                     : key == "text"   ? &bug.text
                     : key == "driver" ? &bug.driver
                     : key == "nvidia" ? &bug.nvidia
-                                      : &bug.mended;
+                    : key == "fixed"  ? &bug.fixed
+                                      : &bug.since;
             *value = line.substr(line.find_first_not_of(' ', key.size() + 1));
         }
     }
@@ -154,13 +155,22 @@ std::map<std::string, std::vector<std::string>> cases_by_bug(const std::string& 
 const std::string kMesa = "llvmpipe, 4.5 Mesa 22.3.6, OSMesa",
                   kNvidia = "NVIDIA H200/PCIe/SSE2, 4.6.0 NVIDIA 580.159.04, EGL";
 
+// "all", "before 25.0"
+std::string releases_of(const Bug& bug) {
+    const auto number = [](const std::string& release) { return release.substr(release.find(' ') + 1); };
+    std::string words;
+    if (!bug.since.empty()) words = "from " + number(bug.since);
+    if (!bug.fixed.empty()) words += (words.empty() ? "before " : " before ") + number(bug.fixed);
+    return words.empty() ? "all" : words;
+}
+
 std::string bugs_table() {
     auto names = cases_by_bug(kMesa);
-    std::string table = "| bug | section | GL requires | Mesa 22.3 | fixed in | cases |\n|---|---|---|---|---|---|\n";
+    std::string table = "| bug | section | GL requires | Mesa | releases | cases |\n|---|---|---|---|---|---|\n";
     for (const Bug& bug : bugs()) {
         if (bug.driver.empty()) continue;
         table += fmt::format("| {} | {} | {} | {} | {} | {} |\n", cell(bug.name), bug.section, cell(bug.text),
-                             cell(bug.driver), bug.mended.empty() ? "-" : bug.mended, names_text(names[bug.name]));
+                             cell(bug.driver), releases_of(bug), names_text(names[bug.name]));
     }
     return table;
 }

@@ -15,39 +15,47 @@
 
 namespace twinlight {
 
-// By name, the releases that have mended each: "mended:  Mesa 25.0, Mesa 25.1".
-inline std::map<std::string, std::set<std::string>> known_differences() {
-    constexpr std::string_view kMended = "mended: ";
-    std::map<std::string, std::set<std::string>> list;
+// By name, the releases of Mesa that have the bug: those before the one of "fixed:  Mesa 25.0", and from that of "new:".
+struct KnownReleases {
+    std::string from, before;
+};
+inline std::map<std::string, KnownReleases> known_differences() {
+    constexpr std::string_view kFixed = "fixed: ", kNew = "new: ", kMesa = "Mesa ";
+    const auto number = [&](std::string_view line) {
+        return std::string(line.substr(line.find(kMesa) + kMesa.size()));
+    };
+    std::map<std::string, KnownReleases> list;
     std::string name;
     std::ifstream file("golden/known_differences");
     for (std::string line; std::getline(file, line);) {
         if (line.starts_with('[') && line.ends_with(']')) {
             name = line.substr(1, line.size() - 2);
             list[name];
-        } else if (line.starts_with(kMended)) {
-            std::istringstream releases(line.substr(kMended.size()));
-            for (std::string release; std::getline(releases >> std::ws, release, ',');) list[name].insert(release);
+        } else if (line.starts_with(kFixed)) {
+            list[name].before = number(line);
+        } else if (line.starts_with(kNew)) {
+            list[name].from = number(line);
         }
     }
     return list;
 }
 
-inline bool is_mended(std::string_view name, const Driver& driver) {
+// Whether the list says that this release of Mesa is right.
+inline bool is_right(std::string_view name, const Driver& driver) {
     static const auto list = known_differences();
     const auto known = list.find(std::string(name));
-    return known != list.end() &&
-           std::ranges::any_of(known->second, [&](const std::string& release) { return driver.has_version(release); });
+    return driver.version.starts_with("Mesa ") && known != list.end() &&
+           !compare::Releases{.from = known->second.from, .before = known->second.before}.contain(driver);
 }
 
-// Nobody has looked at the departures of a driver or release that is not listed.
+// Of a driver or release that was not measured, nobody knows what it fixed.
 inline void expect_as_listed(std::string_view name, bool departs) {
     const Driver driver = current_driver();
-    if (!compare::is_listed(driver)) return;
-    if (is_mended(name, driver))
-        EXPECT_FALSE(departs) << name << ": listed as mended in " << driver.version;
+    if (!compare::is_measured(driver)) return;
+    if (is_right(name, driver))
+        EXPECT_FALSE(departs) << name << ": listed as right in " << driver.version;
     else
-        EXPECT_TRUE(departs) << name << ": the driver keeps to the text now";
+        EXPECT_TRUE(departs) << name << ": the driver is right now";
 }
 
 }  // namespace twinlight

@@ -91,7 +91,7 @@ TEST(Fuzz, GivesTheSameSceneForTheSameState) {
 // The fuzzer finds each known bug that it skips on a driver, if --lift asks for it.
 TEST(Fuzz, FindsEachDepartureThatIsLifted) {
     const Driver driver = this_driver();
-    if (!compare::is_listed(driver)) GTEST_SKIP() << "another driver may have mended some";
+    if (!compare::is_measured(driver)) GTEST_SKIP() << "another driver may have mended some";
     if (driver.name == "softpipe") GTEST_SKIP() << "its own known bugs hide most of the others";
     int known = 0;
     for (const compare::Departure& departure : compare::departures()) {
@@ -119,7 +119,7 @@ TEST(Fuzz, FindsEachDepartureThatIsLifted) {
 }
 
 TEST(Fuzz, ShrinksAFailureToASceneThatStillFails) {
-    if (!compare::is_listed(this_driver())) GTEST_SKIP() << "another driver may not fail";
+    if (!compare::is_measured(this_driver())) GTEST_SKIP() << "another driver may not fail";
     Options options{{.count = 16, .seed = 1, .most_failures = 1}};
     options.lifted = "lights after glPopAttrib of GL_ENABLE_BIT";
     const Summary summary = run(options, {});

@@ -63,7 +63,7 @@ class Reproducers : public testing::Test {
 
 TEST_F(Reproducers, ShowTheDeparturesOfTheListedDriver) {
     const auto context = make_offscreen_context(8, 8);
-    if (!compare::is_listed(current_driver())) GTEST_SKIP() << "nobody has looked at this driver's departures";
+    if (!compare::is_measured(current_driver())) GTEST_SKIP() << "nobody has looked at this driver's departures";
     const std::vector<check::Case> cases = check::load_cases();
     ASSERT_EQ(written({}).status, 0);
     int departing = 0;
@@ -130,7 +130,7 @@ TEST_F(Reproducers, SayWhereNothingDeparts) {
 // The driver's window refuses glClampColor: its error is not the scene's.
 TEST_F(Reproducers, ChargeTheSceneAlone) {
     const auto context = make_offscreen_context(8, 8);
-    if (!compare::is_listed(current_driver())) GTEST_SKIP() << "nobody has looked at this driver's departures";
+    if (!compare::is_measured(current_driver())) GTEST_SKIP() << "nobody has looked at this driver's departures";
     ASSERT_EQ(written({"error-single-value-light"}).status, 0);
     const ProgramResult shown = compiled_and_run(
         "error-single-value-light", "MESA_EXTENSION_OVERRIDE=-GL_ARB_color_buffer_float MESA_GL_VERSION_OVERRIDE=2.1");

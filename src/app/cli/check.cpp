@@ -10,6 +10,8 @@
 #include "app/cli/reproducer.h"
 #include "base/image/file.h"
 #include "judge/check/suite.h"
+#include "judge/compare/releases.h"
+#include "render/context/driver_name.h"
 
 namespace twinlight::cli {
 
@@ -73,18 +75,19 @@ std::string table(const std::vector<Case>& cases, const std::vector<Result>& res
     return text;
 }
 
-std::string summary(const std::vector<Result>& results) {
+std::string summary(const std::string& driver, const std::vector<Result>& results) {
     const Counts counts = counted(results);
+    const std::string unmeasured = compare::unmeasured_words(parse_driver_name(driver));
     const auto fixed = [&](Outcome outcome) { return counts.fixed.at(static_cast<std::size_t>(outcome)); };
     return fmt::format(
         "\n{}\n{} case{}. The driver's fixed function: {} pass, {} with a known bug, {} our choice (the specification "
         "is silent),\n{} with a new bug, {} with a fixed bug, {} not tested.\n"
-        "The shaders are at most {:.1e} away from the reference in long double. Results that are not finite: {}.\n",
+        "The shaders are at most {:.1e} away from the reference in long double. Results that are not finite: {}.\n{}",
         counts.failing == 0 ? "Nothing unexpected."
                             : fmt::format("{} unexpected {}.", counts.failing, counts.failing == 1 ? "case" : "cases"),
         results.size(), results.size() == 1 ? "" : "s", fixed(Outcome::kPass), fixed(Outcome::kKnownBug),
         fixed(Outcome::kOurChoice), fixed(Outcome::kNewBug), fixed(Outcome::kFixedBug), fixed(Outcome::kNotTested),
-        counts.from_long_double, counts.non_finite);
+        counts.from_long_double, counts.non_finite, unmeasured.empty() ? "" : unmeasured + "\n");
 }
 
 // A colour's numbers, or an error's name.
@@ -104,6 +107,8 @@ nlohmann::ordered_json json_of(const std::optional<Seen>& seen) {
 
 std::string json_of(const std::string& driver, const std::vector<Case>& cases, const std::vector<Result>& results) {
     nlohmann::ordered_json json = {{"driver", driver}};
+    const std::string_view release = compare::counts_as(parse_driver_name(driver));
+    if (!release.empty()) json["bugs_measured_on"] = release;
     auto& list = json["cases"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < cases.size(); ++i) {
         nlohmann::ordered_json one = {{"name", cases[i].name},
@@ -160,7 +165,7 @@ int run_check(const CheckArguments& arguments) {
                               check_page(suite.driver(), cases, results));
     }
     write_result(arguments.json ? json_of(suite.driver(), cases, results)
-                                : suite.driver() + "\n\n" + table(cases, results) + summary(results));
+                                : suite.driver() + "\n\n" + table(cases, results) + summary(suite.driver(), results));
     return counted(results).failing == 0 ? kFine : kDifferent;
 }
 

@@ -258,7 +258,7 @@ std::string error_of_driver(const std::vector<Case>& cases, const std::vector<Re
 }
 
 // Whether anything is unexpected, and how large the errors are.
-std::string verdict(const std::vector<Case>& cases, const std::vector<Result>& results,
+std::string verdict(const std::string& driver, const std::vector<Case>& cases, const std::vector<Result>& results,
                     const std::vector<Group>& groups) {
     const std::size_t unexpected = groups[0].cases.size(), bugs = groups[1].cases.size();
     const bool is_expected = unexpected == 0;
@@ -270,10 +270,12 @@ std::string verdict(const std::vector<Case>& cases, const std::vector<Result>& r
             : fmt::format("Unexpected results in {} of {}.", unexpected, all);
     double from_long_double = 0;
     for (const Result& result : results) from_long_double = std::max(from_long_double, result.from_long_double);
+    const std::string unmeasured = compare::unmeasured_words(parse_driver_name(driver));
     return fmt::format(
         "<div class=\"verdict {}\">\n<p class=\"headline\">{}</p>\n<p>{}The shaders are at most {:.1e} away from the "
-        "reference.</p>\n</div>\n",
-        is_expected ? "within" : "beyond", headline, error_of_driver(cases, results), from_long_double);
+        "reference.{}</p>\n</div>\n",
+        is_expected ? "within" : "beyond", headline, error_of_driver(cases, results), from_long_double,
+        unmeasured.empty() ? "" : " " + escaped(unmeasured));
 }
 
 // The number of cases in each group; its button shows only that group.
@@ -293,7 +295,7 @@ std::string check_page(const std::string& driver, const std::vector<Case>& cases
     std::string html = report::page_head("twinlight check", std::string(report::page_file("page.css")) + kStyle);
     html +=
         "<body>\n<header>\n<p class=\"product\">Twinlight &middot; hard cases</p>\n<h1>Hard cases of lighting</h1>\n";
-    html += verdict(cases, results, groups) + totals(groups);
+    html += verdict(driver, cases, results, groups) + totals(groups);
     html += fmt::format(
         "<p class=\"hint\">A hard case is a small scene whose right colours are known. Open a case to see its results, "
         "pictures and commands. Click a total to see only its cases.</p>\n"

@@ -12,6 +12,8 @@
 #include <sstream>
 
 #include "base/image/file.h"
+#include "judge/compare/releases.h"
+#include "render/context/driver_name.h"
 #include "scene/command/lexer.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
@@ -180,8 +182,52 @@ Expectation expectation(const Head& head, const Entry& entry) {
     return result;
 }
 
+// One alternative of a Differs: "llvmpipe*Mesa from 25.0 before 26.1".
+struct Drivers {
+    std::string pattern;
+    compare::Releases releases;  // of the text that they were read from
+};
+Drivers drivers_of(std::string_view text) {
+    const auto limit = [&](std::string_view word) -> std::string_view {
+        const std::size_t at = text.rfind(word);
+        if (at == std::string_view::npos) return {};
+        const std::string_view number = text.substr(at + word.size());
+        if (number.empty() || number.find_first_not_of("0123456789.") != std::string_view::npos) return {};
+        text = text.substr(0, at);
+        return number;
+    };
+    const std::string_view before = limit(" before "), from = limit(" from ");
+    return {.pattern = std::string(text), .releases = {.from = from, .before = before}};
+}
+
+std::vector<Drivers> all_drivers_of(const std::string& alternatives) {
+    std::vector<Drivers> list;
+    for (std::size_t begin = 0; begin < alternatives.size();) {
+        const std::size_t end = std::min(alternatives.find('|', begin), alternatives.size());
+        list.push_back(drivers_of(std::string_view(alternatives).substr(begin, end - begin)));
+        begin = end + 1;
+    }
+    return list;
+}
+
+// The first of the alternatives that is of the driver.
+std::optional<Drivers> alternative_of(const std::string& alternatives, const std::string& driver_name) {
+    const Driver driver = parse_driver_name(driver_name);
+    for (const Drivers& drivers : all_drivers_of(alternatives))
+        if (::fnmatch(("*" + drivers.pattern + "*").c_str(), driver_name.c_str(), 0) == 0 &&
+            drivers.releases.contain(driver))
+            return drivers;
+    return {};
+}
+
 Differs difference(const Head& head, const Entry& entry) {
     const auto [driver, rest] = split(head, entry, entry.value, ": ");
+    for (const std::string_view word : {" before ", " from "})
+        if (std::ranges::any_of(all_drivers_of(driver), [&](const Drivers& drivers) {
+                return drivers.pattern.find(word) != std::string::npos;
+            }))
+            head.refuse(entry.line, fmt::format("{} lacks the number of a release, such as 25.0, after '{}'",
+                                                twinlight::in_quotes(driver), trimmed(std::string(word))));
     const auto [place, rest_of_it] = split(head, entry, rest, ": ");
     const auto [value, name] = split(head, entry, rest_of_it, "; ");
     const Spot spot = head.spot(entry, place);
@@ -263,11 +309,13 @@ void check_consistency(const Case& hard_case, const Head& head) {
 
 }  // namespace
 
-bool Differs::is_of(const std::string& driver_name) const {
-    std::istringstream patterns(driver);
-    for (std::string pattern; std::getline(patterns, pattern, '|');)
-        if (::fnmatch(("*" + pattern + "*").c_str(), driver_name.c_str(), 0) == 0) return true;
-    return false;
+bool Differs::is_of(const std::string& driver_name) const { return alternative_of(driver, driver_name).has_value(); }
+
+std::string Differs::note(const std::string& driver_name) const {
+    const std::optional<Drivers> found = alternative_of(driver, driver_name);
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    if (!found || found->pattern == "*" || std::ranges::any_of(found->pattern, is_digit)) return "";
+    return compare::measured_note(parse_driver_name(driver_name));
 }
 
 std::string Spot::str() const {

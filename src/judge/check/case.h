@@ -60,12 +60,16 @@ struct Expectation {
 
 // A known bug: what a driver's fixed function gives instead.
 struct Differs {
-    std::string driver;  // "Mesa 22.3|Mesa 25.0": shell patterns; one of them is found anywhere in driver_name()
+    // Alternatives with '|' between them: a shell pattern that is found anywhere in driver_name(), and the releases that
+    // have the bug: "llvmpipe*Mesa before 25.0|NVIDIA 580".
+    std::string driver;
     Spot spot;
     Seen value;        // may be NaN
     std::string name;  // in golden/known_differences
 
     bool is_of(const std::string& driver_name) const;
+    // compare::measured_note() of a driver that counts as another release; empty where `driver` names the release itself.
+    std::string note(const std::string& driver_name) const;
 };
 
 // The scene that a case's commands make, and the first error that they raise.

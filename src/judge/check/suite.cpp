@@ -121,9 +121,10 @@ void judge_fixed(const Case& hard_case, const Frame& frame, const std::string& d
         const Differs* listed = listed_at(hard_case, expected.spot, driver);
         const bool agrees = agree(value, of_floats(hard_case, expected));
         Outcome outcome = Outcome::kPass;
-        std::string name;
+        std::string name, note;
         if (listed) {
             name = listed->name;
+            note = listed->note(driver);
             outcome = agrees                                                                     ? Outcome::kFixedBug
                       : agree(value, {listed->value, listed->value, float_tolerance(hard_case)}) ? Outcome::kKnownBug
                                                                                                  : Outcome::kNewBug;
@@ -132,7 +133,7 @@ void judge_fixed(const Case& hard_case, const Frame& frame, const std::string& d
         }
         worsen(result.outcomes[static_cast<std::size_t>(Path::kFixed)], outcome);
         if (outcome != Outcome::kPass)
-            result.findings.push_back({Path::kFixed, "", outcome, expected.spot, value, expected.value, name});
+            result.findings.push_back({Path::kFixed, "", outcome, expected.spot, value, expected.value, name, note});
     }
 }
 
@@ -292,7 +293,7 @@ void judge_picture(const Case& hard_case, const CasePicture& picture, const std:
         if (listed && agree(shown, {listed->value, listed->value, float_tolerance(hard_case)})) {
             worsen(result.outcomes[static_cast<std::size_t>(picture.path)], Outcome::kKnownBug);
             result.findings.push_back({picture.path, picture.variant, Outcome::kKnownBug, expected.spot, shown,
-                                       expected.value, listed->name});
+                                       expected.value, listed->name, listed->note(driver)});
             continue;
         }
         const Right right = picture.path == Path::kReference ? of_reference(hard_case, expected, picture.number)
@@ -362,16 +363,17 @@ std::string finding_text(const Case& hard_case, const Finding& finding) {
     std::string text = fmt::format("{}{}{}, {}: {}, ", name_of(finding.path), finding.variant.empty() ? "" : " ",
                                    finding.variant, finding.spot.str(), text_of(finding.value));
     const std::string expected = text_of(finding.expected);
+    const std::string known = finding.note.empty() ? "known bug" : "known bug (" + finding.note + ")";
     switch (finding.outcome) {
-        case Outcome::kFixedBug: return text + "as expected; the known bug is gone: " + finding.name;
+        case Outcome::kFixedBug: return text + "as expected; the " + known + " is gone: " + finding.name;
         case Outcome::kOurChoice: return text + "our choice is " + expected;
-        case Outcome::kKnownBug: return text + "expected " + expected + " (known bug: " + finding.name + ")";
+        case Outcome::kKnownBug: return text + "expected " + expected + " (" + known + ": " + finding.name + ")";
         case Outcome::kNotTested:
         case Outcome::kPass:
         case Outcome::kNewBug: break;
     }
     text += "expected " + expected + " (" + hard_case.text + ")";
-    return finding.name.empty() ? text : text + "; the known bug gives another value: " + finding.name;
+    return finding.name.empty() ? text : text + "; the " + known + " gives another value: " + finding.name;
 }
 
 bool Result::fails() const {

@@ -36,7 +36,8 @@ struct Finding {
     Spot spot;
     std::optional<Seen> value;  // none where the renderer shows nothing
     Seen expected;
-    std::string name;  // of the listed bug; empty where none is listed
+    std::string name{};  // of the listed bug; empty where none is listed
+    std::string note{};  // where it is listed for another release: "measured on Mesa 26.1; this is 26.2.0"
 };
 
 // One line for a reader: the value, the expected value, and why.

@@ -9,19 +9,14 @@ namespace twinlight::compare {
 
 namespace {
 
-constexpr SeenOn kBoth[] = {
-    {"llvmpipe", "Mesa 22.3"}, {"softpipe", "Mesa 22.3"}, {"llvmpipe", "Mesa 25.0"}, {"softpipe", "Mesa 25.0"}};
-constexpr SeenOn kBothUntilMended[] = {{"llvmpipe", "Mesa 22.3"}, {"softpipe", "Mesa 22.3"}};  // by Mesa 25.0
-constexpr SeenOn kNvidia[] = {{"NVIDIA", "NVIDIA 580"}};
-constexpr SeenOn kBothAndNvidia[] = {{"llvmpipe", "Mesa 22.3"},
-                                     {"softpipe", "Mesa 22.3"},
-                                     {"llvmpipe", "Mesa 25.0"},
-                                     {"softpipe", "Mesa 25.0"},
-                                     {"NVIDIA", "NVIDIA 580"}};
-constexpr SeenOn kBothUntilMendedAndNvidia[] = {
-    {"llvmpipe", "Mesa 22.3"}, {"softpipe", "Mesa 22.3"}, {"NVIDIA", "NVIDIA 580"}};
-constexpr SeenOn kLlvmpipe[] = {{"llvmpipe", "Mesa 22.3"}, {"llvmpipe", "Mesa 25.0"}};
-constexpr SeenOn kSoftpipe[] = {{"softpipe", "Mesa 22.3"}, {"softpipe", "Mesa 25.0"}};
+constexpr SeenOn kBoth[] = {{"llvmpipe"}, {"softpipe"}};
+constexpr SeenOn kBothUntilFixed[] = {{"llvmpipe", {.before = "25.0"}}, {"softpipe", {.before = "25.0"}}};
+constexpr SeenOn kNvidia[] = {{"NVIDIA"}};
+constexpr SeenOn kBothAndNvidia[] = {{"llvmpipe"}, {"softpipe"}, {"NVIDIA"}};
+constexpr SeenOn kBothUntilFixedAndNvidia[] = {
+    {"llvmpipe", {.before = "25.0"}}, {"softpipe", {.before = "25.0"}}, {"NVIDIA"}};
+constexpr SeenOn kLlvmpipe[] = {{"llvmpipe"}};
+constexpr SeenOn kSoftpipe[] = {{"softpipe"}};
 
 }  // namespace
 
@@ -182,23 +177,23 @@ const std::vector<Departure>& departures() {
          .draw_rule = has_shininess_0_on_one_side},
         {.name = "colour material before the first glColor",
          .section = "2.14.3: from glEnable on, the material follows the current colour",
-         .seen_on = kBothUntilMended,
+         .seen_on = kBothUntilFixed,
          .vertex_rule = has_color_material_of_no_color},
         {.name = "glMaterial, a tracked glColor, glNewList",
          .section = "2.14.3: the material follows the colour",
-         .seen_on = kBothUntilMended,
+         .seen_on = kBothUntilFixed,
          .command_rule = tracks_color_before_list},
         {.name = "two-sided colour material only on the back",
          .section = "2.14.3: all channels of the back material follow the colour; the driver updates only red",
-         .seen_on = kBothUntilMended,
+         .seen_on = kBothUntilFixed,
          .draw_rule = has_color_material_on_back_alone},
         {.name = "vertex materials that differ between two sides",
          .section = "2.14.2: glMaterial between glBegin and glEnd changes all channels of the side that it names",
-         .seen_on = kBothUntilMended,
+         .seen_on = kBothUntilFixed,
          .command_rule = sets_sides_apart},
         {.name = "glMaterial of two sides after a vertex",
          .section = "2.6, 2.14.2: vertices before it in the same glBegin keep the old material of each side",
-         .seen_on = kBothUntilMendedAndNvidia,
+         .seen_on = kBothUntilFixedAndNvidia,
          .command_rule = sets_both_sides_after_vertex},
         {.name = "glColor before a new glColorMaterial",
          .section = "2.14.3",
@@ -206,7 +201,7 @@ const std::vector<Departure>& departures() {
          .command_rule = sets_color_before_new_mode},
         {.name = "colour material after glPopAttrib",
          .section = "2.14.3",
-         .seen_on = kBothUntilMended,
+         .seen_on = kBothUntilFixed,
          .command_rule = restores_tracked_color},
         {.name = "glColor3 after glColor4", .section = "2.7", .seen_on = kBoth, .command_rule = mixes_glcolor3_and_4},
         {.name = "glTexCoord1 to 3 after glTexCoord4",
@@ -219,7 +214,7 @@ const std::vector<Departure>& departures() {
          .command_rule = sets_material_before_pop},
         {.name = "edge flags in a display list",
          .section = "5.4, 2.6.2: a list draws the same as its commands",
-         .seen_on = kBothUntilMended,
+         .seen_on = kBothUntilFixed,
          .command_rule = lists_edge_flags},
         {.name = "glRect as a quadrilateral",
          .section = "2.10: glRect is a GL_POLYGON",
@@ -262,7 +257,7 @@ const std::vector<Departure>& departures() {
          .draw_rule = has_exponential_fog_behind_the_eye},
         {.name = "fog coordinates below 0",
          .section = "3.10: c is the interpolated fog coordinate, not its absolute value",
-         .seen_on = kBothUntilMendedAndNvidia,
+         .seen_on = kBothUntilFixedAndNvidia,
          .draw_rule = has_negative_fog_coords},
         {.name = "stippled line strips in a display list",
          .section = "3.4.2, 5.4: a list draws the same as its commands",
@@ -404,11 +399,11 @@ bool is_of(const SeenOn& seen, const Driver& driver) {
 
 bool Departure::is_known_on(const Driver& driver) const {
     return std::ranges::any_of(
-        seen_on, [&](const SeenOn& seen) { return is_of(seen, driver) && driver.has_version(seen.version); });
+        seen_on, [&](const SeenOn& seen) { return is_of(seen, driver) && seen.releases.contain(driver); });
 }
 
-// What several drivers show, any driver may show, because they share parts of Mesa. Of other makers' drivers, a release that was
-// measured shows what it showed.
+// What several drivers show, any driver may show, because they share parts of Mesa. Other makers' drivers show what was seen on
+// them, if they were measured.
 bool Departure::may_show_on(const Driver& driver) const {
     if (!driver.version.starts_with("Mesa") && is_listed(driver)) return seen_on.empty() || is_known_on(driver);
     const auto is_other = [&](const SeenOn& seen) { return seen.driver != seen_on.front().driver; };
@@ -418,6 +413,8 @@ bool Departure::may_show_on(const Driver& driver) const {
 bool is_listed(const Driver& driver) {
     return std::ranges::any_of(departures(), [&](const Departure& departure) { return departure.is_known_on(driver); });
 }
+
+bool is_measured(const Driver& driver) { return has_measured_release(driver) && is_listed(driver); }
 
 std::vector<const Departure*> known_departures_in(const Scene& scene, const Driver& driver) {
     CommandRules command_rules;

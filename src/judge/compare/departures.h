@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "judge/compare/releases.h"
 #include "render/context/driver_name.h"
 #include "scene/command/command.h"
 #include "scene/state/scene.h"
@@ -26,9 +27,10 @@ using MakeCommandRule = CommandRule();
 using DrawRule = bool(const Draw& draw);
 using VertexRule = bool(const Draw& draw, const Vertex& vertex);
 
-// A driver on which a departure was seen, and its release: "Mesa 22.3" includes all of its patch versions.
+// A driver on which a departure was seen, and its releases that have it: without limits, all.
 struct SeenOn {
-    std::string_view driver, version;
+    std::string_view driver;
+    Releases releases{};
 };
 
 struct Departure {
@@ -41,14 +43,17 @@ struct Departure {
     DrawRule* draw_rule = nullptr;
     VertexRule* vertex_rule = nullptr;
 
+    // A release that was not measured counts as one that was (releases.h).
     bool is_known_on(const Driver& driver) const;
-    // Whether a driver or version that was not measured may show it as well.
+    // Whether a driver that was not measured may show it as well.
     bool may_show_on(const Driver& driver) const;
 };
 const std::vector<Departure>& departures();
 
-// Whether any departures are listed for this version of the driver.
+// Whether any departures are listed for this driver.
 bool is_listed(const Driver& driver);
+// Whether they were measured on this very release, so that each of them must show.
+bool is_measured(const Driver& driver);
 
 // The known bugs of this driver that may show in the scene. Reads the scene's commands once.
 std::vector<const Departure*> known_departures_in(const Scene& scene, const Driver& driver);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "judge/compare/releases.h"
 #include "render/context/driver_name.h"
 
 namespace twinlight::report {
@@ -84,10 +85,12 @@ const Pair* worst_pair(const Comparison& comparison, Verdict verdict, RegionDiff
 
 void add_known_departures(const Comparison& comparison, Answer& answer) {
     const Driver driver = parse_driver_name(comparison.driver);
+    const bool is_measured = compare::has_measured_release(driver);
     for (const std::string& departure : comparison.known_departures)
         answer.details.push_back(
-            fmt::format("A known bug of {} in {} may be the cause: {}. See golden/known_differences.", driver.name,
-                        driver.version, departure));
+            fmt::format("A known bug of {} in {}{} may be the cause: {}. See golden/known_differences.", driver.name,
+                        driver.version, is_measured ? "" : fmt::format(" (measured on {})", compare::counts_as(driver)),
+                        departure));
 }
 
 // What the driver's precision adds to the allowed differences.

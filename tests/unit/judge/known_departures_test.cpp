@@ -43,7 +43,6 @@ TEST(KnownDepartures, AreThoseOfTheDriver) {
     EXPECT_EQ(names_of(kWideLine, kSoftpipe), Names{"wide lines in softpipe"});
     EXPECT_EQ(names_of(kWideLine, kLlvmpipe), Names{});
     EXPECT_EQ(names_of(kSpotOnCube, driver("Mesa Intel(R) UHD Graphics 620 (KBL GT2)", "Mesa 22.3.6")), Names{});
-    EXPECT_EQ(names_of(kSpotOnCube, driver("NVIDIA GeForce GTX 1080/PCIe/SSE2", "NVIDIA 535.54.03")), Names{});
     EXPECT_EQ(names_of(kSpotOnCube, {}), Names{});
 }
 
@@ -70,17 +69,19 @@ TEST(KnownDepartures, AreFoundWhereALightIsTooFarForFloats) {
 
 TEST(KnownDepartures, AreThoseOfTheVersion) {
     EXPECT_EQ(names_of(kSpotOnCube, driver("llvmpipe", "Mesa 22.3.0")).size(), 1U);
-    EXPECT_EQ(names_of(kSpotOnCube, driver("llvmpipe", "Mesa 22.30.1")), Names{});
     EXPECT_EQ(names_of(kSpotOnCube, driver("llvmpipe", "Mesa 25.0.7")).size(), 1U);
-    EXPECT_EQ(names_of(kSpotOnCube, driver("llvmpipe", "Mesa 24.0.5")), Names{});
+    EXPECT_EQ(names_of(kSpotOnCube, driver("llvmpipe", "Mesa 99.0.0")).size(), 1U);
+    EXPECT_EQ(names_of(kSpotOnCube, driver("llvmpipe", "")), Names{"shininess 0 with attenuation or a spot"});
 }
 
-TEST(KnownDepartures, AreGoneInTheVersionThatMendedThem) {
+TEST(KnownDepartures, AreGoneInTheVersionThatFixedThem) {
     const std::string back =
         "glEnable(GL_LIGHTING); glColorMaterial(GL_BACK, GL_DIFFUSE); glEnable(GL_COLOR_MATERIAL);"
         "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1); glColor3f(1, 0, 0); glutSolidCube(1);";
     EXPECT_EQ(names_of(back, kLlvmpipe), Names{"two-sided colour material only on the back"});
-    EXPECT_EQ(names_of(back, driver("llvmpipe", "Mesa 25.0.7")), Names{});
+    EXPECT_EQ(names_of(back, driver("llvmpipe", "Mesa 24.3.9")), Names{"two-sided colour material only on the back"});
+    for (const char* version : {"Mesa 25.0.0", "Mesa 25.0.7", "Mesa 99.0.0"})
+        EXPECT_EQ(names_of(back, driver("llvmpipe", version)), Names{});
 }
 
 TEST(KnownDepartures, OfFogAreThoseOfPrimitivesOnBothSidesOfTheEye) {
@@ -123,9 +124,18 @@ TEST(KnownDepartures, OfLineStipplesAreThoseOfStripsInLists) {
 TEST(KnownDepartures, AreListedForADriverOrNotAtAll) {
     EXPECT_TRUE(is_listed(kLlvmpipe));
     EXPECT_TRUE(is_listed(kSoftpipe));
-    EXPECT_FALSE(is_listed(driver("llvmpipe", "Mesa 24.0.5")));
+    EXPECT_TRUE(is_listed(driver("llvmpipe", "Mesa 24.0.5")));
+    EXPECT_TRUE(is_listed(driver("NVIDIA H200/PCIe/SSE2", "NVIDIA 595.10")));
     EXPECT_FALSE(is_listed(driver("iris", "Mesa 22.3.6")));
     EXPECT_FALSE(is_listed({}));
+}
+
+TEST(KnownDepartures, AreMeasuredOnSomeReleases) {
+    for (const Driver& measured : {kLlvmpipe, kSoftpipe, driver("NVIDIA H200/PCIe/SSE2", "NVIDIA 580.159.04")})
+        EXPECT_TRUE(is_measured(measured)) << measured.version;
+    for (const Driver& other : {driver("llvmpipe", "Mesa 24.0.5"), driver("llvmpipe", "Mesa 99.0.0"),
+                                driver("iris", "Mesa 22.3.6"), driver("NVIDIA H200", "NVIDIA 535.54.03"), Driver{}})
+        EXPECT_FALSE(is_measured(other)) << other.name << ", " << other.version;
 }
 
 TEST(KnownDepartures, SayWhereTheyWereSeen) {
