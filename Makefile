@@ -362,7 +362,7 @@ $(call object,$(SOURCES_all)): $(PRECOMPILED).gch
 endif
 $(BUILD)/precompiled.h.gch: src/precompiled.h $(BUILD)/flags
 	@echo "compile $<"
-	@mkdir -p $(@D); $(compile) $(CXXFLAGS_all) -MMD -MP -MT $@ -MF $(@:.gch=.d) -x c++-header -c $< -o $@
+	@mkdir -p $(@D); cp $< $(@:.gch=); $(compile) $(CXXFLAGS_all) -MMD -MP -MT $@ -MF $(@:.gch=.d) -x c++-header -c $< -o $@
 
 $(BUILD)/libtwinlight.a: $(OBJECTS_library) $(BUILD)/files
 	@rm -f $@

@@ -16,10 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using Programs = std::map<std::string, std::string>;  // a name, and its shell script
+
 // A system with the usual tools and these programs, each a shell script.
 class System {
   public:
-    explicit System(const std::map<std::string, std::string>& programs) {
+    explicit System(const Programs& programs) {
         for (const char* tool : {"sh", "awk", "sed", "tr", "grep", "cat", "env"}) {
             const std::string path = run_shell("", fmt::format("command -v {}", tool)).out;
             fs::create_symlink(path.substr(0, path.find('\n')), folder_ / tool);
@@ -51,7 +53,7 @@ TEST(Packages, OfOtherSystemsAreNamedAndNotInstalled) {
          {Row{"dnf", "Fedora", "dnf install gcc-c++ libglvnd-devel mesa-libEGL xorg-x11-server-Xvfb\n"},
           Row{"pacman", "Arch", "pacman -S --needed gcc libglvnd mesa xorg-server-xvfb\n"},
           Row{"zypper", "openSUSE", "zypper install gcc-c++ Mesa-libEGL-devel xorg-x11-server-Xvfb\n"}}) {
-        const ProgramResult result = System({{row.manager, "echo ran >&2; exit 9"}}).deps(kMissing);
+        const ProgramResult result = System(Programs{{row.manager, "echo ran >&2; exit 9"}}).deps(kMissing);
         EXPECT_EQ(result.status, 1);
         EXPECT_EQ(result.out, "");
         for (const std::string words :
@@ -63,13 +65,13 @@ TEST(Packages, OfOtherSystemsAreNamedAndNotInstalled) {
 }
 
 TEST(Packages, HaveDebiansNamesWhereTheSystemIsNotKnown) {
-    const ProgramResult result = System({}).deps(kMissing);
+    const ProgramResult result = System(Programs{}).deps(kMissing);
     EXPECT_EQ(result.status, 1);
     EXPECT_NE(result.err.find(" g++ libegl-dev libjs-chart.js xvfb\n"), std::string::npos) << result.err;
 }
 
 TEST(Packages, AreNotLookedForIfNothingIsMissing) {
-    const ProgramResult result = System({}).deps("g++ true\n");
+    const ProgramResult result = System(Programs{}).deps("g++ true\n");
     EXPECT_EQ(result.status, 0);
     EXPECT_EQ(result.out + result.err, "");
 }
@@ -77,11 +79,11 @@ TEST(Packages, AreNotLookedForIfNothingIsMissing) {
 // Mesa 25.1 was the last with OSMesa.
 TEST(Packages, TakeEglWhereAptHasNoOsmesa) {
     for (const bool has_osmesa : {false, true}) {
-        const System system({{"id", "echo 0"},
-                             {"apt-get", "echo \"$*\" >>\"${0%/*}/log\""},
-                             {"apt-cache", fmt::format("case $2 in libosmesa6-dev) echo \"  Candidate: {}\" ;; "
-                                                       "*) echo \"  Candidate: 1.0\" ;; esac",
-                                                       has_osmesa ? "25.0" : "(none)")}});
+        const System system(Programs{{"id", "echo 0"},
+                                     {"apt-get", "echo \"$*\" >>\"${0%/*}/log\""},
+                                     {"apt-cache", fmt::format("case $2 in libosmesa6-dev) echo \"  Candidate: {}\" ;; "
+                                                               "*) echo \"  Candidate: 1.0\" ;; esac",
+                                                               has_osmesa ? "25.0" : "(none)")}});
         const ProgramResult result = system.deps(kMissing);
         EXPECT_EQ(result.status, 1);  // this apt-get installs nothing
         EXPECT_NE(result.err.find("Still missing"), std::string::npos);

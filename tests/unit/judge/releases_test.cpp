@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace twinlight::compare {
+namespace twinlight::compare::releases_test {
 namespace {
 
 Driver driver(const std::string& version) { return parse_driver_name("llvmpipe, 4.5 " + version + ", EGL"); }
@@ -96,4 +96,4 @@ TEST(Releases, AreARangeOfNumbers) {
 }
 
 }  // namespace
-}  // namespace twinlight::compare
+}  // namespace twinlight::compare::releases_test
