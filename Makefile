@@ -327,7 +327,8 @@ include src/app/web/web.mk
 flags := $(compile) $(CXXFLAGS_all) $(OPTIMISATION_less) $(LESS) $(LDFLAGS_all)
 files := $(SOURCES_all) $(FILES_scenes) $(FILES_scene_assets) $(FILES_shaders) $(FILES_webgl) $(FILES_pages) $(FILES_cases) $(FILES_lessons) $(FILES_lessons_zh)
 tests := $(TESTS)
-changed = $(if $(subst |$($(1))|,,|$(file <$(BUILD)/$(1))|),force)
+# (make 4.3 leaves some files' last line break in place.)
+changed = $(if $(subst |$(strip $($(1)))|,,|$(strip $(file <$(BUILD)/$(1)))|),force)
 $(BUILD)/flags: $(call changed,flags)
 $(BUILD)/files: $(call changed,files)
 $(BUILD)/tests: $(call changed,tests)
@@ -360,7 +361,7 @@ PRECOMPILED := $(BUILD)/precompiled.h
 precompiled := -include $(PRECOMPILED)
 $(call object,$(SOURCES_all)): $(PRECOMPILED).gch
 endif
-$(BUILD)/precompiled.h.gch: src/precompiled.h $(BUILD)/flags
+$(BUILD)/precompiled.h.gch: src/base/precompiled.h $(BUILD)/flags
 	@echo "compile $<"
 	@mkdir -p $(@D); cp $< $(@:.gch=); $(compile) $(CXXFLAGS_all) -MMD -MP -MT $@ -MF $(@:.gch=.d) -x c++-header -c $< -o $@
 

@@ -111,7 +111,7 @@ std::string subjects_table() {
 // ---- Known bugs ----
 
 struct Bug {
-    std::string name, section, text, driver, nvidia, fixed, since;
+    std::string name{}, section{}, text{}, driver{}, nvidia{}, fixed{}, since{};
 };
 
 // The entries of golden/known_differences; a line that starts with spaces continues the one before it.

@@ -61,6 +61,9 @@ TEST(Departures, OfFragmentsAreStillThere) {
 }
 
 }  // namespace
+}  // namespace twinlight::fragment_departures_test
+
+namespace twinlight {
 
 const std::vector<FragmentCase>& fragment_cases() {
     static const std::vector<FragmentCase> cases = {
@@ -153,4 +156,4 @@ const std::vector<FragmentCase>& fragment_cases() {
     return cases;
 }
 
-}  // namespace twinlight::fragment_departures_test
+}  // namespace twinlight

@@ -56,7 +56,7 @@ TEST(Packages, OfOtherSystemsAreNamedAndNotInstalled) {
         const ProgramResult result = System(Programs{{row.manager, "echo ran >&2; exit 9"}}).deps(kMissing);
         EXPECT_EQ(result.status, 1);
         EXPECT_EQ(result.out, "");
-        for (const std::string words :
+        for (const std::string& words :
              {std::string(row.packages), std::string("not tried"), std::string("Nothing was installed"),
               fmt::format("{} has no package of these: libjs-chart.js\n", row.system)})
             EXPECT_NE(result.err.find(words), std::string::npos) << words << " is not in:\n" << result.err;
