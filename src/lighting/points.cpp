@@ -175,8 +175,8 @@ const double* power_table(double exponent) {
     };
     thread_local std::array<Kept, 16> kept;  // a Draw has at most 9 exponents: 8 lights and a material
     thread_local std::size_t oldest = 0;
-    const auto* found = std::find_if(kept.begin(), kept.end(), [&](const Kept& k) { return k.exponent == exponent; });
-    if (found != kept.end()) return found->entries.data();
+    for (const Kept& k : kept)
+        if (k.exponent == exponent) return k.entries.data();
     Kept& table = kept[oldest++ % kept.size()];
     table.exponent = exponent;
     for (std::size_t i = 0; i < table.entries.size(); ++i)
