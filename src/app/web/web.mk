@@ -30,9 +30,11 @@ CXXFLAGS_web := -std=c++20 -O2 -ffp-contract=off -fexceptions -DFMT_HEADER_ONLY 
     -Wno-defaulted-function-deleted
 # (Debian's node finds Debian's acorn, which Emscripten needs, only there.)
 # One module for the page and its workers, without eval (for the page's Content-Security-Policy) and files. The stack is as large
-# as a program's, because the reader of scenes is recursive.
+# as a program's, because the reader of scenes is recursive. The tests, in Node, pass the module as bytes (wasmBinary).
+# (Emscripten 3 gives this and HEAPU8 unasked, 6 only if they are named.)
 LDFLAGS_web := -O2 -fexceptions -sMODULARIZE=1 -sEXPORT_ES6=1 -sENVIRONMENT=web,worker -sDYNAMIC_EXECUTION=0 -sFILESYSTEM=0 \
-    -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2147483648 -sTOTAL_STACK=8388608
+    -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2147483648 -sTOTAL_STACK=8388608 \
+    -sEXPORTED_RUNTIME_METHODS=HEAPU8 -sINCOMING_MODULE_JS_API=wasmBinary
 
 .PHONY: web
 web: deps  ## build the page for browsers into build/web/page 
