@@ -88,6 +88,7 @@ TEST(HardCases, HoldOnSoftpipe) {
     ASSERT_EQ(::setenv("GALLIUM_DRIVER", "softpipe", 1), 0);
     const ProgramResult result = run_program("twinlight", {"check"});
     ::unsetenv("GALLIUM_DRIVER");
+    ASSERT_LE(result.status, 1) << result.err;
     if (!compare::is_measured(parse_driver_name(result.out.substr(0, result.out.find('\n')))))
         GTEST_SKIP() << "this release was not measured";
     EXPECT_EQ(result.status, 0) << result.out;

@@ -232,6 +232,7 @@ class VertexPrograms {
 
 struct Counts {
     long floats = 0, differing = 0;
+    double largest = 0;  // difference, relative to the larger of 1 and the value
 };
 struct Found {
     int states = 0, in_object_space = 0;
@@ -242,11 +243,18 @@ struct Found {
 
 bool same(float a, float b) { return a == b || std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }
 
+// Infinite where one of two different floats is not finite.
+double relative_difference(float a, float b) {
+    const double difference = std::abs(static_cast<double>(a) - b) / std::max(1.0, std::abs(static_cast<double>(a)));
+    return std::isfinite(difference) ? difference : HUGE_VAL;
+}
+
 // Reports the first few differences, but not those of the control, which must differ.
 void compare(Counts& counts, const Floats& fixed, const Floats& shaders, const std::string& where, bool tells = true) {
     for (std::size_t c = 0; c < 4; ++c) {
         ++counts.floats;
         if (same(fixed[c], shaders[c])) continue;
+        counts.largest = std::max(counts.largest, relative_difference(fixed[c], shaders[c]));
         if (++counts.differing <= 5 && tells)
             ADD_FAILURE() << fmt::format("{}, component {}: {:.9g} of the fixed function, {:.9g}", where, c, fixed[c],
                                          shaders[c]);
@@ -256,6 +264,7 @@ void compare(Counts& counts, const Floats& fixed, const Floats& shaders, const s
 class Comparison {
   public:
     Found found;
+    bool is_exact = true;  // reports differences
 
     void compare_state(std::uint64_t state, ModelviewKind kind) {
         const auto scene = std::make_shared<const CommandList>(fuzz::random_scene({{.seed = 77}}, state));
@@ -285,21 +294,24 @@ class Comparison {
             *commands, current_driver(), {"light at the horizon of a vertex", "vertex near the edge of a spot's cone"});
         for (std::size_t v = 0; v < 3; ++v) {
             const std::string where = fmt::format("state {} under {}, vertex {}", state, name_of(kind), v);
-            compare(found.positions, fixed[v].position, window(precise[v].position), where + ", position");
+            compare(found.positions, fixed[v].position, window(precise[v].position), where + ", position", is_exact);
             if (const compare::Departure* departure = departures.at(draw, draw.vertices[v])) {
                 ++found.left_out[departure->name];
                 continue;
             }
             const bool is_shown = two_side || fixed[v].front != kNothing;
-            compare(found.colors, is_shown ? fixed[v].front : fixed[v].back, precise[v].front, where + ", front");
-            if (two_side) compare(found.colors, fixed[v].back, precise[v].back, where + ", back");
+            compare(found.colors, is_shown ? fixed[v].front : fixed[v].back, precise[v].front, where + ", front",
+                    is_exact);
+            if (two_side) compare(found.colors, fixed[v].back, precise[v].back, where + ", back", is_exact);
             if (separate)
-                compare(found.colors, fixed[v].front_secondary, precise[v].front_secondary, where + ", secondary");
+                compare(found.colors, fixed[v].front_secondary, precise[v].front_secondary, where + ", secondary",
+                        is_exact);
             if (is_control)
                 compare(found.of_the_ordinary_program, is_shown ? fixed[v].front : fixed[v].back, ordinary[v].front, "",
                         false);
         }
-        if (found.colors.differing + found.positions.differing > 0) fmt::print("{}\n", print_scene(*commands));
+        if (is_exact && found.colors.differing + found.positions.differing > 0)
+            fmt::print("{}\n", print_scene(*commands));
     }
 
   private:
@@ -308,33 +320,46 @@ class Comparison {
     SecondaryColors secondary_colors_;
 };
 
-// --precise follows llvmpipe of Mesa 22.3. Mesa 25.0 adds some products in another order: a last place of few colours differs.
-bool has_the_order_of_operations(const Driver& driver) {
-    return driver.name == "llvmpipe" && driver.has_version("Mesa 22.3");
-}
+// --precise follows Mesa 22.3. Later releases add some products in another order: the last places of few colours differ.
+bool has_the_order_of_operations(const Driver& driver) { return driver.has_version("Mesa 22.3"); }
+constexpr double kLastPlaces = 5e-7;  // four of them; Mesa 25.1 to 26.1: 1.4e-7
+// A highlight's exponent enlarges these: up to 2.7e-5. One pixel differs by more: on Mesa 25.1 in
+// commands.gl, on 26.1 in legacy.gl. Why is not known.
+constexpr double kOfPixels = 1e-4;
+constexpr std::size_t kPixelsBeyond = 1;
 
 TEST(Precise, GivesTheFixedFunctionsFloatsOverRandomStates) {
     const auto context = make_offscreen_context(kWindow, kWindow, ColorBuffer::kFloat);
-    if (!has_the_order_of_operations(current_driver()))
-        GTEST_SKIP() << "the order of operations is of Mesa on llvmpipe: " << driver_name();
+    if (current_driver().name != "llvmpipe") GTEST_SKIP() << "--precise is made for llvmpipe: " << driver_name();
     const char* more = std::getenv("TWINLIGHT_PRECISE_STATES");
     const int states = more ? std::atoi(more) : 1200;
     constexpr std::uint64_t kOfAStructure = 40;  // making a program takes the driver as long as many states
     Comparison comparison;
     const Found& found = comparison.found;
-    for (int i = 0; i < states && found.colors.differing + found.positions.differing == 0; ++i) {
+    comparison.is_exact = has_the_order_of_operations(current_driver());
+    const auto goes_on = [&] {
+        return !comparison.is_exact || found.colors.differing + found.positions.differing == 0;
+    };
+    for (int i = 0; i < states && goes_on(); ++i) {
         const auto n = static_cast<std::uint64_t>(i);
         const std::uint64_t state = n / kOfAStructure * fuzz::kStatesPerStructure + n % kOfAStructure;
         if (!fuzz::is_picture(state)) comparison.compare_state(state, static_cast<ModelviewKind>(n % kModelviewKinds));
         if (testing::Test::HasFatalFailure()) return;
     }
     fmt::print("{} states, {} of them lit in object coordinates\n", found.states, found.in_object_space);
-    fmt::print("{} floats of colours, {} differing; {} of positions in the window, {} differing\n", found.colors.floats,
-               found.colors.differing, found.positions.floats, found.positions.differing);
+    const auto print = [](const Counts& counts, const char* words) {
+        fmt::print("{} floats of {}, {} differing, by {:.2g} at most\n", counts.floats, words, counts.differing,
+                   counts.largest);
+    };
+    print(found.colors, "colours");
+    print(found.positions, "positions in the window");
     fmt::print("of the program without --precise {} of {} floats differ\n", found.of_the_ordinary_program.differing,
                found.of_the_ordinary_program.floats);
     for (const auto& [name, count] : found.left_out) fmt::print("  left out: {} vertices, {}\n", count, name);
-    EXPECT_EQ(found.colors.differing + found.positions.differing, 0);
+    if (comparison.is_exact)
+        EXPECT_EQ(found.colors.differing + found.positions.differing, 0);
+    else
+        EXPECT_LE(found.colors.largest, kLastPlaces);
     EXPECT_GT(found.colors.floats, 8L * found.states);
     EXPECT_GT(found.in_object_space, 0);
     EXPECT_GT(found.of_the_ordinary_program.differing, 0);  // otherwise the test does not compare bits
@@ -360,8 +385,8 @@ bool sums_in_fragments(const Draw& draw) {
 TEST(Precise, DrawsBuiltInScenesInTheFixedFunctionsFloats) {
     constexpr int kWidth = 640, kHeight = 480;
     const auto context = make_offscreen_context(kWidth, kHeight, ColorBuffer::kFloat);
-    if (!has_the_order_of_operations(current_driver()))
-        GTEST_SKIP() << "the order of operations is of Mesa on llvmpipe: " << driver_name();
+    if (current_driver().name != "llvmpipe") GTEST_SKIP() << "--precise is made for llvmpipe: " << driver_name();
+    const bool is_exact = has_the_order_of_operations(current_driver());
     programmable::Renderer renderer;
     std::size_t compared = 0;  // Draws and Clears
     for (const EmbeddedFile& file : kSceneFiles) {
@@ -375,11 +400,22 @@ TEST(Precise, DrawsBuiltInScenesInTheFixedFunctionsFloats) {
         fixed::Replay(frame, {}).draw();
         const Image of_fixed = read_pixels(kWidth, kHeight);
         const Image precise = renderer.render(frame, kPrecise).image;
-        std::size_t differing = 0;
-        for (std::size_t i = 0; i < precise.pixels.size(); ++i) differing += of_fixed.pixels[i] != precise.pixels[i];
-        fmt::print("{}: {} of {} pixels differ in floats; {} of {} Draws left out\n", name, differing,
-                   precise.pixels.size(), left_out, frame.items.size() + left_out);
-        EXPECT_EQ(differing, 0U);
+        std::size_t differing = 0, beyond = 0;
+        double largest = 0;
+        for (std::size_t i = 0; i < precise.pixels.size(); ++i) {
+            differing += of_fixed.pixels[i] != precise.pixels[i];
+            double of_pixel = 0;
+            for (std::size_t c = 0; c < 4; ++c)
+                of_pixel = std::max(of_pixel, relative_difference(of_fixed.pixels[i][c], precise.pixels[i][c]));
+            largest = std::max(largest, of_pixel);
+            beyond += of_pixel > kOfPixels;
+        }
+        fmt::print("{}: {} of {} pixels differ in floats, by {:.2g} at most; {} of {} Draws left out\n", name,
+                   differing, precise.pixels.size(), largest, left_out, frame.items.size() + left_out);
+        if (is_exact)
+            EXPECT_EQ(differing, 0U);
+        else
+            EXPECT_LE(beyond, kPixelsBeyond);
         compared += frame.items.size();
     }
     EXPECT_GT(compared, 5000U);
@@ -400,7 +436,7 @@ TEST(Precise, IsOfVerticesAndOfUniforms) {
 // Where the fixed function gives NaN (2.1.1 allows it), --precise uses the ordinary program.
 TEST(Precise, HasAnAnswerWhereALightIsAtTheVertex) {
     const auto context = make_offscreen_context(1, 1, ColorBuffer::kFloat);
-    if (!has_the_order_of_operations(current_driver())) GTEST_SKIP() << "GLSL 4.00 is asked for: " << driver_name();
+    if (!programmable::has_precise()) GTEST_SKIP() << "GLSL 4.00 is asked for: " << driver_name();
     const auto scene = std::make_shared<const CommandList>(read_scene(R"(
 glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);
 glLightfv(GL_LIGHT0, GL_AMBIENT, (GLfloat[]){1, 1, 1, 1});

@@ -56,8 +56,10 @@ void add_shading_option(CLI::App& app, std::optional<Shading>& shading) {
 void add_precise_flag(CLI::App& app, bool& precise) {
     app.add_flag(
         "--precise", precise,
-        "applies only to shaders: compute vertex lighting in the same order as Mesa's fixed function and skip no "
-        "light; on llvmpipe the colours are then equal bit for bit, except where its fixed function has a known bug");
+        "applies only to shaders: compute vertex lighting in the same order as the fixed function of Mesa 22.3 and "
+        "skip "
+        "no light; on llvmpipe of that release the colours are then equal bit for bit, except where its fixed function "
+        "has a known bug; on later releases the last digit of a few colours differs");
 }
 
 void add_budget_option(CLI::App& app, double& budget) {
