@@ -158,8 +158,8 @@ SOURCES_fuzz_library := $(filter-out src/judge/% $(addsuffix /%,$(addprefix src/
 SOURCES_bad_input := tests/property/bad_input_test.cpp
 SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
 SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz) $(SOURCES_recorder),$(sort $(shell find tests -name '*.cpp')))
-# The folders of tests that are built; all of them without TESTS=.
-SOURCES_some_tests := $(if $(TESTS),$(filter $(TESTS:%=%/%),$(SOURCES_tests)),$(SOURCES_tests))
+# The folders of tests that are built; all of them without FOLDERS=.
+SOURCES_some_tests := $(if $(FOLDERS),$(filter $(FOLDERS:%=%/%),$(SOURCES_tests)),$(SOURCES_tests))
 SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egls) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_web) $(SOURCES_tests) $(SOURCES_recorder) \
     $(SOURCES_bench) $(SOURCES_fuzz))
 HEADERS := $(sort $(shell find src tests -name '*.h'))
@@ -202,7 +202,7 @@ LESS := $(patsubst %,src/%,app app/cli app/demo app/session app/web base/text ju
 OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
 OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # Programs without a window link this as well as their own objects.
-OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(BUILD)/libtwinlight.a
+OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(OBJECTS_library)
 
 .PHONY: all deps demo test test-binary bench fuzz bad-input nightly gallery programs golden tables instructions format check headers tidy clean help force
 .DEFAULT_GOAL := all
@@ -231,7 +231,7 @@ demo: deps  ## build, then open the window; without a display, write a compariso
 
 test_environment := LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks_of_drivers.supp:print_suppressions=0 \
     $(if $(ALL_CASES),ALL_CASES=$(ALL_CASES))
-test: deps  ## build, then run every test; needs no display (TEST='Spot*' runs some; TESTS='tests/golden' builds only those of some folders)
+test: deps  ## build, then run every test; needs no display (TEST='Spot*' runs some; FOLDERS='tests/golden' builds only those of some folders)
 	@$(MAKE) test-binary
 	@if pkg-config --exists egl; then $(MAKE) GL=egl $(BUILD)/egl/twinlight; fi
 	@if command -v $(EMXX) >/dev/null; then $(MAKE) config=release GL= web; fi
@@ -326,7 +326,7 @@ include src/app/web/web.mk
 # Files that are rewritten when their content changes: the compiler's flags, the list of files, and the folders of tests.
 flags := $(compile) $(CXXFLAGS_all) $(OPTIMISATION_less) $(LESS) $(LDFLAGS_all)
 files := $(SOURCES_all) $(FILES_scenes) $(FILES_scene_assets) $(FILES_shaders) $(FILES_webgl) $(FILES_pages) $(FILES_cases) $(FILES_lessons) $(FILES_lessons_zh)
-tests := $(TESTS)
+tests := $(FOLDERS)
 # (make 4.3 leaves some files' last line break in place.)
 changed = $(if $(subst |$(strip $($(1)))|,,|$(strip $(file <$(BUILD)/$(1)))|),force)
 $(BUILD)/flags: $(call changed,flags)
@@ -365,11 +365,9 @@ $(BUILD)/precompiled.h.gch: src/base/precompiled.h $(BUILD)/flags
 	@echo "compile $<"
 	@mkdir -p $(@D); cp $< $(@:.gch=); $(compile) $(CXXFLAGS_all) -MMD -MP -MT $@ -MF $(@:.gch=.d) -x c++-header -c $< -o $@
 
-$(BUILD)/libtwinlight.a: $(OBJECTS_library) $(BUILD)/files
-	@rm -f $@
-	@ar rcs $@ $(OBJECTS_library)
-
-link = @echo "link $@"; mkdir -p $(@D); $(CXX) $(LDFLAGS_all) $(filter %.o %.a,$^) -o $@
+# Of a template that several objects instantiate, the linker takes the first one's copy. So those that are optimised less come last.
+objects_less = $(filter $(LESS:%=$(BUILD)/objects/%.room.o),$^)
+link = @echo "link $@"; mkdir -p $(@D); $(CXX) $(LDFLAGS_all) $(filter-out $(objects_less),$(filter %.o,$^)) $(objects_less) -o $@
 
 $(PROGRAMS)/twinlight: $(call object,$(SOURCES_cli)) $(OFFSCREEN)
 	$(link) $(LIBS_offscreen) $(LIBS)
@@ -379,7 +377,6 @@ SOURCES_demo_library := $(filter-out src/judge/check/% src/judge/fuzz/% src/judg
 $(PROGRAMS)/twinlight-demo: $(call object,$(SOURCES_demo) $(SOURCES_demo_library)) $(OBJECTS_embedded)
 	$(link) $(LIBS_window) $(LIBS)
 
-# The library's objects come first: of a template that a test instantiates too, the linker takes their copy, optimised as in the programs.
 $(PROGRAMS)/twinlight-tests: $(call object,$(SOURCES_$(GL))) $(OBJECTS_library) $(call object,$(SOURCES_some_tests)) $(BUILD)/tests \
     $(call object,$(SOURCES_bench_meshes) $(SOURCES_app) $(SOURCES_session) $(SOURCES_web))
 	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)

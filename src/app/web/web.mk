@@ -54,7 +54,7 @@ endef
 $(foreach name,$(ROOMS_web),$(eval $(call room_web,$(name))))
 $(WEB)/objects/%.room.o: $(WEB)/objects/%.room.cpp
 	@echo "compile $*/*.cpp for browsers"
-	@$(EMXX) $(CXXFLAGS_web) -iquote . -MMD -MP -c $< -o $@
+	@$(EMXX) $(CXXFLAGS_web) $(if $(filter $(LESS),$*),-O1) -iquote . -MMD -MP -c $< -o $@
 $(WEB)/objects/stb.o: src/app/web/compat/stb.cpp
 	@$(EMXX) $(CXXFLAGS_web) -w -c $< -o $@
 $(WEB)/objects/embedded/%.o: $(BUILD)/embedded/%.cpp
