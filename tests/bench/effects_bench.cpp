@@ -14,7 +14,7 @@
 #include "render/context/gl.h"
 #include "ways.h"
 
-namespace twinlight::bench {
+namespace twinlight::bench::effects_bench {
 namespace {
 
 constexpr int kLights = 4;
@@ -214,4 +214,4 @@ void compare_effects(Results& results) {
 const bool added = add_part("effects", compare_effects);
 
 }  // namespace
-}  // namespace twinlight::bench
+}  // namespace twinlight::bench::effects_bench

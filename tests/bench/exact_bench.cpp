@@ -15,7 +15,7 @@
 #include "scene/state/state.h"
 #include "ways.h"
 
-namespace twinlight::bench {
+namespace twinlight::bench::exact_bench {
 namespace {
 
 constexpr int kSide = 512;
@@ -107,4 +107,4 @@ void compare_exact(Results& results) {
 const bool added = add_part("exact", compare_exact);
 
 }  // namespace
-}  // namespace twinlight::bench
+}  // namespace twinlight::bench::exact_bench

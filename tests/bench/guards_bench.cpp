@@ -21,7 +21,7 @@
 #include "render/stages/textures.h"
 #include "ways.h"
 
-namespace twinlight::bench {
+namespace twinlight::bench::guards_bench {
 namespace {
 
 using namespace programmable;
@@ -159,4 +159,4 @@ void compare_guards(Results& results) {
 const bool added = add_part("guards", compare_guards);
 
 }  // namespace
-}  // namespace twinlight::bench
+}  // namespace twinlight::bench::guards_bench

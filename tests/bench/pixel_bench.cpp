@@ -13,7 +13,7 @@
 #include "render/context/gl.h"
 #include "render/programmable/programmable.h"
 
-namespace twinlight::bench {
+namespace twinlight::bench::pixel_bench {
 namespace {
 
 constexpr int kSide = 512;
@@ -85,4 +85,4 @@ void compare_pixels(Results& results) {
 const bool added = add_part("pixel", compare_pixels);
 
 }  // namespace
-}  // namespace twinlight::bench
+}  // namespace twinlight::bench::pixel_bench

@@ -19,7 +19,7 @@
 #include "scene/state/recorded_frame.h"
 #include "ways.h"
 
-namespace twinlight {
+namespace twinlight::real_bench {
 namespace {
 
 // Name and folder.
@@ -86,4 +86,4 @@ void measure_recordings(bench::Results& results) {
 const bool added = bench::add_part("real", measure_recordings);
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::real_bench

@@ -16,7 +16,7 @@
 #include "render/reference/draw_lighting.h"
 #include "render/reference/reference.h"
 
-namespace twinlight::bench {
+namespace twinlight::bench::reference_bench {
 namespace {
 
 void compare_references(Results& results) {
@@ -185,4 +185,4 @@ const bool numbers_added = add_part("reference_numbers", compare_numbers);
 const bool processors_added = add_part("reference_processors", compare_processors);
 
 }  // namespace
-}  // namespace twinlight::bench
+}  // namespace twinlight::bench::reference_bench

@@ -12,7 +12,7 @@
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
-namespace twinlight {
+namespace twinlight::traces_bench {
 
 namespace {
 
@@ -125,4 +125,4 @@ const bool added = bench::add_part("traces", compare_readers);
 
 }  // namespace
 
-}  // namespace twinlight
+}  // namespace twinlight::traces_bench

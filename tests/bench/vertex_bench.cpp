@@ -17,7 +17,7 @@
 #include "render/programmable/programmable.h"
 #include "ways.h"
 
-namespace twinlight::bench {
+namespace twinlight::bench::vertex_bench {
 namespace {
 
 constexpr int kSide = 64;
@@ -225,4 +225,4 @@ const bool added = add_part("vertex", compare_vertices) && add_part("first_frame
                    add_part("lights", compare_many_lights);
 
 }  // namespace
-}  // namespace twinlight::bench
+}  // namespace twinlight::bench::vertex_bench

@@ -14,7 +14,7 @@
 #include "base/image/file.h"
 #include "ratios.h"
 
-namespace twinlight {
+namespace twinlight::window_bench {
 namespace {
 
 // Keys: the shaders' pane lights vertices, as the fixed function does; the camera turns.
@@ -76,4 +76,4 @@ void measure_window(bench::Results& results) {
 const bool added = bench::add_part("window", measure_window);
 
 }  // namespace
-}  // namespace twinlight
+}  // namespace twinlight::window_bench
