@@ -287,7 +287,7 @@ check:  ## check the format, compile each file by itself, run clang-tidy, and ru
 	@if command -v clang-format >/dev/null; then \
 	    clang-format --dry-run -Werror $(SOURCES_all) $(HEADERS); \
 	    else echo "format: skipped, because clang-format is not installed"; fi
-	@$(MAKE) headers EACH=true
+	@$(MAKE) headers
 	@if command -v clang-tidy >/dev/null; then $(MAKE) tidy; \
 	    else echo "tidy: skipped, because clang-tidy is not installed"; fi
 	@$(MAKE) test config=sanitize units=files
@@ -295,11 +295,8 @@ check:  ## check the format, compile each file by itself, run clang-tidy, and ru
 # A source includes its own header first, so only headers without a source are compiled here. (kept/loader.h is C; only Emscripten needs
 # app/web/compat.)
 HEADERS_alone := $(filter-out $(SOURCES_all:.cpp=.h) $(FILES_shaders) src/app/web/compat/%,$(HEADERS))
-headers: deps  ## compile headers: each must include what it uses (EACH=true: each by itself; else those of a folder one after the other)
-	@$(MAKE) --keep-going $(if $(EACH),$(HEADERS_alone:%=alone/%),$(patsubst %/,together/%,$(sort $(dir $(HEADERS_alone)))))
-together/%:
-	@printf '#include "%s"\n' $(filter $*/%,$(foreach header,$(HEADERS_alone),$(if $(filter $*/,$(dir $(header))),$(header)))) | \
-	    $(CXX) $(CXXFLAGS_all) -iquote . -fsyntax-only -x c++ -
+headers: deps  ## compile headers by themselves: each must include what it uses (units=files does so with sources)
+	@$(MAKE) --keep-going $(HEADERS_alone:%=alone/%)
 alone/%: %
 	@$(CXX) $(CXXFLAGS_all) $(INSTRUCTIONS) -fsyntax-only -include $< -x c++ /dev/null
 

@@ -4,14 +4,13 @@
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
-parts=(cases headers fuzz bookworm trixie forky noble resolute)
+parts=(cases fuzz bookworm trixie forky noble resolute)
 usage() {
     cat <<END
 Usage: tools/nightly.sh [PART...]
 Runs the parts of the nightly tests (all of them without PART), and writes their rows into docs/testing.md:
 
   cases     every test with all of its cases
-  headers   each header by itself
   fuzz      random input into everything that reads files, ten minutes a target (FUZZ_TIME=seconds)
   bookworm, trixie, forky, noble, resolute
             'make demo && make test' on a bare Debian 12, Debian 13, Debian testing, Ubuntu 24.04 and Ubuntu 26.04 (as root)
@@ -60,7 +59,6 @@ for part; do
     begin=$SECONDS status=0
     case $part in
     cases) command="make test ALL_CASES=true" ;;
-    headers) command="make headers EACH=true" ;;
     fuzz) command="make fuzz TIME=${FUZZ_TIME:-600}" ;;
     *) command="" ;;
     esac
