@@ -362,7 +362,7 @@ $(BUILD)/precompiled.h.gch: src/base/precompiled.h $(BUILD)/flags
 	@echo "compile $<"
 	@mkdir -p $(@D); cp $< $(@:.gch=); $(compile) $(CXXFLAGS_all) -MMD -MP -MT $@ -MF $(@:.gch=.d) -x c++-header -c $< -o $@
 
-# Of a template that several objects instantiate, the linker takes the first one's copy. So those that are optimised less come last.
+# If several objects instantiate a template, the linker takes the first copy. So objects that are optimised less come last.
 objects_less = $(filter $(LESS:%=$(BUILD)/objects/%.room.o),$^)
 link = @echo "link $@"; mkdir -p $(@D); $(CXX) $(LDFLAGS_all) $(filter-out $(objects_less),$(filter %.o,$^)) $(objects_less) -o $@
 

@@ -87,4 +87,7 @@ eval "$line" || true
 packages=$(missing)
 [ -n "$packages" ] || exit 0
 echo "Still missing:$packages" >&2
+case "$packages " in
+*" libosmesa6-dev "*) echo "Mesa 25.1 was the last with OSMesa. Without GL=osmesa, make takes EGL where there is no OSMesa." >&2 ;;
+esac
 exit 1

@@ -48,7 +48,7 @@ inline bool is_right(std::string_view name, const Driver& driver) {
            !compare::Releases{.from = known->second.from, .before = known->second.before}.contain(driver);
 }
 
-// Of a driver or release that was not measured, nobody knows what it fixed.
+// Nobody knows what a driver or release fixed that was not measured.
 inline void expect_as_listed(std::string_view name, bool departs) {
     const Driver driver = current_driver();
     if (!compare::is_measured(driver)) return;
