@@ -45,7 +45,7 @@ inline bool is_right(std::string_view name, const Driver& driver) {
     static const auto list = known_differences();
     const auto known = list.find(std::string(name));
     return driver.version.starts_with("Mesa ") && known != list.end() &&
-           !compare::Releases{.from = known->second.from, .before = known->second.before}.contain(driver);
+           !Releases{.from = known->second.from, .before = known->second.before}.contain(driver);
 }
 
 // Nobody knows what a driver or release fixed that was not measured.

@@ -78,8 +78,8 @@ TEST_F(HostileTraces, MayHaveNumbersThatAreNotFinite) {
                           "7 glMaterialfv(face = GL_FRONT, pname = GL_EMISSION, params = {0.5, nan, 0.25, 1})\n"
                           "8 glLoadMatrixf(m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, nan, 0, 0, 0, 0, 1})\n" +
                           kTriangle + kSwap);
-    const RecordedFrame recorded =
-        make_recorded_frame(load_recording(folder_ / "dump.txt"), {.number = {}, .width = kHostileSide, .height = kHostileSide});
+    const RecordedFrame recorded = make_recorded_frame(load_recording(folder_ / "dump.txt"),
+                                                       {.number = {}, .width = kHostileSide, .height = kHostileSide});
     EXPECT_EQ(recorded.error_count, 0u);
     ASSERT_EQ(recorded.notes.size(), 1u);
     EXPECT_NE(recorded.notes[0].find("4 of the program's commands up to this frame have NaN or infinity; the first: "),

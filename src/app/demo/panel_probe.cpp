@@ -110,8 +110,7 @@ void show_lines(const char* name, const std::vector<explain::Line>& lines) {
 
 bool ProbePanel::update(const Session& session) {
     const Look look = look_of(session, active_pane(session));
-    if (answer_ && answer_->probe == *session.probe && revision_ == session.revision && look_ == look)
-        return true;
+    if (answer_ && answer_->probe == *session.probe && revision_ == session.revision && look_ == look) return true;
     const bool is_same_probe = answer_ && answer_->probe == *session.probe;
     if (is_same_probe && !patience_.may_work(session.revision)) return false;
     patience_.work([&] { answer_ = session::answer_probe(session.scene, look, *session.probe); });

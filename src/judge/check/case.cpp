@@ -185,7 +185,7 @@ Expectation expectation(const Head& head, const Entry& entry) {
 // One alternative of a Differs: "llvmpipe*Mesa from 25.0 before 26.1".
 struct Drivers {
     std::string pattern;
-    compare::Releases releases;  // of the text that they were read from
+    Releases releases;  // of the text that they were read from
 };
 Drivers drivers_of(std::string_view text) {
     const auto limit = [&](std::string_view word) -> std::string_view {

@@ -11,6 +11,8 @@ namespace {
 
 constexpr SeenOn kBoth[] = {{"llvmpipe"}, {"softpipe"}};
 constexpr SeenOn kBothUntilFixed[] = {{"llvmpipe", {.before = "25.0"}}, {"softpipe", {.before = "25.0"}}};
+constexpr SeenOn kBothIn25_1[] = {{"llvmpipe", {.from = "25.1", .before = "26.0"}},
+                                  {"softpipe", {.from = "25.1", .before = "26.0"}}};
 constexpr SeenOn kNvidia[] = {{"NVIDIA"}};
 constexpr SeenOn kBothAndNvidia[] = {{"llvmpipe"}, {"softpipe"}, {"NVIDIA"}};
 constexpr SeenOn kBothUntilFixedAndNvidia[] = {
@@ -311,6 +313,10 @@ const std::vector<Departure>& departures() {
          .section = "2.13, 3.6.4, 3.7: they are those of the raster position, generated and times the texture matrix",
          .seen_on = kBoth,
          .draw_rule = has_texture_at_raster_position},
+        {.name = "a bitmap with a texture",
+         .section = "3.7, 3.8: the fragments of a bitmap are textured, too",
+         .seen_on = kBothIn25_1,
+         .draw_rule = is_textured_bitmap},
         {.name = "the length of a normal at a raster position",
          .section = "2.13, 2.11.3: GL_NORMALIZE and GL_RESCALE_NORMAL apply as to a vertex",
          .seen_on = kBoth,

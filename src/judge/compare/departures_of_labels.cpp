@@ -34,6 +34,10 @@ bool has_texture_at_raster_position(const Draw& draw) {
     return draw.pixels && (draw.texture.texture || !draw.further_units.empty());
 }
 
+bool is_textured_bitmap(const Draw& draw) {
+    return has_texture_at_raster_position(draw) && !draw.pixels->image && !draw.pixels->copied;
+}
+
 // Every pixel that is drawn lies as far from the pixel that is copied.
 bool copies_pixels_without_zoom(const Draw& draw) {
     const bool has_mask = draw.fragment.color_mask != std::array{true, true, true, true};

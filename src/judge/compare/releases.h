@@ -1,4 +1,4 @@
-// Releases of drivers: those on which the known bugs were measured, and ranges of releases.
+// The releases of drivers on which the known bugs were measured.
 #pragma once
 
 #include <string>
@@ -21,12 +21,5 @@ bool has_measured_release(const Driver& driver);
 std::string measured_note(const Driver& driver);
 // "Mesa 26.2.0 was not measured and counts as Mesa 26.1: bugs that it fixed or added are not listed."; empty as above.
 std::string unmeasured_words(const Driver& driver);
-
-// Releases of a driver, by their numbers: `from` and all after it, up to but without `before`. "" is no limit.
-struct Releases {
-    std::string_view from{}, before{};  // "25.0"
-
-    bool contain(const Driver& driver) const;
-};
 
 }  // namespace twinlight::compare

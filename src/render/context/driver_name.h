@@ -19,8 +19,21 @@ struct Driver {
 
     // Whether the version is this release or one of its patches: "Mesa 22.3.6" is one of "Mesa 22.3".
     bool has_version(std::string_view release) const;
+    // "Mesa" and "25.1.0" of "Mesa 25.1.0-devel".
+    std::string_view maker() const;
+    std::string_view number() const;
 };
 Driver parse_driver_name(std::string_view driver_name);
 Driver current_driver();  // of the current context
+
+// Whether one number of a release is lower than another: "22.3.6" and "25.0". What is missing is 0.
+bool is_earlier(std::string_view number, std::string_view other);
+
+// Releases of a driver, by their numbers: `from` and all after it, up to but without `before`. "" is no limit.
+struct Releases {
+    std::string_view from{}, before{};  // "25.0"
+
+    bool contain(const Driver& driver) const;
+};
 
 }  // namespace twinlight

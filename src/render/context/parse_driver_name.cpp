@@ -1,5 +1,7 @@
 // Separate from driver_name.cpp, so that a name can be parsed without a context.
 #include <algorithm>
+#include <array>
+#include <charconv>
 
 #include "render/context/driver_name.h"
 
@@ -25,6 +27,19 @@ std::string vendor_version(std::string_view version) {
     return std::string(version.substr(0, second == std::string_view::npos ? second : version.find(' ', second + 1)));
 }
 
+// {25, 1, 0} of "25.1.0".
+std::array<int, 3> parts_of(std::string_view number) {
+    std::array<int, 3> parts{};
+    const char* at = number.data();
+    const char* const end = at + number.size();
+    for (int& one : parts) {
+        const auto [after, error] = std::from_chars(at, end, one);
+        if (error != std::errc() || after == end || *after != '.') break;
+        at = after + 1;
+    }
+    return parts;
+}
+
 }  // namespace
 
 Driver parse_driver_name(std::string_view driver_name) {
@@ -40,6 +55,21 @@ Driver parse_driver_name(std::string_view driver_name) {
 
 bool Driver::has_version(std::string_view release) const {
     return version == release || (version.starts_with(release) && version[release.size()] == '.');
+}
+
+std::string_view Driver::maker() const { return std::string_view(version).substr(0, version.find(' ')); }
+
+std::string_view Driver::number() const {
+    const std::string_view rest = std::string_view(version).substr(std::min(maker().size() + 1, version.size()));
+    return rest.substr(0, rest.find_first_not_of("0123456789."));
+}
+
+bool is_earlier(std::string_view number, std::string_view other) { return parts_of(number) < parts_of(other); }
+
+bool Releases::contain(const Driver& driver) const {
+    const std::string_view number = driver.number();
+    if (from.empty() && before.empty()) return true;
+    return !number.empty() && !is_earlier(number, from) && (before.empty() || is_earlier(number, before));
 }
 
 }  // namespace twinlight

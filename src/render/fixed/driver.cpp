@@ -1,12 +1,14 @@
 // Driver: object names and execution. driver_reads.cpp decides which commands may be sent.
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "render/context/gl.h"
 #include "render/fixed/execute.h"
 #include "render/fixed/fixed.h"
+#include "render/fixed/untextured.h"
 #include "scene/command/command_set.h"
 #include "scene/shape/written_out.h"
 #include "scene/state/pixel_unpacking.h"
@@ -147,7 +149,11 @@ void Driver::execute(const Command& command) {
     // GLU (9.0.2) writes an image that it scales with the padding of GL_PACK_ALIGNMENT, into memory that has none.
     if (scales_volume) glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
     if (scales_volume) glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    executor_.execute(translated(command));
+    {
+        std::optional<UntexturedBitmap> untextured;
+        if (command.id == CommandId::glBitmap && answers()) untextured.emplace();
+        executor_.execute(translated(command));
+    }
     if (scales_volume) glPopClientAttrib();
     end_bitmaps(command);
     if (command.id == CommandId::glEndList) empty_lists();

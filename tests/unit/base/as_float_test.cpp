@@ -12,7 +12,8 @@ struct Pair {
 #ifndef __clang__
 [[gnu::optimize("O2", "tree-slp-vectorize")]]
 #endif
-[[gnu::noinline]] Pair as_floats(const Pair& pair) {
+[[gnu::noinline]] Pair
+as_floats(const Pair& pair) {
     return {as_float(pair.a), as_float(pair.b)};
 }
 
