@@ -412,8 +412,14 @@ bool Departure::is_known_on(const Driver& driver) const {
 // them, if they were measured.
 bool Departure::may_show_on(const Driver& driver) const {
     if (!driver.version.starts_with("Mesa") && is_listed(driver)) return seen_on.empty() || is_known_on(driver);
-    const auto is_other = [&](const SeenOn& seen) { return seen.driver != seen_on.front().driver; };
-    return seen_on.empty() || std::ranges::any_of(seen_on, is_other) || is_of(seen_on.front(), driver);
+    if (seen_on.empty()) return true;
+    const auto has_release = [&](const SeenOn& seen) {
+        return driver.maker() != "Mesa" || seen.releases.contain(driver);
+    };
+    const auto is_other = [&](const SeenOn& seen) {
+        return seen.driver != seen_on.front().driver && has_release(seen);
+    };
+    return std::ranges::any_of(seen_on, is_other) || (is_of(seen_on.front(), driver) && has_release(seen_on.front()));
 }
 
 bool is_listed(const Driver& driver) {

@@ -8,7 +8,7 @@
 #include "render/context/gl.h"
 #include "render/fixed/execute.h"
 #include "render/fixed/fixed.h"
-#include "render/fixed/untextured.h"
+#include "render/fixed/freed_views.h"
 #include "scene/command/command_set.h"
 #include "scene/shape/written_out.h"
 #include "scene/state/pixel_unpacking.h"
@@ -150,8 +150,9 @@ void Driver::execute(const Command& command) {
     if (scales_volume) glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
     if (scales_volume) glPixelStorei(GL_PACK_ALIGNMENT, 1);
     {
-        std::optional<UntexturedBitmap> untextured;
-        if (command.id == CommandId::glBitmap && answers()) untextured.emplace();
+        std::optional<KeepsViews> views;
+        if (command.id == CommandId::glBitmap && answers()) views.emplace(KeepsViews::Drawn::kBitmap);
+        if (command.id == CommandId::glDrawPixels && answers()) views.emplace(KeepsViews::Drawn::kPixels);
         executor_.execute(translated(command));
     }
     if (scales_volume) glPopClientAttrib();

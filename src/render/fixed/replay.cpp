@@ -13,8 +13,8 @@
 #include "render/effect/scrubbed_state.h"
 #include "render/fixed/draw_state.h"
 #include "render/fixed/fixed.h"
+#include "render/fixed/freed_views.h"
 #include "render/fixed/sent_mesh.h"
-#include "render/fixed/untextured.h"
 #include "render/stages/accumulation_buffer.h"
 #include "render/stages/fixed_stages.h"
 #include "render/stages/textures.h"
@@ -53,7 +53,7 @@ void draw_bitmap(const Draw& draw, std::size_t first, std::size_t end) {
     // To the middle of the first pixel, where rounding is far from its borders.
     glBitmap(0, 0, 0, 0, static_cast<float>(low.x) + 0.5F - now[0], static_cast<float>(low.y) + 0.5F - now[1], nullptr);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    const UntexturedBitmap untextured;
+    const KeepsViews views(KeepsViews::Drawn::kBitmap);
     glBitmap(size.x, size.y, 0, 0, 0, 0, bits.data());
     glFlush();  // see Driver::end_bitmaps()
 }

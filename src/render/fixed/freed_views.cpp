@@ -1,4 +1,4 @@
-#include "render/fixed/untextured.h"
+#include "render/fixed/freed_views.h"
 
 #include "render/context/driver_name.h"
 #include "render/context/gl.h"
@@ -7,9 +7,10 @@ namespace twinlight::fixed {
 
 namespace {
 
-bool frees_textures_of_bitmaps() {
+bool frees_views(KeepsViews::Drawn drawn) {
     const twinlight::Driver driver = current_driver();
-    return driver.maker() == "Mesa" && Releases{.from = "25.1", .before = "26.0"}.contain(driver);
+    const std::string_view before = drawn == KeepsViews::Drawn::kBitmap ? "26.0" : "";
+    return driver.maker() == "Mesa" && Releases{.from = "25.1", .before = before}.contain(driver);
 }
 
 bool has_room_for_attributes() {
@@ -19,13 +20,9 @@ bool has_room_for_attributes() {
     return depth < most;
 }
 
-}  // namespace
-
-UntexturedBitmap::UntexturedBitmap() : turns_off_(frees_textures_of_bitmaps() && has_room_for_attributes()) {
-    if (!turns_off_) return;
+void disable_textures() {
     GLint units = 0;
     glGetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
-    glPushAttrib(GL_ENABLE_BIT | GL_TEXTURE_BIT);  // the second one for the active unit
     for (GLint unit = 0; unit < units; ++unit) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         for (const GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP})
@@ -33,7 +30,20 @@ UntexturedBitmap::UntexturedBitmap() : turns_off_(frees_textures_of_bitmaps() &&
     }
 }
 
-UntexturedBitmap::~UntexturedBitmap() {
+}  // namespace
+
+KeepsViews::KeepsViews(Drawn drawn) : turns_off_(frees_views(drawn) && has_room_for_attributes()) {
+    if (!turns_off_) return;
+    if (drawn == Drawn::kBitmap) {
+        glPushAttrib(GL_ENABLE_BIT | GL_TEXTURE_BIT);  // the second one for the active unit
+        disable_textures();
+    } else {
+        glPushAttrib(GL_PIXEL_MODE_BIT);
+        glPixelTransferi(GL_MAP_COLOR, GL_FALSE);
+    }
+}
+
+KeepsViews::~KeepsViews() {
     if (turns_off_) glPopAttrib();
 }
 
