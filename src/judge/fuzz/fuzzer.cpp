@@ -78,6 +78,9 @@ class Run {
   public:
     Run(const Options& options, const Progress& progress) : options_(options), progress_(progress) {
         if (!options.lifted.empty()) lifted_.push_back(options.lifted);
+        // Every bitmap that shows the one may show the other.
+        if (options.lifted == "a bitmap with a texture")
+            lifted_.push_back("the texture coordinates of a raster position");
     }
 
     Summary run() {

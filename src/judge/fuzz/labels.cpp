@@ -12,7 +12,9 @@ namespace twinlight::fuzz {
 namespace {
 
 constexpr std::string_view kPixelMap = "glPixelMap in pixel rectangles",
-                           kMirrored = "the stencil test of mirrored pixels";
+                           kMirrored = "the stencil test of mirrored pixels",
+                           kTexCoords = "the texture coordinates of a raster position",
+                           kTexturedBitmap = "a bitmap with a texture";
 
 bool is_of_rectangles(std::string_view departure) { return departure == kPixelMap || departure == kMirrored; }
 
@@ -23,12 +25,13 @@ class Label {
     std::string text() {
         add("glMatrixMode(GL_MODELVIEW);");
         state();
-        const bool is_rectangle = is_of_rectangles(departure_) || (!is_of_raster_position() && random_.chance(0.4));
+        const bool may_be_rectangle = shows(kTexCoords) || (!is_of_raster_position() && !shows(kTexturedBitmap));
+        const bool is_rectangle = is_of_rectangles(departure_) || (may_be_rectangle && random_.chance(0.4));
         if (!is_rectangle) lighting();
         add("glColor4f({0}); glSecondaryColor3f({1:.3f}, {1:.3f}, {2:.3f}); glFogCoordf({3:.3f});", numbers(4, 0, 1),
             random_.uniform(0, 1), random_.uniform(0, 1), random_.uniform(0, 14));
         add("glTexCoord4f({}, 0, 1); glMultiTexCoord4f(GL_TEXTURE1, {}, 0, 1);", numbers(2, -1, 2), numbers(2, -1, 2));
-        if (shows("the texture coordinates of a raster position"))
+        if (shows(kTexCoords) || shows(kTexturedBitmap))
             add("glActiveTexture(GL_TEXTURE0); glBindTexture(GL_TEXTURE_2D, 40); glEnable(GL_TEXTURE_2D); "
                 "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST); "
                 "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST); "
