@@ -138,28 +138,60 @@ CLI::Validator not_empty() {
 
 namespace {
 
-// --help looks alike with CLI11 2.1 and 2.6, which writes the usage without a label and breaks lines again.
+// --help of every release of CLI11: their own formatters (2.1, 2.4, 2.6) differ in headings, columns and line breaks.
 class HelpText : public CLI::Formatter {
   public:
-    std::string make_usage(const CLI::App* app, std::string name) const override {
-        std::string usage = CLI::Formatter::make_usage(app, std::move(name));
-        usage.erase(0, usage.find_first_not_of('\n'));
-        return usage.starts_with("Usage:") ? usage : "Usage: " + usage;
+    std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode) const override {
+        std::string text = fmt::format("{}\nUsage: {}", app->get_description(), name);
+        const auto options = app->get_options([](const CLI::Option* option) { return option->nonpositional(); });
+        const auto positionals = app->get_options([](const CLI::Option* option) { return option->get_positional(); });
+        const auto commands = app->get_subcommands([](const CLI::App*) { return true; });
+        if (!options.empty()) text += " [OPTIONS]";
+        for (const CLI::Option* one : positionals) text += " " + make_option_usage(one);
+        if (!commands.empty()) text += " SUBCOMMAND";
+        text += "\n";
+        add_options(text, "Positionals", positionals);
+        add_options(text, "Options", options);
+        if (!commands.empty()) text += "\nSubcommands:\n";
+        for (const CLI::App* command : commands) add_row(text, command->get_name(), command->get_description());
+        return text + "\n" + (app->get_footer().empty() ? "" : app->get_footer() + "\n");
+    }
+
+  private:
+    static constexpr std::size_t kColumn = 30;
+
+    static void add_row(std::string& text, const std::string& left, const std::string& description) {
+        const std::string name = "  " + left, indent(kColumn, ' ');
+        text += fmt::format("{:<{}}", name, kColumn);
+        if (!description.empty() && name.size() >= kColumn) text += "\n" + indent;
+        for (const char c : description) {
+            text += c;
+            if (c == '\n') text += indent;
+        }
+        text += '\n';
+    }
+    static std::string value_of(const CLI::Option& option) {
+        if (!option.get_option_text().empty()) return " " + option.get_option_text();
+        if (option.get_type_size() == 0) return "";
+        std::string text = option.get_type_name().empty() ? "" : " " + option.get_type_name();
+        if (!option.get_default_str().empty()) text += "=" + option.get_default_str();
+        if (option.get_expected_max() == CLI::detail::expected_max_vector_size) text += " ...";
+        if (option.get_required()) text += " REQUIRED";
+        return text;
+    }
+    static void add_options(std::string& text, std::string_view heading,
+                            const std::vector<const CLI::Option*>& options) {
+        if (!options.empty()) text += fmt::format("\n{}:\n", heading);
+        for (const CLI::Option* option : options)
+            add_row(text, option->get_name(option->get_positional(), !option->get_positional()) + value_of(*option),
+                    option->get_description());
     }
 };
-template <class Formatter>
-void keep_lines(Formatter& formatter) {
-    if constexpr (requires { formatter.enable_description_formatting(false); }) {
-        formatter.enable_description_formatting(false);
-        formatter.enable_footer_formatting(false);
-    }
-}
 
 }  // namespace
 
 bool parse_command_line(CLI::App& app, int argc, char** argv) {
     const auto help = std::make_shared<HelpText>();
-    keep_lines(*help);
     app.formatter(help);
     for (CLI::App* command : app.get_subcommands({})) command->formatter(help);
     try {
