@@ -237,13 +237,14 @@ TEST_F(FramebufferObjectsTest, TestAPackedStencil) {
     EXPECT_EQ(codes(text, 12, 3), (Codes{0, 0, 255, 255}));
 }
 
+// The means of two colours are whole numbers: Mesa rounds 127.5 up in 22.3, and down in 26.1.
 TEST_F(FramebufferObjectsTest, MakeMipmaps) {
-    const std::string text = object(16) + kClear + square("0, 1, 0, 0.8", "0, -1, 1, 1") +
+    const std::string text = object(16) + kClear + square("0.2, 0.8, 0, 0.6", "0, -1, 1, 1") +
                              "glGenerateMipmap(GL_TEXTURE_2D);\n"
                              "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);\n"
                              "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 4);\n" +
                              shown();
-    EXPECT_EQ(codes(text), (Codes{128, 128, 0, 128}));
+    EXPECT_EQ(codes(text), (Codes{153, 102, 0, 102}));
 }
 
 TEST_F(FramebufferObjectsTest, CanBeCopied) {

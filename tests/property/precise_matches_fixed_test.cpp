@@ -400,18 +400,20 @@ TEST(Precise, DrawsBuiltInScenesInTheFixedFunctionsFloats) {
         fixed::Replay(frame, {}).draw();
         const Image of_fixed = read_pixels(kWidth, kHeight);
         const Image precise = renderer.render(frame, kPrecise).image;
-        std::size_t differing = 0, beyond = 0;
+        std::size_t differing = 0, beyond = 0, worst = 0;
         double largest = 0;
         for (std::size_t i = 0; i < precise.pixels.size(); ++i) {
             differing += of_fixed.pixels[i] != precise.pixels[i];
             double of_pixel = 0;
             for (std::size_t c = 0; c < 4; ++c)
                 of_pixel = std::max(of_pixel, relative_difference(of_fixed.pixels[i][c], precise.pixels[i][c]));
+            if (of_pixel > largest) worst = i;
             largest = std::max(largest, of_pixel);
             beyond += of_pixel > kOfPixels;
         }
-        fmt::print("{}: {} of {} pixels differ in floats, by {:.2g} at most; {} of {} Draws left out\n", name,
-                   differing, precise.pixels.size(), largest, left_out, frame.items.size() + left_out);
+        fmt::print("{}: {} of {} pixels differ in floats, by {:.2g} at most (at {},{}); {} of {} Draws left out\n",
+                   name, differing, precise.pixels.size(), largest, worst % kWidth, worst / kWidth, left_out,
+                   frame.items.size() + left_out);
         if (is_exact)
             EXPECT_EQ(differing, 0U);
         else

@@ -1,5 +1,5 @@
-// EGL: a GPU's driver or Mesa's software drivers, without a window system. Draws into a framebuffer object, because few
-// drivers offer surfaces with float colours.
+// EGL: a GPU's driver or Mesa's software drivers, without a window system. Draws bytes into a surface, if there is one, and floats into
+// a framebuffer object, because few drivers offer surfaces with float colours.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <fmt/format.h>
@@ -9,8 +9,10 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "render/context/clamped_colors.h"
 #include "render/context/context.h"
 #include "render/context/driver_name.h"
 #include "render/context/egl_devices.h"
@@ -64,8 +66,36 @@ std::vector<Source> sources() {
 // A display with a context on it, made current without a surface.
 struct Connection {
     EGLDisplay display = EGL_NO_DISPLAY;
+    EGLConfig config = nullptr;
     EGLContext context = EGL_NO_CONTEXT;
 };
+
+// The display's first configuration for the surfaces that are wanted, or else any; nullptr if OpenGL has none.
+EGLConfig configuration(EGLDisplay display) {
+    const std::array<EGLint, 17> with_surface = {EGL_SURFACE_TYPE,
+                                                 EGL_PBUFFER_BIT,
+                                                 EGL_RENDERABLE_TYPE,
+                                                 EGL_OPENGL_BIT,
+                                                 EGL_RED_SIZE,
+                                                 8,
+                                                 EGL_GREEN_SIZE,
+                                                 8,
+                                                 EGL_BLUE_SIZE,
+                                                 8,
+                                                 EGL_ALPHA_SIZE,
+                                                 8,
+                                                 EGL_DEPTH_SIZE,
+                                                 24,
+                                                 EGL_STENCIL_SIZE,
+                                                 8,
+                                                 EGL_NONE};
+    const std::array<EGLint, 5> any = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    if (eglChooseConfig(display, with_surface.data(), &config, 1, &count) && count > 0) return config;
+    if (eglChooseConfig(display, any.data(), &config, 1, &count) && count > 0) return config;
+    return nullptr;
+}
 
 // Connects, and returns nullptr or the reason why it failed. An initialised display stays so: a process has only one of
 // each.
@@ -75,14 +105,10 @@ const char* refusal(const Source& source, Connection& connection) {
         return "it does not start";
     if (!has_word(eglQueryString(connection.display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context"))
         return "it cannot draw without a surface";
-    const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
-    EGLConfig config = nullptr;
-    EGLint count = 0;
-    if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(connection.display, wanted.data(), &config, 1, &count) ||
-        count == 0)
-        return "it does not support OpenGL";
+    connection.config = eglBindAPI(EGL_OPENGL_API) ? configuration(connection.display) : nullptr;
+    if (!connection.config) return "it does not support OpenGL";
     // Without a requested version, the driver gives the newest one that keeps the commands of GL 1.0.
-    connection.context = eglCreateContext(connection.display, config, EGL_NO_CONTEXT, nullptr);
+    connection.context = eglCreateContext(connection.display, connection.config, EGL_NO_CONTEXT, nullptr);
     if (connection.context == EGL_NO_CONTEXT) return "it cannot create an OpenGL context";
     GLint lights = 0;
     const bool is_current = eglMakeCurrent(connection.display, EGL_NO_SURFACE, EGL_NO_SURFACE, connection.context);
@@ -113,23 +139,10 @@ Connection connect() {
 class EglContext final : public OffscreenContext {
   public:
     EglContext(int width, int height, ColorBuffer color_buffer) : connection_(connect()) {
-        glGenRenderbuffers(2, buffers_.data());
-        glGenFramebuffers(1, &framebuffer_);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-        attach(GL_COLOR_ATTACHMENT0, color_buffer == ColorBuffer::kFloat ? GL_RGBA32F : GL_RGBA8, buffers_[0], width,
-               height);
-        attach(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, buffers_[1], width, height);
-        flip_rows_like_a_window();
-        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-            const std::string driver = driver_name();
-            release();
-            throw std::runtime_error(fmt::format("{} cannot draw into a buffer of {} x {} pixels; try a smaller one",
-                                                 driver, width, height));
+        if (color_buffer != ColorBuffer::kUnorm8 || !make_surface(width, height)) {
+            make_framebuffer(color_buffer == ColorBuffer::kFloat ? GL_RGBA32F : GL_RGBA8, width, height);
         }
-        // Clamps floats when they are read, as a screen would show them, and in the fragment's texture environments and
-        // fog, as GL 2.1 does (3.8.13, 3.10). OSMesa does both by itself: it treats floats as fixed-point.
-        glClampColor(GL_CLAMP_READ_COLOR, GL_TRUE);
-        glClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_TRUE);
+        clamp_colors();
         glViewport(0, 0, width, height);
         glScissor(0, 0, width, height);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
@@ -145,6 +158,35 @@ class EglContext final : public OffscreenContext {
     }
 
   private:
+    // A surface is a window's framebuffer, whose name is 0. Without one, a scene that binds no framebuffer object would still have one.
+    bool make_surface(int width, int height) {
+        const std::array<EGLint, 5> size = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
+        surface_ = eglCreatePbufferSurface(connection_.display, connection_.config, size.data());
+        if (surface_ == EGL_NO_SURFACE) return false;
+        std::array<GLint, 3> bits{};
+        if (bind()) {
+            glGetIntegerv(GL_DEPTH_BITS, &bits[0]);
+            glGetIntegerv(GL_STENCIL_BITS, &bits[1]);
+            glGetIntegerv(GL_ALPHA_BITS, &bits[2]);
+        }
+        if (bits == std::array<GLint, 3>{24, 8, 8}) return true;
+        eglMakeCurrent(connection_.display, EGL_NO_SURFACE, EGL_NO_SURFACE, connection_.context);
+        eglDestroySurface(connection_.display, std::exchange(surface_, EGL_NO_SURFACE));
+        return false;
+    }
+    void make_framebuffer(GLenum color, int width, int height) {
+        glGenRenderbuffers(2, buffers_.data());
+        glGenFramebuffers(1, &framebuffer_);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+        attach(GL_COLOR_ATTACHMENT0, color, buffers_[0], width, height);
+        attach(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, buffers_[1], width, height);
+        flip_rows_like_a_window();
+        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
+        const std::string driver = driver_name();
+        release();
+        throw std::runtime_error(
+            fmt::format("{} cannot draw into a buffer of {} x {} pixels; try a smaller one", driver, width, height));
+    }
     static void attach(GLenum attachment, GLenum format, GLuint buffer, int width, int height) {
         glBindRenderbuffer(GL_RENDERBUFFER, buffer);
         glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
@@ -156,18 +198,20 @@ class EglContext final : public OffscreenContext {
         if (has_word(reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS)), "GL_MESA_framebuffer_flip_y"))
             glFramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_FLIP_Y_MESA, GL_TRUE);
     }
-    bool bind() {
-        return eglMakeCurrent(connection_.display, EGL_NO_SURFACE, EGL_NO_SURFACE, connection_.context) == EGL_TRUE;
-    }
+    bool bind() { return eglMakeCurrent(connection_.display, surface_, surface_, connection_.context) == EGL_TRUE; }
     void release() {
-        glDeleteFramebuffers(1, &framebuffer_);
-        glDeleteRenderbuffers(2, buffers_.data());
+        if (framebuffer_ != 0) {
+            glDeleteFramebuffers(1, &framebuffer_);
+            glDeleteRenderbuffers(2, buffers_.data());
+        }
         eglMakeCurrent(connection_.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        if (surface_ != EGL_NO_SURFACE) eglDestroySurface(connection_.display, surface_);
         eglDestroyContext(connection_.display, connection_.context);
     }
 
     Connection connection_;
-    std::array<GLuint, 2> buffers_{};  // colour; depth and stencil
+    EGLSurface surface_ = EGL_NO_SURFACE;
+    std::array<GLuint, 2> buffers_{};  // colour; depth and stencil: without a surface
     GLuint framebuffer_ = 0;
 };
 

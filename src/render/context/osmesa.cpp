@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "render/context/clamped_colors.h"
 #include "render/context/context.h"
 #include "render/context/gl.h"
 #include "render/context/softpipe.h"
@@ -35,6 +36,7 @@ class OsmesaContext final : public OffscreenContext {
             OSMesaDestroyContext(context_);
             throw std::runtime_error("OSMesa cannot draw into a buffer of this size");
         }
+        clamp_colors();
         glViewport(0, 0, width, height);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     }

@@ -45,6 +45,9 @@ GLint integer(GLenum name, GLint unanswered) {
 // Mesa (22.3) crashes where it copies colours without one.
 bool has_read_buffer() { return integer(GL_READ_BUFFER, GL_FRONT) != GL_NONE; }
 
+// Mesa (26.1) allocates the copy by its number of pixels in 32 bits, and writes beyond it if that is too small.
+bool copies_few_pixels(const Command& copy) { return std::max(copy.number(2), copy.number(3)) <= kMaxTextureSize; }
+
 }  // namespace
 
 bool Driver::answers() { return integer(GL_CLIENT_ATTRIB_STACK_DEPTH, -1) >= 0; }
@@ -65,8 +68,8 @@ bool Driver::may_send(const Command& c) {
         case CommandId::glCopyTexImage2D: return may_copy_pixels(c);
         case CommandId::glCopyTexSubImage1D:
         case CommandId::glCopyTexSubImage2D:
-        case CommandId::glCopyTexSubImage3D:
-        case CommandId::glCopyPixels: return has_read_buffer();
+        case CommandId::glCopyTexSubImage3D: return has_read_buffer();
+        case CommandId::glCopyPixels: return has_read_buffer() && copies_few_pixels(c);
         default: return std::ranges::none_of(c.sig().parameters, names_memory) || may_send_pixels(c);
     }
 }
