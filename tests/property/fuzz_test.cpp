@@ -41,8 +41,10 @@ TEST(Fuzz, FindsNoUnexplainedDifference) {
         EXPECT_GT(static_cast<double>(summary.vertices.at(pair)),
                   share * 3 * static_cast<double>(summary.float_states));
         constexpr double kPixels = 64 * 64;
+        // EGL has no accumulation buffer, and pictures that accumulate in a display list are left out.
+        const double pixel_share = context_provider() == "EGL" ? 0.55 : 0.6;
         EXPECT_GT(static_cast<double>(summary.pixels.at(pair)),
-                  0.6 * kPixels * static_cast<double>(summary.picture_states));
+                  pixel_share * kPixels * static_cast<double>(summary.picture_states));
     }
 }
 
