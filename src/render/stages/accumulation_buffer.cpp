@@ -18,6 +18,7 @@ class CopiesPixels {
     CopiesPixels() {
         glGetIntegerv(GL_CURRENT_PROGRAM, &program_);
         glGetIntegerv(GL_MATRIX_MODE, &matrix_mode_);
+        color_sum_ = glIsEnabled(GL_COLOR_SUM);
         glPushAttrib(GL_ALL_ATTRIB_BITS);
         glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
         glUseProgram(0);
@@ -44,6 +45,7 @@ class CopiesPixels {
     ~CopiesPixels() {
         glPopClientAttrib();
         glPopAttrib();
+        if (color_sum_ == GL_TRUE) glEnable(GL_COLOR_SUM);  // Mesa (22.3 to 26.1) does not pop it
         glUseProgram(static_cast<GLuint>(program_));
         glMatrixMode(static_cast<GLenum>(matrix_mode_));
     }
@@ -52,6 +54,7 @@ class CopiesPixels {
 
   private:
     GLint program_ = 0, matrix_mode_ = GL_MODELVIEW;
+    GLboolean color_sum_ = GL_FALSE;
 };
 
 constexpr std::size_t kChannels = 4;
