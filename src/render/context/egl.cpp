@@ -169,7 +169,8 @@ class EglContext final : public OffscreenContext {
             glGetIntegerv(GL_STENCIL_BITS, &bits[1]);
             glGetIntegerv(GL_ALPHA_BITS, &bits[2]);
         }
-        if (bits == std::array<GLint, 3>{24, 8, 8}) return true;
+        // NVIDIA's driver (580.159.04) gives black pictures of a surface if its context was current without one.
+        if (bits == std::array<GLint, 3>{24, 8, 8} && current_driver().maker() == "Mesa") return true;
         eglMakeCurrent(connection_.display, EGL_NO_SURFACE, EGL_NO_SURFACE, connection_.context);
         eglDestroySurface(connection_.display, std::exchange(surface_, EGL_NO_SURFACE));
         return false;
