@@ -35,7 +35,7 @@ void disable_textures() {
 KeepsViews::KeepsViews(Drawn drawn) : turns_off_(frees_views(drawn) && has_room_for_attributes()) {
     if (!turns_off_) return;
     if (drawn == Drawn::kBitmap) {
-        glPushAttrib(GL_ENABLE_BIT | GL_TEXTURE_BIT);  // the second one for the active unit
+        glPushAttrib(GL_TEXTURE_BIT);  // with all units' targets, and the active unit
         disable_textures();
     } else {
         glPushAttrib(GL_PIXEL_MODE_BIT);
