@@ -68,10 +68,10 @@ for part; do
         [ "$status" -eq 0 ] || result=failed
         write_row parts "| $part | \`$command\` | $(date -u +%F) | $commit | $(((SECONDS - begin + 30) / 60)) min | $result |"
     else
-        rm -f build/nightly/row
-        tools/in-clean-root.sh --row build/nightly/row "$part" 'make demo && make test' || status=$?
+        rm -f "build/nightly/$part.row"
+        tools/in-clean-root.sh --row "build/nightly/$part.row" "$part" 'make demo && make test' || status=$?
         if [ "$status" -eq 77 ]; then continue; fi  # this machine cannot; the script said why
-        write_row systems "$(cat build/nightly/row)"
+        write_row systems "$(cat "build/nightly/$part.row")"
     fi
     if [ "$status" -eq 0 ]; then echo "$commit" >"$done"; else failed+=("$part"); fi
 done
