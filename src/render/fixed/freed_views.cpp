@@ -2,6 +2,7 @@
 
 #include "render/context/driver_name.h"
 #include "render/context/gl.h"
+#include "render/stages/textures.h"
 
 namespace twinlight::fixed {
 
@@ -18,16 +19,6 @@ bool has_room_for_attributes() {
     glGetIntegerv(GL_ATTRIB_STACK_DEPTH, &depth);
     glGetIntegerv(GL_MAX_ATTRIB_STACK_DEPTH, &most);
     return depth < most;
-}
-
-void disable_textures() {
-    GLint units = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
-    for (GLint unit = 0; unit < units; ++unit) {
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        for (const GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP})
-            glDisable(target);
-    }
 }
 
 }  // namespace

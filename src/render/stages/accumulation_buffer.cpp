@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "render/context/gl.h"
+#include "render/stages/textures.h"
 
 namespace twinlight {
 
@@ -25,12 +26,7 @@ class CopiesPixels {
         for (GLenum capability : {GL_ALPHA_TEST, GL_STENCIL_TEST, GL_DEPTH_TEST, GL_BLEND, GL_COLOR_LOGIC_OP, GL_FOG,
                                   GL_COLOR_SUM, GL_DITHER})
             glDisable(capability);
-        GLint units = 1;
-        glGetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
-        for (GLint unit = 0; unit < units; ++unit) {
-            glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-            for (GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP}) glDisable(target);
-        }
+        disable_textures();
         for (GLenum buffer : {GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER}) glBindBuffer(buffer, 0);
         for (GLenum name : {GL_PACK_SWAP_BYTES, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS,
                             GL_UNPACK_SWAP_BYTES, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS})

@@ -27,6 +27,9 @@ using TextureUnits = std::vector<std::pair<std::size_t, TextureUnit>>;
 // Those of a Draw that combines textures; empty for another Draw.
 TextureUnits combined_units(const Draw& draw);
 
+// Turns off all textures of all units in the driver. The last unit is active then.
+void disable_textures();
+
 // Owns its texture objects, so it must be destroyed before the context.
 class Textures {
   public:
