@@ -362,9 +362,14 @@ $(BUILD)/precompiled.h.gch: src/base/precompiled.h $(BUILD)/flags
 	@echo "compile $<"
 	@mkdir -p $(@D); cp $< $(@:.gch=); $(compile) $(CXXFLAGS_all) -MMD -MP -MT $@ -MF $(@:.gch=.d) -x c++-header -c $< -o $@
 
-# If several objects instantiate a template, the linker takes the first copy. So objects that are optimised less come last.
+# If several objects instantiate a template, the linker takes the first copy. So a layer comes before those that use it, for then no
+# change of theirs changes its speed, and objects that are optimised less come last.
 objects_less = $(filter $(LESS:%=$(BUILD)/objects/%.room.o),$^)
-link = @echo "link $@"; mkdir -p $(@D); $(CXX) $(LDFLAGS_all) $(filter-out $(objects_less),$(filter %.o,$^)) $(objects_less) -o $@
+objects_more = $(filter-out $(objects_less),$(filter %.o,$^))
+layers := $(addsuffix /%,$(addprefix $(BUILD)/objects/src/,base lighting scene))
+objects_first = $(foreach layer,$(layers),$(filter $(layer),$(objects_more)))
+link = @echo "link $@"; mkdir -p $(@D); \
+    $(CXX) $(LDFLAGS_all) $(objects_first) $(filter-out $(objects_first),$(objects_more)) $(objects_less) -o $@
 
 $(PROGRAMS)/twinlight: $(call object,$(SOURCES_cli)) $(OFFSCREEN)
 	$(link) $(LIBS_offscreen) $(LIBS)
