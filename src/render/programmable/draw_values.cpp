@@ -16,6 +16,7 @@
 #include "base/math/directions.h"
 #include "base/math/normal_matrix.h"
 #include "render/effect/color_products.h"
+#include "render/programmable/light_values.h"
 #include "render/programmable/lighting_names.h"
 #include "render/programmable/precise/precise.h"
 #include "render/programmable/vertex_attributes.h"
@@ -160,12 +161,13 @@ class DrawUniforms {
             eye_space();
 
         of_state = {.colors = uniforms_.size(), .lights = 0, .unit = unit_};
-        if (like_)
+        const bool is_like = like_ && needs_same_of_lights(like_->code);
+        if (is_like)
             uniforms_.append(like_->numbers, like_->of_state.colors, like_->of_state.lights);
         else
             colors();
         of_state.lights = uniforms_.size();
-        if (like_ && has_lights_of_state(form_) && has_lights_of_state(like_->code.form) &&
+        if (is_like && has_lights_of_state(form_) && has_lights_of_state(like_->code.form) &&
             like_->of_state.unit == unit_)
             uniforms_.append(like_->numbers, like_->of_state.lights, like_->numbers.size());
         else
@@ -191,6 +193,12 @@ class DrawUniforms {
             if (!form_.loops.empty())
                 number("u_count_of_light" + std::to_string(i), static_cast<double>(lights_[i].size()));
         }
+    }
+    bool needs_same_of_lights(const Code& other) const {
+        if (lights_ != other.lights) return false;
+        for (std::size_t i = 0; i < lights_.size(); ++i)
+            if (values_of_light(effects_, form_, i) != values_of_light(other.effects, other.form, i)) return false;
+        return true;
     }
     // Whether the lights' numbers follow from the state and the unit of length: the Draw's place and vertices do not matter.
     static bool has_lights_of_state(const Form& form) {
@@ -222,12 +230,11 @@ class DrawUniforms {
     void matrix(std::string_view name, const Matrix& m) {
         add(name, m);
     }
-    // For each light that the i-th one of the effects represents, put_one(index into plan.lights) appends the values.
-    template <class PutOne>
-    void of_light(std::size_t i, std::initializer_list<std::string_view> name, const PutOne& put_one) {
-        const std::string prefix = "u_light" + std::to_string(i) + "_";
-        uniforms_.add(prefix, name);
-        for (const std::size_t planned : lights_[i]) put_one(planned);
+    // Adds a uniform of the i-th light; put() follows, for each light that this one represents.
+    void start_value(std::size_t i, LightValue value, std::string_view face = {}) {
+        const LightUniform uniform = declaration_of(value, effects_, form_, i);
+        uniforms_.add("u_light" + std::to_string(i) + "_",
+                      {face, face.empty() ? "" : "_", uniform.name, uniform.space});
     }
 
     // The largest absolute value of each component of the uploaded positions.
@@ -461,9 +468,12 @@ class DrawUniforms {
         number("u_" + name + "_alpha", material.diffuse.a);
         number("u_" + name + "_shininess", normal_exponent(material.shininess));
         for (std::size_t i = 0; i < lights_.size(); ++i) {
-            const auto product = [&](const char* term, const auto& light_color_of, const MaterialColor& color,
+            const LightValues needed = values_of_light(effects_, form_, i);
+            const auto product = [&](LightValue value, const auto& light_color_of, const MaterialColor& color,
                                      PerVertexColor per_vertex) {
-                of_light(i, {name, term}, [&](std::size_t planned) {
+                if (!needed.contains(value)) return;
+                start_value(i, value, name);
+                for (const std::size_t planned : lights_[i]) {
                     const LightColor light_color = light_color_of(source(planned));
                     const double reach = reach_of(planned);
                     if (!per_vertex)
@@ -472,85 +482,89 @@ class DrawUniforms {
                         put(reach * product_matrix(model(), light_color));
                     else
                         put(reach * light_color.rgb);
-                });
+                }
             };
-            product("_ambient", ambient_of_light, {rgb(material.ambient), reflectances.ambient}, ambient_of(varying));
-            product("_diffuse", diffuse_of_light, {rgb(material.diffuse), reflectances.diffuse}, diffuse_of(varying));
-            product("_specular", specular_of_light, {rgb(material.specular), reflectances.specular},
+            product(LightValue::kAmbient, ambient_of_light, {rgb(material.ambient), reflectances.ambient},
+                    ambient_of(varying));
+            product(LightValue::kDiffuse, diffuse_of_light, {rgb(material.diffuse), reflectances.diffuse},
+                    diffuse_of(varying));
+            product(LightValue::kSpecular, specular_of_light, {rgb(material.specular), reflectances.specular},
                     specular_of(varying));
         }
     }
 
     void light(std::size_t i) {
-        const LightEffects& effects = effects_.lights[i];
-        const std::string_view space = form_.object_space ? "_object" : "_eye";
-        const auto each = [&](std::initializer_list<std::string_view> name, const auto& value_of) {
-            of_light(i, name, [&](std::size_t planned) { put(value_of(source(planned))); });
-        };
-        if (effects.directional) {
-            const auto vp_dir = [](const LightSource& light) { return unit(rgb(light.position_eye)); };
-            each({"direction", space}, [&](const LightSource& light) { return direction(vp_dir(light)); });
-            each({"half_dir", space},
-                 [&](const LightSource& light) { return direction(unit(vp_dir(light) + glm::dvec3(0, 0, 1))); });
-            return;
-        }
-        if (effects.meets_directions)
-            each({"toward_eye"}, [&](const LightSource& light) {
-                // It stays a normal float: vertices with another w need its direction.
-                constexpr double kLeast = 1e-36;
-                const glm::dvec3 toward = rgb(light.position_eye) / unit_of_directions_;
-                const double size = largest_component(toward);
-                return size > 0 ? toward * (std::clamp(size, kLeast, kMostDistant) / size) : toward;
-            });
-        // A place that floats cannot hold comes nearer, in the same direction; then its distance has another unit.
-        struct Placed {
-            glm::dvec3 place;
-            NearestVertex nearest{};
-            double length_unit = 1;
-        };
-        const auto placed = [&](const LightSource& light) {
-            if (light.position_eye.w == 0)  // only "toward" counts
-                return Placed{.place = glm::dvec3(0), .nearest = {}, .length_unit = unit_};
-            const glm::dvec3 eye = rgb(light.position_eye) / light.position_eye.w;
-            Placed result{.place = point(eye), .nearest = {}, .length_unit = unit_};
-            if (form_.wide_range) result.nearest = nearest_to(light, eye);
-            glm::dvec3& far = form_.wide_range ? result.nearest.way_eye : result.place;
-            if (form_.wide_range) far /= unit_;
-            const double largest = largest_component(far);
-            if (largest > kMostDistant) {
-                result.length_unit *= largest / kMostDistant;
-                far *= kMostDistant / largest;
-            }
-            return result;
-        };
-        if (!form_.wide_range) {
-            each({"position", space}, [&](const LightSource& light) { return placed(light).place; });
-        } else {
-            const auto vertex = [&](const LightSource& light) { return near_vertex(placed(light).nearest); };
-            if (form_.position_w)
-                each({"near_object"}, vertex);
-            else
-                each({"near_object"}, [&](const LightSource& light) { return glm::dvec3(vertex(light)); });
-            each({"way_eye"}, [&](const LightSource& light) { return placed(light).nearest.way_eye; });
-        }
-        each({"attenuation"}, [&](const LightSource& light) {
-            const double length_unit = placed(light).length_unit;
-            // In the unit of a tiny scene a factor may vanish. Infinitely far from the light it still counts.
-            constexpr double kLeast = 1e-36;
-            const auto in_unit = [&](double k, double factor) {
-                return k > 0 && factor < 1 ? std::max(k * factor, kLeast) : k * factor;
-            };
-            return attenuation_scale(light) *
-                   glm::dvec3(light.constant_attenuation, in_unit(light.linear_attenuation, length_unit),
-                              in_unit(light.quadratic_attenuation, length_unit * length_unit));
+        values_of_light(effects_, form_, i).for_each([&](LightValue value) {
+            if (is_color(value)) return;  // face() has them
+            start_value(i, value);
+            for (const std::size_t planned : lights_[i]) put(value, source(planned));
         });
-        each({"spot_dir", space}, [&](const LightSource& light) { return direction(unit(light.spot_direction_eye)); });
-        each({"cos_cutoff"},
-             [&](const LightSource& light) { return cos_deg(light.spot_cutoff_deg) - kCosineRounding; });
-        each({"spot_exponent"}, [&](const LightSource& light) { return normal_exponent(light.spot_exponent); });
-        if (!effects.smooth_cone) return;
-        each({"cos_outer"}, [&](const LightSource& light) { return smooth_cone_values(light).cos_outer; });
-        each({"cone_slope"}, [&](const LightSource& light) { return smooth_cone_values(light).slope; });
+    }
+
+    void put(LightValue value, const LightSource& light) {
+        const auto vp_dir = [&] { return unit(rgb(light.position_eye)); };
+        switch (value) {
+            case LightValue::kDirection: return put(direction(vp_dir()));
+            case LightValue::kHalfDir: return put(direction(unit(vp_dir() + glm::dvec3(0, 0, 1))));
+            case LightValue::kToward: return put(toward(light));
+            case LightValue::kPosition: return put(placed(light).place);
+            case LightValue::kNearVertex: {
+                const glm::dvec4 vertex = near_vertex(placed(light).nearest);
+                return form_.position_w ? put(vertex) : put(glm::dvec3(vertex));
+            }
+            case LightValue::kWay: return put(placed(light).nearest.way_eye);
+            case LightValue::kAttenuation: return put(attenuation(light));
+            case LightValue::kSpotDir: return put(direction(unit(light.spot_direction_eye)));
+            case LightValue::kCosCutoff: return put(cos_deg(light.spot_cutoff_deg) - kCosineRounding);
+            case LightValue::kSpotExponent: return put(normal_exponent(light.spot_exponent));
+            case LightValue::kCosOuter: return put(smooth_cone_values(light).cos_outer);
+            case LightValue::kConeSlope: return put(smooth_cone_values(light).slope);
+            case LightValue::kAmbient:
+            case LightValue::kDiffuse:
+            case LightValue::kSpecular: return;  // depend on the face
+        }
+    }
+
+    glm::dvec3 toward(const LightSource& light) const {
+        // It stays a normal float: vertices with another w need its direction.
+        constexpr double kLeast = 1e-36;
+        const glm::dvec3 toward = rgb(light.position_eye) / unit_of_directions_;
+        const double size = largest_component(toward);
+        return size > 0 ? toward * (std::clamp(size, kLeast, kMostDistant) / size) : toward;
+    }
+
+    // A place that floats cannot hold comes nearer, in the same direction; then its distance has another unit.
+    struct Placed {
+        glm::dvec3 place;
+        NearestVertex nearest{};
+        double length_unit = 1;
+    };
+    Placed placed(const LightSource& light) {
+        if (light.position_eye.w == 0)  // only "toward" counts
+            return Placed{.place = glm::dvec3(0), .nearest = {}, .length_unit = unit_};
+        const glm::dvec3 eye = rgb(light.position_eye) / light.position_eye.w;
+        Placed result{.place = point(eye), .nearest = {}, .length_unit = unit_};
+        if (form_.wide_range) result.nearest = nearest_to(light, eye);
+        glm::dvec3& far = form_.wide_range ? result.nearest.way_eye : result.place;
+        if (form_.wide_range) far /= unit_;
+        const double largest = largest_component(far);
+        if (largest > kMostDistant) {
+            result.length_unit *= largest / kMostDistant;
+            far *= kMostDistant / largest;
+        }
+        return result;
+    }
+
+    glm::dvec3 attenuation(const LightSource& light) {
+        const double length_unit = placed(light).length_unit;
+        // In the unit of a tiny scene a factor may vanish. Infinitely far from the light it still counts.
+        constexpr double kLeast = 1e-36;
+        const auto in_unit = [&](double k, double factor) {
+            return k > 0 && factor < 1 ? std::max(k * factor, kLeast) : k * factor;
+        };
+        return attenuation_scale(light) * glm::dvec3(light.constant_attenuation,
+                                                     in_unit(light.linear_attenuation, length_unit),
+                                                     in_unit(light.quadratic_attenuation, length_unit * length_unit));
     }
 
     // The processor may take denormal floats for 0, so the factors and the light's colours become larger together.

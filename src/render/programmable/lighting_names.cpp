@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <stdexcept>
+
 #include "render/programmable/vertex_attributes.h"
 
 namespace twinlight::programmable {
@@ -44,30 +46,53 @@ int LightingNames::loop_length(std::size_t i) const {
     return i < written_out ? 0 : form_.loops[i - written_out];
 }
 
-std::string LightingNames::light(std::size_t i, const std::string& type, const std::string& what,
-                                 const std::string& comment) {
-    if (form_.kept) return kept_light(i, type, what);
+// The uniform of a light, of a face's colours too.
+std::string LightingNames::light_uniform(std::size_t i, const LightUniform& one, const std::string& face) {
     const int length = loop_length(i);
-    const std::string name = fmt::format("u_light{}_{}", i, what);
-    return length == 0 ? uniform(type, name, comment)
-                       : uniform(type, name, comment, fmt::format("[{}]", length)) + "[i]";
+    const std::string name = fmt::format("u_light{}_{}{}{}{}", i, face, face.empty() ? "" : "_", one.name, one.space);
+    return length == 0
+               ? uniform(std::string(one.type), name, std::string(one.comment))
+               : uniform(std::string(one.type), name, std::string(one.comment), fmt::format("[{}]", length)) + "[i]";
+}
+
+// No Draw gives a value that is not in the list.
+LightUniform LightingNames::listed(std::size_t i, LightValue value) const {
+    const LightUniform one = declaration_of(value, effects_, form_, i);
+    if (!values_of_light(effects_, form_, i).contains(value))
+        throw std::logic_error(fmt::format("values_of_light() lacks {} of light {}", one.name, i));
+    return one;
+}
+
+std::string LightingNames::light(std::size_t i, LightValue value) {
+    return form_.kept ? kept_light(i, value) : light_uniform(i, listed(i, value));
 }
 
 // The same from GL's own state.
-std::string LightingNames::kept_light(std::size_t i, const std::string& type, const std::string& what) {
+std::string LightingNames::kept_light(std::size_t i, LightValue value) {
     const int number = form_.kept->lights.at(i);
     const std::string source = fmt::format("LightSource[{}].", number);
-    if (what == "position_eye") return fmt::format("{0}position.xyz / {0}position.w", source);
-    if (what == "toward_eye") return source + "position.xyz";
-    if (what == "direction_eye") return fmt::format("unit({}position.xyz)", source);
-    if (what == "half_dir_eye") return source + "halfVector.xyz";
-    if (what == "spot_dir_eye") return fmt::format("unit({}spotDirection)", source);
-    if (what == "cos_cutoff") return source + "spotCosCutoff - 4.8e-7";  // kCosineRounding
-    if (what == "spot_exponent")
-        return type == "int" ? fmt::format("int({}spotExponent)", source) : source + "spotExponent";
-    if (what == "attenuation")
-        return fmt::format("vec3({0}constantAttenuation, {0}linearAttenuation, {0}quadraticAttenuation)", source);
-    return uniform(type, fmt::format("u_light{}_{}", number, what), "the lecture's smooth cone (not in GL)");
+    switch (value) {
+        case LightValue::kPosition: return fmt::format("{0}position.xyz / {0}position.w", source);
+        case LightValue::kToward: return source + "position.xyz";
+        case LightValue::kDirection: return fmt::format("unit({}position.xyz)", source);
+        case LightValue::kHalfDir: return source + "halfVector.xyz";
+        case LightValue::kSpotDir: return fmt::format("unit({}spotDirection)", source);
+        case LightValue::kCosCutoff: return source + "spotCosCutoff - 4.8e-7";  // kCosineRounding
+        case LightValue::kSpotExponent:
+            return effects_.lights[i].spot_exponent == Power::kWhole ? fmt::format("int({}spotExponent)", source)
+                                                                     : source + "spotExponent";
+        case LightValue::kAttenuation:
+            return fmt::format("vec3({0}constantAttenuation, {0}linearAttenuation, {0}quadraticAttenuation)", source);
+        case LightValue::kCosOuter:
+        case LightValue::kConeSlope:
+            return uniform("float", kept_cone_name(number, value), "the lecture's smooth cone (not in GL)");
+        case LightValue::kAmbient: return source + "ambient";
+        case LightValue::kDiffuse: return source + "diffuse";
+        case LightValue::kSpecular: return source + "specular";
+        case LightValue::kNearVertex:
+        case LightValue::kWay: break;  // shaders to keep have no wide range
+    }
+    throw std::logic_error("shaders to keep have no such value of a light");
 }
 
 std::string LightingNames::light_block(std::size_t i) {
@@ -77,24 +102,27 @@ std::string LightingNames::light_block(std::size_t i) {
     return fmt::format("    for (int i = 0; i < {}; ++i) {{  // light{}\n", count, i);
 }
 
-std::string LightingNames::product(std::size_t i, const std::string& face, const std::string& term,
+std::string LightingNames::product(std::size_t i, const std::string& face, LightValue light_color,
                                    PerVertexColor per_vertex) {
+    LightUniform one = listed(i, light_color);
+    const std::string term(one.name);
     if (form_.kept) {
         const std::string color = per_vertex ? per_vertex_color(face, term, per_vertex) + ".rgb"
                                              : of_face(face, [&](const std::string& name) {
                                                    return fmt::format("{}.{}.rgb", kept_material(name), term);
                                                });
-        return fmt::format("{} * LightSource[{}].{}.rgb", color, form_.kept->lights.at(i), term);
+        return fmt::format("{} * {}.rgb", color, kept_light(i, light_color));
     }
-    const char letter = term.front();
-    const std::string comment = per_vertex ? fmt::format("{}_cli", letter) : fmt::format("{0}_cm {0}_cli", letter);
-    const std::string color = of_face(face, [&](const std::string& name) {
-        return light(i, per_vertex ? product_type() : "vec3", name + "_" + term, comment);
-    });
+    if (per_vertex) {
+        one.type = product_type();
+        one.comment.remove_prefix(one.comment.find(' ') + 1);  // "a_cm a_cli"
+    }
+    const std::string color = of_face(face, [&](const std::string& name) { return light_uniform(i, one, name); });
     return per_vertex ? fmt::format("({} * {}.rgb)", color, per_vertex_color(face, term, per_vertex)) : color;
 }
 
-std::string LightingNames::sample_product(std::size_t i, const std::string& face, const std::string& term) {
+std::string LightingNames::sample_product(std::size_t i, const std::string& face, LightValue light_color) {
+    const std::string term(listed(i, light_color).name);
     const std::string array = fmt::format("[{}]", effects_.spectral_groups);
     const auto samples = [&](const std::string& of, const char* letters) {
         return uniform("vec3", fmt::format("u_{}_{}_samples", of, term), term.front() + std::string(letters), array) +
@@ -131,7 +159,8 @@ std::string LightingNames::scene_color(const std::string& face, const FaceEffect
                            "the part of e_cm + a_cm a_cs that is the same at every vertex");
         }));
     if (ambient)
-        add(uniform(product_type(), "u_constant_ambient", "a_cs, plus a_cli of the lights that nothing weakens") +
+        add(uniform(std::string(product_type()), "u_constant_ambient",
+                    "a_cs, plus a_cli of the lights that nothing weakens") +
             " * " + per_vertex_color(face, "ambient", ambient) + ".rgb");
     return sum;
 }

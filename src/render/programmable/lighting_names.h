@@ -1,8 +1,8 @@
 // LightingNames: the names of the values in the GLSL that lights a vertex or a fragment. Naming a uniform declares it.
 //
-// Lights are light0, light1, ... Their uniforms are u_light0_position_eye, u_light0_direction_eye and
-// u_light0_half_dir_eye (or _object), u_light0_attenuation, u_light0_front_diffuse and so on; those of faces are
-// u_front_base, u_back_base and so on. In shaders to keep they are GL's: LightSource[0].diffuse, FrontMaterial.ambient.
+// Lights are light0, light1, ... Their uniforms (light_values.h) are u_light0_position_eye, u_light0_attenuation,
+// u_light0_front_diffuse and so on; those of faces are u_front_base, u_back_base and so on. In shaders to keep they are GL's:
+// LightSource[0].diffuse, FrontMaterial.ambient.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,6 +13,7 @@
 
 #include "render/effect/effect_set.h"
 #include "render/programmable/form.h"
+#include "render/programmable/light_values.h"
 
 namespace twinlight::programmable {
 
@@ -51,14 +52,14 @@ class LightingNames {
     bool position_is_homogeneous() const { return form_.wide_range || form_.homogeneous; }
     std::string normal() const { return "surface.normal_" + space(); }
 
-    // A value of the i-th light: what = "attenuation" gives u_light0_attenuation, or u_light0_attenuation[i] in a loop.
-    std::string light(std::size_t i, const std::string& type, const std::string& what, const std::string& comment);
+    // A value of the i-th light, which values_of_light() must contain: u_light0_attenuation, or u_light0_attenuation[i] in a loop.
+    std::string light(std::size_t i, LightValue value);
     // The first line of the light's block: a loop if it represents many lights.
     std::string light_block(std::size_t i);
-    // light_color * material_color, or the uniform that has their product.
-    std::string product(std::size_t i, const std::string& face, const std::string& term, PerVertexColor per_vertex);
+    // light_color * material_color, or the uniform that has their product. The colour must be in values_of_light(), too.
+    std::string product(std::size_t i, const std::string& face, LightValue color, PerVertexColor per_vertex);
     // The same for the g-th group of three spectral samples.
-    std::string sample_product(std::size_t i, const std::string& face, const std::string& term);
+    std::string sample_product(std::size_t i, const std::string& face, LightValue light_color);
 
     std::string scene_color(const std::string& face, const FaceEffects& varying);  // e_cm + a_cm a_cs
     std::string alpha(const std::string& face, const FaceEffects& varying);
@@ -77,11 +78,13 @@ class LightingNames {
     bool has_surface() const;
 
   private:
-    std::string kept_light(std::size_t i, const std::string& type, const std::string& what);
+    std::string kept_light(std::size_t i, LightValue value);
+    LightUniform listed(std::size_t i, LightValue value) const;
+    std::string light_uniform(std::size_t i, const LightUniform& uniform, const std::string& face = "");
     template <class Name>
     std::string of_face(const std::string& face, const Name& name);
     std::string per_vertex_color(const std::string& face, const std::string& property, PerVertexColor per_vertex);
-    std::string product_type() const { return effects_.spectral_products ? "mat3" : "vec3"; }
+    std::string_view product_type() const { return effects_.spectral_products ? "mat3" : "vec3"; }
     int loop_length(std::size_t i) const;
 
     const EffectSet& effects_;

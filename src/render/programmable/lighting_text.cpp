@@ -115,28 +115,24 @@ class Writer : LightingWriter {
         const LightEffects& light = effects_.lights[i];
         std::string reach;
         if (light.attenuated) {
-            const std::string k = names_.light(i, "vec3", "attenuation", "k_0i, k_1i, k_2i");
+            const std::string k = names_.light(i, LightValue::kAttenuation);
             reach = names_.position_is_homogeneous() ? fmt::format("attenuation_of({}, vp, {}.w)", k, names_.position())
                                                      : fmt::format("attenuation({}, length(vp))", k);
         }
         if (!light.spot && !light.smooth_cone) return reach;
         if (!reach.empty()) reach += " *\n            ";
-        const std::string spot_dir = names_.light(i, "vec3", "spot_dir_" + names_.space(), "s_dli, of length 1");
+        const std::string spot_dir = names_.light(i, LightValue::kSpotDir);
         if (light.smooth_cone) {
-            const std::string cos_outer = names_.light(i, "float", "cos_outer", "");
-            const std::string slope = names_.light(i, "float", "cone_slope", "1 / (cos inner - cos outer)");
+            const std::string cos_outer = names_.light(i, LightValue::kCosOuter);
+            const std::string slope = names_.light(i, LightValue::kConeSlope);
             return reach + fmt::format("smooth_cone({}, {}, {}, vp_dir)", spot_dir, cos_outer, slope);
         }
-        const std::string cos_cutoff =
-            names_.light(i, "float", "cos_cutoff", "cos(c_rli), minus a margin for rounding");
-        std::string exponent = "0";
-        if (light.spot_exponent != Power::kZero)
-            exponent =
-                names_.light(i, light.spot_exponent == Power::kWhole ? "int" : "float", "spot_exponent", "s_rli");
+        const std::string cos_cutoff = names_.light(i, LightValue::kCosCutoff);
+        const std::string exponent =
+            light.spot_exponent == Power::kZero ? "0" : names_.light(i, LightValue::kSpotExponent);
         return reach + fmt::format("spot({}, {}, {}, vp_dir)", spot_dir, cos_cutoff, exponent);
     }
 
-    bool has_n_dot_vp(const LightEffects& light) const { return light.diffuse || (light.specular && !is_reflection()); }
     bool is_reflection() const { return effects_.highlight == Highlight::kReflection; }
 
     // f_i (n . h_i)^s_rm, or the lecture's term with the reflection vector.
@@ -148,10 +144,9 @@ class Writer : LightingWriter {
             highlight = fmt::format("reflected_highlight(n, vp_dir, vpe_dir, {})", shininess);
         } else {
             const bool same_half_dir = effects_.lights[i].directional && !effects_.local_viewer;
-            const std::string n_dot_h =
-                same_half_dir ? fmt::format("positive_dot(n, {})", names_.light(i, "vec3", "half_dir_" + names_.space(),
-                                                                                "h_i, the same at every vertex"))
-                              : "cosine_to_half(n, vp_dir, vpe_dir)";
+            const std::string n_dot_h = same_half_dir
+                                            ? fmt::format("positive_dot(n, {})", names_.light(i, LightValue::kHalfDir))
+                                            : "cosine_to_half(n, vp_dir, vpe_dir)";
             highlight = fmt::format("highlight(n_dot_vp, {}{}, {})", n_dot_h, form_.sized_normals ? " * n_size" : "",
                                     shininess);
         }
@@ -162,54 +157,49 @@ class Writer : LightingWriter {
     void light(std::size_t i, const std::string& face, const FaceEffects& varying) {
         const LightEffects& light = effects_.lights[i];
         text_ += names_.light_block(i);
-        const bool cone = light.spot || light.smooth_cone;
-        const bool needs_vp_dir = cone || has_n_dot_vp(light) || (light.specular && effects_.shininess != Power::kZero);
         if (light.meets_directions)
-            add("        vec3 vp = between_directions({}, {}, {}.w);\n",
-                names_.light(i, "vec3", "toward_eye", "P_pli, a direction of any length"),
+            add("        vec3 vp = between_directions({}, {}, {}.w);\n", names_.light(i, LightValue::kToward),
                 form_.wide_range ? fmt::format("u_eye_from_object_turned * {}.xyz", names_.position())
                                  : names_.homogeneous() + ".xyz",
                 form_.wide_range ? names_.position() : names_.homogeneous());
         else if (!light.directional && form_.wide_range) {
-            const std::string near = names_.light(i, form_.position_w ? "vec4" : "vec3", "near_object",
-                                                  "the vertex that is nearest to P_pli");
-            const std::string way = names_.light(i, "vec3", "way_eye", "from there to P_pli");
+            const std::string near = names_.light(i, LightValue::kNearVertex);
+            const std::string way = names_.light(i, LightValue::kWay);
             add("        vec3 vp = {};\n", vector_to(near, way));
         } else if (!light.directional && form_.homogeneous)
-            add("        vec3 vp = vector_from({}, {});\n", names_.position(),
-                names_.light(i, "vec3", "position_eye", "P_pli"));
+            add("        vec3 vp = vector_from({}, {});\n", names_.position(), names_.light(i, LightValue::kPosition));
         else if (!light.directional)
-            add("        vec3 vp = {} - {};\n", names_.light(i, "vec3", "position_" + names_.space(), "P_pli"),
-                names_.position());
-        if (needs_vp_dir)
-            add("        vec3 vp_dir = {};\n",
-                light.directional ? names_.light(i, "vec3", "direction_" + names_.space(), "VP_i, of length 1")
-                : names_.position_is_homogeneous() || light.meets_directions ? "unit_of_any(vp)"
-                                                                             : "unit(vp)");
-        if (has_n_dot_vp(light)) add("        float n_dot_vp = positive_dot(n, vp_dir);\n");
+            add("        vec3 vp = {} - {};\n", names_.light(i, LightValue::kPosition), names_.position());
+        if (needs_light_direction(effects_, i))
+            add("        vec3 vp_dir = {};\n", light.directional ? names_.light(i, LightValue::kDirection)
+                                               : names_.position_is_homogeneous() || light.meets_directions
+                                                   ? "unit_of_any(vp)"
+                                                   : "unit(vp)");
+        if (needs_light_cosine(effects_, i)) add("        float n_dot_vp = positive_dot(n, vp_dir);\n");
         const std::string reach_value = reach(i), reach_times = reach_value.empty() ? "" : "reach * ";
         if (!reach_value.empty()) add("        float reach = {};\n", reach_value);
 
-        if (light.ambient) term(i, face, "ambient", reach_times, ambient_of(varying));
+        if (light.ambient) term(i, face, LightValue::kAmbient, reach_times, ambient_of(varying));
         if (light.diffuse)
-            term(i, face, "diffuse", reach_times + (form_.sized_normals ? "n_dot_vp * n_size * " : "n_dot_vp * "),
-                 diffuse_of(varying));
+            term(i, face, LightValue::kDiffuse,
+                 reach_times + (form_.sized_normals ? "n_dot_vp * n_size * " : "n_dot_vp * "), diffuse_of(varying));
         if (light.specular)
-            term(i, face, "specular", reach_times + highlight(i, face, varying) + " * ", specular_of(varying));
+            term(i, face, LightValue::kSpecular, reach_times + highlight(i, face, varying) + " * ",
+                 specular_of(varying));
         text_ += "    }\n";
     }
 
     // `factor` ends with " * ", or is empty.
-    void term(std::size_t i, const std::string& face, const std::string& name, const std::string& factor,
+    void term(std::size_t i, const std::string& face, LightValue color, const std::string& factor,
               PerVertexColor per_vertex) {
-        const bool is_secondary = effects_.separate_specular && name == "specular";
+        const bool is_secondary = effects_.separate_specular && color == LightValue::kSpecular;
         std::string sum = is_secondary ? "        lit.secondary" : "        lit.primary.rgb", product;
         if (effects_.spectral_groups > 0) {
             sum = fmt::format("        for (int g = 0; g < {}; ++g)\n            {}[g]", effects_.spectral_groups,
                               is_secondary ? "secondary_samples" : "samples");
-            product = names_.sample_product(i, face, name);
+            product = names_.sample_product(i, face, color);
         } else {
-            product = names_.product(i, face, name, per_vertex);
+            product = names_.product(i, face, color, per_vertex);
         }
         constexpr std::size_t kLongest = 120;
         const bool fits = sum.size() + factor.size() + product.size() < kLongest;

@@ -7,6 +7,7 @@
 
 #include "base/math/directions.h"
 #include "render/programmable/draw_values.h"
+#include "render/programmable/light_values.h"
 
 namespace twinlight::webgl {
 namespace {
@@ -52,8 +53,8 @@ Json light_of(const LightSource& light, int number) {
     values[source + "quadraticAttenuation"] = list_of(light.quadratic_attenuation);
     if (light.smooth_cone) {
         const programmable::SmoothConeValues cone = programmable::smooth_cone_values(light);
-        values[fmt::format("u_light{}_cos_outer", number)] = list_of(cone.cos_outer);
-        values[fmt::format("u_light{}_cone_slope", number)] = list_of(cone.slope);
+        values[programmable::kept_cone_name(number, programmable::LightValue::kCosOuter)] = list_of(cone.cos_outer);
+        values[programmable::kept_cone_name(number, programmable::LightValue::kConeSlope)] = list_of(cone.slope);
     }
     return values;
 }

@@ -17,6 +17,7 @@
 #include "render/programmable/kept/core_elements.h"
 #include "render/programmable/kept/kept_code.h"
 #include "render/programmable/kept/kept_text.h"
+#include "render/programmable/light_values.h"
 #include "render/programmable/shader_assembly.h"
 #include "render/programmable/vertex_attributes.h"
 #include "scene/command/names.h"
@@ -255,8 +256,9 @@ class Writer {
         uniform(fmt::format("light {}", number), fmt::format("light({}, {});", number, c_light(light)));
         if (!light.smooth_cone) return;
         const SmoothConeValues cone = smooth_cone_values(light);
-        for (const auto& [what, value] : {std::pair("cos_outer", cone.cos_outer), {"cone_slope", cone.slope}}) {
-            const std::string name = fmt::format("u_light{}_{}", number, what);
+        for (const auto& [what, value] :
+             {std::pair(LightValue::kCosOuter, cone.cos_outer), {LightValue::kConeSlope, cone.slope}}) {
+            const std::string name = kept_cone_name(number, what);
             uniform(name, fmt::format("number(\"{}\", {});", name, c_number(value)));
         }
     }

@@ -98,22 +98,48 @@ glm::vec3 rgb(const glm::dvec4& color) { return glm::vec3(color); }
 
 // The scene colour and the products of the lights' and a face's colours (program/prog_statevars.c,
 // STATE_LIGHTMODEL_SCENECOLOR and STATE_LIGHTPROD), without the parts that come with each vertex.
-void add_face(Uniforms& uniforms, const std::string& name, const LightingState& lighting, const Material& material,
-              const FaceEffects& varying) {
+void add_face(Uniforms& uniforms, const std::string& name, const Code& code, const LightingState& lighting,
+              const Material& material, const FaceEffects& varying) {
     glm::vec3 base(0);
     if (!ambient_of(varying)) base = rgb(lighting.light_model.ambient) * rgb(material.ambient);
     if (!emission_of(varying)) base = base + rgb(material.emission);
     uniforms.set(fmt::format("u_{}_base", name), floats(base));
     for_each_light(lighting, [&](std::size_t i, const LightSource& light) {
-        const auto product = [&](const char* term, const glm::dvec4& color, const glm::dvec4& of,
+        const LightValues needed = values_of_light(code.effects, code.form, i);
+        const auto product = [&](LightValue value, const glm::dvec4& color, const glm::dvec4& of,
                                  PerVertexColor per_vertex) {
-            uniforms.set(fmt::format("u_light{}_{}_{}", i, name, term),
+            if (!needed.contains(value)) return;
+            const LightUniform uniform = declaration_of(value, code.effects, code.form, i);
+            uniforms.set(fmt::format("u_light{}_{}_{}", i, name, uniform.name),
                          floats(per_vertex ? rgb(color) : rgb(color) * rgb(of)));
         };
-        product("ambient", light.ambient, material.ambient, ambient_of(varying));
-        product("diffuse", light.diffuse, material.diffuse, diffuse_of(varying));
-        product("specular", light.specular, material.specular, specular_of(varying));
+        product(LightValue::kAmbient, light.ambient, material.ambient, ambient_of(varying));
+        product(LightValue::kDiffuse, light.diffuse, material.diffuse, diffuse_of(varying));
+        product(LightValue::kSpecular, light.specular, material.specular, specular_of(varying));
     });
+}
+
+// A value of a light in the coordinates that the driver lights in.
+std::vector<float> value_of(LightValue value, const LightSource& light, const MesaLight& in_space) {
+    switch (value) {
+        case LightValue::kDirection:
+        case LightValue::kPosition: return floats(in_space.position);
+        case LightValue::kHalfDir: return floats(in_space.half_dir);
+        case LightValue::kSpotDir: return floats(in_space.spot_direction);
+        case LightValue::kCosCutoff: return {in_space.spot_cutoff_cosine};
+        case LightValue::kSpotExponent: return {static_cast<float>(normal_exponent(light.spot_exponent))};
+        case LightValue::kAttenuation:
+            return floats({light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation});
+        case LightValue::kAmbient:
+        case LightValue::kDiffuse:
+        case LightValue::kSpecular:  // add_face() has them
+        case LightValue::kToward:
+        case LightValue::kNearVertex:
+        case LightValue::kWay:
+        case LightValue::kCosOuter:
+        case LightValue::kConeSlope: break;  // set_all_effects() and floats_suffice() leave these out
+    }
+    throw std::logic_error("--precise has no such value of a light");
 }
 
 }  // namespace
@@ -204,24 +230,15 @@ Uniforms precise_uniforms(const Draw& draw, const Plan& plan, const Code& code) 
     values.set("u_eye_from_object_normal", columns(glm::transpose(modelview.inverse)));
     values.set("u_normal_scale", {mesa_normal_scale(modelview)});
     values.set("u_constant_ambient", floats(rgb(lighting.light_model.ambient)));
-    add_face(values, "front", lighting, lighting.front, code.effects.front);
-    add_face(values, "back", lighting, lighting.back, code.effects.back);
-    const char* space = code.form.object_space ? "object" : "eye";
+    add_face(values, "front", code, lighting, lighting.front, code.effects.front);
+    if (code.effects.two_side) add_face(values, "back", code, lighting, lighting.back, code.effects.back);
     for_each_light(lighting, [&](std::size_t i, const LightSource& light) {
         const MesaLight in_space = mesa_light(light, eye_from_object, modelview, !code.form.object_space);
-        const auto set = [&](const char* what, const std::vector<float>& value) {
-            values.set(fmt::format("u_light{}_{}", i, what), value);
-        };
-        const auto set_in = [&](const char* what, const std::vector<float>& value) {
-            values.set(fmt::format("u_light{}_{}_{}", i, what, space), value);
-        };
-        set_in("position", floats(in_space.position));
-        set_in("direction", floats(in_space.position));
-        set_in("spot_dir", floats(in_space.spot_direction));
-        set_in("half_dir", floats(in_space.half_dir));
-        set("cos_cutoff", {in_space.spot_cutoff_cosine});
-        set("spot_exponent", {static_cast<float>(normal_exponent(light.spot_exponent))});
-        set("attenuation", floats({light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation}));
+        values_of_light(code.effects, code.form, i).for_each([&](LightValue value) {
+            if (is_color(value)) return;  // add_face() has them
+            const LightUniform uniform = declaration_of(value, code.effects, code.form, i);
+            values.set(fmt::format("u_light{}_{}{}", i, uniform.name, uniform.space), value_of(value, light, in_space));
+        });
     });
     return values;
 }

@@ -57,12 +57,11 @@ class Writer : LightingWriter {
     std::string reach(std::size_t i) {
         const LightEffects& light = effects_.lights[i];
         std::string reach;
-        if (light.attenuated)
-            reach = fmt::format("attenuation({}, vp)", names_.light(i, "vec3", "attenuation", "k_0i, k_1i, k_2i"));
+        if (light.attenuated) reach = fmt::format("attenuation({}, vp)", names_.light(i, LightValue::kAttenuation));
         if (!light.spot) return reach;
-        const std::string spot_dir = names_.light(i, "vec3", "spot_dir_" + names_.space(), "s_dli, of length 1");
-        const std::string cos_cutoff = names_.light(i, "float", "cos_cutoff", "cos(c_rli)");
-        const std::string exponent = names_.light(i, "float", "spot_exponent", "s_rli");
+        const std::string spot_dir = names_.light(i, LightValue::kSpotDir);
+        const std::string cos_cutoff = names_.light(i, LightValue::kCosCutoff);
+        const std::string exponent = names_.light(i, LightValue::kSpotExponent);
         return reach + (reach.empty() ? "" : " * ") +
                fmt::format("spot({}, {}, {}, vp_dir)", spot_dir, cos_cutoff, exponent);
     }
@@ -72,8 +71,7 @@ class Writer : LightingWriter {
         if (effects_.shininess == Power::kZero) return "f_i(n_dot_vp)";
         std::string n_dot_h;
         if (effects_.lights[i].directional && !effects_.local_viewer) {
-            n_dot_h = fmt::format(
-                "dot3(n, {})", names_.light(i, "vec3", "half_dir_" + names_.space(), "h_i, the same at every vertex"));
+            n_dot_h = fmt::format("dot3(n, {})", names_.light(i, LightValue::kHalfDir));
         } else {
             add("        precise vec3 half_sum = vp_dir {};\n",
                 effects_.local_viewer ? "- from_viewer_dir" : "+ vec3(0.0, 0.0, 1.0)");
@@ -88,11 +86,9 @@ class Writer : LightingWriter {
         const LightEffects& light = effects_.lights[i];
         text_ += names_.light_block(i);
         if (light.directional) {
-            add("        vec3 vp_dir = {};\n",
-                names_.light(i, "vec3", "direction_" + names_.space(), "VP_i, of length 1"));
+            add("        vec3 vp_dir = {};\n", names_.light(i, LightValue::kDirection));
         } else {
-            add("        precise vec3 vp = {} - {};\n", names_.light(i, "vec3", "position_" + names_.space(), "P_pli"),
-                names_.position());
+            add("        precise vec3 vp = {} - {};\n", names_.light(i, LightValue::kPosition), names_.position());
             add("        vec3 vp_dir = unit(vp);\n");
         }
         add("        precise float n_dot_vp = dot3(n, vp_dir);\n");
@@ -101,15 +97,16 @@ class Writer : LightingWriter {
         const char* times = reach.empty() ? "" : " * reach";
         if (light.ambient)
             add("        primary = {}{} + primary;\n", reach.empty() ? "" : "reach * ",
-                names_.product(i, face, "ambient", ambient_of(varying)));
+                names_.product(i, face, LightValue::kAmbient, ambient_of(varying)));
         if (light.diffuse) {
             add("        precise float diffuse = max(n_dot_vp, 0.0){};\n", times);
-            add("        primary = diffuse * {} + primary;\n", names_.product(i, face, "diffuse", diffuse_of(varying)));
+            add("        primary = diffuse * {} + primary;\n",
+                names_.product(i, face, LightValue::kDiffuse, diffuse_of(varying)));
         }
         const std::string highlight = this->highlight(i, face, varying);
         add("        precise float specular = {}{};\n", highlight, times);
         add("        {0} = specular * {1} + {0};\n    }}\n", specular_sum(),
-            names_.product(i, face, "specular", specular_of(varying)));
+            names_.product(i, face, LightValue::kSpecular, specular_of(varying)));
     }
 };
 

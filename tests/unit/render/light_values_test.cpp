@@ -1,0 +1,156 @@
+// A program and its Draw meet in one list: each uniform that the text declares has a value, whatever is drawn and planned.
+#include "render/programmable/light_values.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "../effort.h"
+#include "judge/fuzz/random_states.h"
+#include "judge/study/lighting_change.h"
+#include "render/programmable/bake.h"
+#include "render/programmable/precise/precise.h"
+#include "render/programmable/surface_values.h"
+#include "scene/scenes/load.h"
+#include "scene/state/frame.h"
+#include "scene/state/recorded_frame.h"
+#include "scene/state/state.h"
+
+namespace twinlight::programmable::light_values_test {
+namespace {
+
+// The plans that some command makes, with all combinations of what they leave out.
+std::vector<PlanOptions> plan_options() {
+    std::vector<PlanOptions> all;
+    for (const bool any_pose : {false, true})
+        for (const bool variants : {false, true})
+            for (const bool folds : {false, true})
+                for (const auto shading : {std::optional<Shading>(), std::optional(Shading::kPhong)}) {
+                    PlanOptions options;
+                    options.for_any_pose = any_pose;
+                    options.lecture_variants = variants;
+                    options.fold_spectra = folds;
+                    options.shading = shading;
+                    options.budget = any_pose ? 0 : options.budget;
+                    all.push_back(options);
+                }
+    return all;
+}
+
+class Checker {
+  public:
+    // The uniforms that the program's text declares and that have no value are added to `missing`.
+    void check(const Code& code, const Uniforms& numbers, const std::string& where) {
+        ++programs_;
+        const auto [declared, is_new] = declared_.try_emplace({code.effects, code.form});
+        if (is_new) declared->second = uniform_names(assemble(code.effects, code.form));
+        for (const std::string& name_and_length : declared->second) {
+            const std::string name = name_and_length.substr(0, name_and_length.find('['));  // of an array
+            if (!is_sampler(name) && !numbers.contains(name)) missing_.insert(name + " of " + where);
+        }
+        for (std::size_t i = 0; i < code.effects.lights.size(); ++i)
+            values_of_light(code.effects, code.form, i).for_each([&](LightValue value) { ++met_[value]; });
+    }
+
+    void check(const Draw& draw, bool begins_shape, const std::string& where) {
+        for (const PlanOptions& options : plan_options()) {
+            const Plan plan = plan_effects(draw, options);
+            const DrawProgram program = draw_program(draw, plan, false);
+            check(program.code, program.numbers, where);
+            if (!draw.has_exact_surfaces() || !begins_shape) continue;
+            PlanOptions exact = options;
+            exact.shading = Shading::kExact;
+            for (const SurfaceProgram& surface : surface_programs(draw, exact))
+                for (const Uniforms& numbers_of_pass : surface.passes)
+                    check(surface.code, numbers_of_pass, where + ", exact");
+        }
+        const Options precise = precise_options({});
+        const DrawProgram program = draw_program(draw, plan_effects(draw, precise), true);
+        check(program.code, program.numbers, where + ", precise");
+    }
+
+    void check(const Frame& frame, const std::string& where) {
+        const Draw* before = nullptr;
+        for (const auto& item : frame.items) {
+            const Draw* draw = std::get_if<Draw>(&item);
+            if (draw) check(*draw, !before || !are_one_shape(*before, *draw), where);
+            before = draw;
+        }
+    }
+
+    const std::set<std::string>& missing() const { return missing_; }
+    const std::map<LightValue, int>& met() const { return met_; }
+    std::size_t programs() const { return declared_.size(); }
+
+  private:
+    static bool is_sampler(const std::string& name) {
+        std::string_view base = name;
+        while (!base.empty() && base.back() >= '0' && base.back() <= '9') base.remove_suffix(1);
+        return base == "u_texture" || base == "u_framebuffer";
+    }
+    std::map<std::pair<EffectSet, Form>, std::set<std::string, std::less<>>> declared_;
+    std::set<std::string> missing_;
+    std::map<LightValue, int> met_;
+    int programs_ = 0;
+};
+
+constexpr StateOptions kSmall = {.width = 64, .height = 64};
+
+std::string listed(const std::set<std::string>& names) { return fmt::format("{}", fmt::join(names, "\n")); }
+
+TEST(LightValues, AreGivenToEveryProgramOfScenesAndRecordings) {
+    Checker checker;
+    for (const EmbeddedFile& file : kSceneFiles) {
+        const std::size_t steps = std::max<std::size_t>(1, read_built_in(file).steps.size());
+        for (std::size_t step = 1; step <= steps; ++step) {
+            const Frame frame =
+                make_frame(read_built_in(file, {.step = steps > 1 ? std::to_string(step) : ""}), kSmall);
+            for (const study::LightingChangeRow& change : study::lighting_changes())
+                if (study::matters(frame, change.value))
+                    checker.check(study::with_lighting_change(frame, change.value),
+                                  fmt::format("{}, step {}, {}", file.name, step, change.words));
+        }
+    }
+    FrameChoice small;
+    small.width = small.height = 64;
+    int recordings = 0;
+    for (const auto& folder : std::filesystem::directory_iterator("tests/traces")) {
+        if (!folder.is_directory() || !is_tried(recordings++)) continue;
+        const RecordedFrame recorded = make_recorded_frame(load_recording(folder.path() / "dump.txt"), small);
+        checker.check(recorded.scene.frame, folder.path().filename());
+    }
+    EXPECT_TRUE(checker.missing().empty()) << listed(checker.missing());
+    EXPECT_GT(checker.programs(), 500u);
+}
+
+TEST(LightValues, AreGivenToEveryProgramOfRandomStates) {
+    Checker checker;
+    const int count = rounds(400);
+    for (int i = 0; i < count; ++i) {
+        const fuzz::Seed seed{.structure = static_cast<std::uint64_t>(i), .values = 1};
+        for (const auto& [name, make] : {std::pair("lighting", &fuzz::lighting_state),
+                                         {"extreme", &fuzz::extreme_state},
+                                         {"fragment", &fuzz::fragment_state}})
+            checker.check(make_frame(make(seed), kSmall), fmt::format("{} state {}", name, i));
+    }
+    EXPECT_TRUE(checker.missing().empty()) << listed(checker.missing());
+    for (std::size_t i = 0; i < kLightValueCount; ++i) {
+        const auto value = static_cast<LightValue>(i);
+        if (value == LightValue::kCosOuter || value == LightValue::kConeSlope) continue;  // only pragmas make these
+        EXPECT_TRUE(checker.met().contains(value)) << "no random state needs light value " << i;
+    }
+}
+
+}  // namespace
+}  // namespace twinlight::programmable::light_values_test
