@@ -40,25 +40,27 @@ const std::vector<Way>& ways() {
              .may_refuse = "--precise"},
             {.command = {"explain"}},
             {.command = {"explain", "--all", "--json"}},
-            {.command = {"explain", "--pixel", "20,20"}, .may_refuse = "pixel"},
+            {.command = {"explain", "--pixel", "20,20"}},
             {.command = {"lint"}, .may_disagree = true},
             {.command = {"study", "--quick", "--seconds", "0.1"}, .writes_folder = true, .is_slow = true},
-            {.command = {"export", "--as", "c"}, .takes_size = false, .may_refuse = "export"},
-            {.command = {"export", "--as", "scene"}, .takes_size = false, .may_refuse = "export"},
+            {.command = {"export", "--as", "c"}, .takes_size = false},
+            {.command = {"export", "--as", "scene"}, .takes_size = false},
             {.command = {"export", "--as", "glsl"}, .takes_size = false},
             {.command = {"export", "--as", "glsl", "--for-this-picture"}, .takes_size = false},
-            {.command = {"export", "--as", "glsl"}, .takes_size = false, .writes_folder = true, .may_refuse = "export"},
-            {.command = {"export", "--as", "html"}, .takes_size = false, .writes_file = true, .may_refuse = "export"},
+            {.command = {"export", "--as", "glsl"},
+             .takes_size = false,
+             .writes_folder = true,
+             .may_refuse = "shaders to keep"},
+            {.command = {"export", "--as", "html"},
+             .takes_size = false,
+             .writes_file = true,
+             .may_refuse = "shaders to keep"},
         };
         for (const char* with : {"fixed", "programmable", "reference"})
             for (const char* shading : {"flat", "gouraud", "phong", "exact"})
-                list.push_back({.command = {"render", "--with", with, "--shading", shading},
-                                .writes_file = true,
-                                .may_refuse = std::string_view(with) == "fixed" ? "fixed" : ""});
+                list.push_back({.command = {"render", "--with", with, "--shading", shading}, .writes_file = true});
         for (const char* option : {"--baked", "--precise"})
-            list.push_back({.command = {"render", "--with", "programmable", option},
-                            .writes_file = true,
-                            .may_refuse = std::string_view(option) == "--precise" ? "--precise" : ""});
+            list.push_back({.command = {"render", "--with", "programmable", option}, .writes_file = true});
         for (const char* with : {"fixed", "reference"})
             list.push_back({.command = {"render", "--with", with, "--scrubbed"}, .writes_file = true});
         return list;
