@@ -70,6 +70,7 @@ $(if $(filter real,$(BENCH)),xscreensaver-gl        ls /usr/libexec/xscreensaver
 $(if $(filter real,$(BENCH)),xscreensaver-gl-extra  ls /usr/libexec/xscreensaver/atlantis)
 $(if $(filter real,$(BENCH)),crack-attack           PATH=$$PATH:/usr/games command -v crack-attack)
 $(if $(CI),valgrind            command -v valgrind)
+$(if $(CI),strace              command -v strace)
 $(if $(CI),clang               command -v clang++)
 $(if $(CI),libclang-rt-dev     $(try_fuzzer))
 $(if $(CI),chromium            command -v chromium || grep -q ubuntu /etc/os-release)

@@ -213,12 +213,6 @@ bool parse_command_line(CLI::App& app, int argc, char** argv) {
     }
 }
 
-void write_result(std::string_view bytes) {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0) {
-        throw FileError(std::string("standard output: ") + std::strerror(errno));
-    }
-}
-
 void write_output(const std::string& file, std::string_view bytes) {
     if (file == "-")
         write_result(bytes);
@@ -239,15 +233,16 @@ lesson::Lesson load_lesson(const std::string& name, lesson::Language language) {
 
 int run_reporting_errors(std::string_view program, const std::function<int()>& run) {
     const auto fail = [](const std::string& message) {
-        fmt::print(stderr, "{}\n", message);
+        print_message("{}\n", message);
         return kBadInput;
     };
+    prepare_streams();
     report_crashes(program);
     keep_freed_memory();
     try {
         return run();
     } catch (const SceneError& error) {  // begins with the place, for editors to jump to
-        fmt::print(stderr, "{}", as_compilers_print(error));
+        write_message(as_compilers_print(error));
         return kBadInput;
     } catch (const std::bad_alloc&) {
         return fail(fmt::format("{}: out of memory; try a smaller --size", program));

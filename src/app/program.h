@@ -12,6 +12,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "app/streams.h"
 #include "judge/lesson/lesson.h"
 
 namespace twinlight {
@@ -63,9 +64,6 @@ CLI::Validator not_empty();
 // False if --help or --version was given and has been printed. Throws UsageError.
 bool parse_command_line(CLI::App& app, int argc, char** argv);
 
-// Writes all of `bytes` to standard output. Throws FileError.
-void write_result(std::string_view bytes);
-
 // Writes to a file, whole or not at all, or to standard output if its name is "-". Throws FileError.
 void write_output(const std::string& file, std::string_view bytes);
 
@@ -73,7 +71,8 @@ void write_output(const std::string& file, std::string_view bytes);
 lesson::Lesson load_lesson(const std::string& name, lesson::Language language);
 
 // Runs a program and returns its exit status. If it throws, prints the error on standard error and returns kBadInput.
-// If it crashes, a line on standard error says so first. Freed memory is kept (render/context/context.h).
+// Prepares the standard streams (streams.h). If it crashes, a line on standard error says so first. Freed memory is kept
+// (render/context/context.h).
 int run_reporting_errors(std::string_view program, const std::function<int()>& run);
 
 }  // namespace twinlight

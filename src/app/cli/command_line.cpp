@@ -130,7 +130,7 @@ std::optional<float> contrast(const Scene& scene) {
 }
 
 void print_note(const Recording& recording, std::string_view note) {
-    fmt::print(stderr, "twinlight: note: {}: {}\n", recording.name, one_line(note));
+    print_message("twinlight: note: {}: {}\n", recording.name, one_line(note));
 }
 
 // Reading up to a late frame may take long, so this shows its progress.
@@ -156,7 +156,7 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
     std::ranges::move(recorded.notes, std::back_inserter(notes));
     if (recorded.first_error) {
         notes.push_back(note_of_errors(recorded));
-        fmt::print(stderr, "twinlight: note: {}\n", notes.back());
+        print_message("twinlight: note: {}\n", notes.back());
     }
     recorded.scene.notes = std::move(notes);
     return std::move(recorded.scene);

@@ -173,8 +173,8 @@ int run_compare(CompareArguments arguments) {
     print_lint_notes(result.warnings, arguments.scene);
     // load_scene() looks at the frame that it chooses itself.
     if (arguments.part.frame && color_contrast(comparison.renders.front().image) == 0)
-        fmt::print(stderr, "twinlight: note: the picture of frame {} is of one colour; --frame chooses another\n",
-                   *arguments.part.frame);
+        print_message("twinlight: note: the picture of frame {} is of one colour; --frame chooses another\n",
+                      *arguments.part.frame);
     return comparison.within_tolerance() ? kFine : kDifferent;
 }
 

@@ -109,9 +109,9 @@ int run_lint(const LintArguments& arguments) {
 
 void print_lint_notes(const std::vector<lint::Warning>& warnings, const std::string& scene) {
     if (warnings.empty()) return;
-    for (const lint::Warning& warning : warnings) fmt::print(stderr, "{}\n", one_line(lint::headline(warning)));
-    fmt::print(stderr, "twinlight: note: 'twinlight lint {}' shows how to mend {}\n", one_line(scene),
-               warnings.size() == 1 ? "it" : "them");
+    for (const lint::Warning& warning : warnings) print_message("{}\n", one_line(lint::headline(warning)));
+    print_message("twinlight: note: 'twinlight lint {}' shows how to mend {}\n", one_line(scene),
+                  warnings.size() == 1 ? "it" : "them");
 }
 
 Subcommand add_lint(CLI::App& app) {

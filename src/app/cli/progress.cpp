@@ -27,7 +27,7 @@ ProgressBar::ProgressBar() : terminal_(::isatty(STDERR_FILENO) != 0) {}
 ProgressBar::~ProgressBar() { wipe(); }
 
 void ProgressBar::wipe() {
-    if (terminal_) fmt::print(stderr, "\r{:{}}\r", "", kWidth);
+    if (terminal_) std::fputs(fmt::format("\r{:{}}\r", "", kWidth).c_str(), stderr);
 }
 
 void ProgressBar::show(std::string_view doing) { print(doing); }
@@ -43,8 +43,8 @@ void ProgressBar::print(std::string_view line) {
     const auto now = std::chrono::steady_clock::now();
     if (!terminal_ || (printed_ && now - *printed_ < kTooSoon)) return;
     printed_ = now;
-    fmt::print(stderr, "\r{:{}}", one_line(line).substr(0, kWidth), kWidth);
-    std::fflush(stderr);
+    // Unlike fmt::print, this does not throw where standard error cannot be written.
+    std::fputs(fmt::format("\r{:{}}", one_line(line).substr(0, kWidth), kWidth).c_str(), stderr);
 }
 
 }  // namespace twinlight::cli

@@ -52,7 +52,7 @@ RecordingMade record_once(const RecordArguments& arguments, std::optional<trace:
                                                   .window_system = window_system,
                                                   .stop_early = [] { return Interrupt::came(); }}),
                        .frame = std::nullopt};
-    fmt::print(stderr, "{}", made.recorded.output);
+    write_message(made.recorded.output);
     made.frame = trace::busiest_frame(arguments.output);
     return made;
 }
@@ -88,8 +88,8 @@ int run_record(RecordArguments arguments) {
     } else {
         arguments.command.front() = trace::find_program(given);
     }
-    fmt::print(stderr, "twinlight: note: runs {} for {:g} s, with your rights and without a sandbox; Ctrl-C stops it\n",
-               one_line(given), arguments.seconds);
+    print_message("twinlight: note: runs {} for {:g} s, with your rights and without a sandbox; Ctrl-C stops it\n",
+                  one_line(given), arguments.seconds);
     const Interrupt interrupt;
     RecordingMade made = record_once(arguments, arguments.window_system);
     // Some programs name both window systems.
@@ -97,16 +97,16 @@ int run_record(RecordArguments arguments) {
                        made.recorded.window_system == trace::WindowSystem::kGlx &&
                        trace::names_egl(arguments.command.front());
     if (again) {
-        fmt::print(stderr, "twinlight: note: GLX shows no frames; runs {} again with --api egl\n", one_line(given));
+        print_message("twinlight: note: GLX shows no frames; runs {} again with --api egl\n", one_line(given));
         made = record_once(arguments, trace::WindowSystem::kEgl);
     }
     const trace::Recorded& recorded = made.recorded;
     const trace::BusiestFrame frame = frame_that_draws(arguments.output, made.frame);
     if (!recorded.not_trimmed.empty())
-        fmt::print(stderr, "twinlight: note: {}; keeps the whole recording, whose end may be damaged\n",
-                   one_line(recorded.not_trimmed));
+        print_message("twinlight: note: {}; keeps the whole recording, whose end may be damaged\n",
+                      one_line(recorded.not_trimmed));
     const std::string file = one_line(arguments.output);
-    for (const std::string& note : frame.notes) fmt::print(stderr, "twinlight: note: {}: {}\n", file, one_line(note));
+    for (const std::string& note : frame.notes) print_message("twinlight: note: {}: {}\n", file, one_line(note));
     write_result(fmt::format("Recording: {}{}{}\n{}", file,
                              recorded.has_own_display ? ", in a display of its own (Xvfb)" : "",
                              recorded.ended_itself ? ", until the program ended" : "", advice(file, frame)));

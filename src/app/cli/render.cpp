@@ -46,7 +46,7 @@ const std::map<std::string, Path> kRenderers = {
 void warn_unsupported(const Frame& frame, Path path) {
     for (const Unsupported& item : frame.unsupported)
         if (lacks(path, item))
-            fmt::print(stderr, "twinlight: note: {}\n", one_line(report::sentence_of(item, std::array{path})));
+            print_message("twinlight: note: {}\n", one_line(report::sentence_of(item, std::array{path})));
 }
 
 Image drawn(const RenderArguments& arguments, const Scene& scene, const RendererSet& renderers) {
@@ -118,7 +118,7 @@ int run_render(RenderArguments arguments) {
         if (!names_file) write_result(fmt::format("Picture: {}\n", one_line(arguments.output)));
     }
     for (const compare::Query& query : compare::queries_of(scene, renderers.functions().answers))
-        fmt::print(stderr, "{}\n", one_line(compare::sentence_of(query)));
+        print_message("{}\n", one_line(compare::sentence_of(query)));
     warn_unsupported(scene.frame, kRenderers.at(arguments.renderer));
     print_lint_notes(lint::lint(scene), arguments.scene);
     return kFine;

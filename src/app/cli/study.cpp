@@ -173,8 +173,7 @@ int run_study(StudyArguments arguments) {
                         }});
     bar.wipe();
     for (const auto& [reason, count] : failures)
-        fmt::print(stderr, "twinlight: {} choice{} left out: {}\n", count, count == 1 ? " is" : "s are",
-                   one_line(reason));
+        print_message("twinlight: {} choice{} left out: {}\n", count, count == 1 ? " is" : "s are", one_line(reason));
     result.scene = about.scene;
     result.fingerprint = about.fingerprint;
     study::Series& series = result.series[0];

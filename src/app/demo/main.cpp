@@ -49,9 +49,9 @@ session::Probe probe_at(const std::string& text) {
 lesson::Lesson lesson_named(const std::string& name, lesson::Language& language) {
     lesson::Lesson page = load_lesson(name, language);
     if (language == lesson::Language::kChinese && demo::chinese_font().empty()) {
-        fmt::print(stderr,
-                   "twinlight-demo: no font with Chinese letters was found, so the lesson is in English; install "
-                   "fonts-noto-cjk\n");
+        print_message(
+            "twinlight-demo: no font with Chinese letters was found, so the lesson is in English; install "
+            "fonts-noto-cjk\n");
         language = lesson::Language::kEnglish;
         page = load_lesson(name, language);
     }
