@@ -22,6 +22,7 @@
 #include "base/image/file.h"
 #include "base/image/png.h"
 #include "render/context/context.h"
+#include "render/context/driver_choice.h"
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
 #include "scene/command/text.h"
@@ -44,11 +45,11 @@ constexpr unsigned kFileMs = 500;     // between looks at the scene's file
     char reason[512];
     std::vsnprintf(reason, sizeof reason, format, arguments);
     const char* display = std::getenv("DISPLAY");
-    std::fprintf(stderr,
-                 "twinlight-demo: cannot open a window: %s (DISPLAY is %s); "
-                 "without a display, use 'twinlight compare SCENE -o DIR'\n",
-                 reason, display && *display ? display : "not set");
-    std::exit(2);
+    const std::string wrong = one_line(wrong_driver_choice());
+    std::fprintf(stderr, "twinlight-demo: cannot open a window: %s (DISPLAY is %s); %s\n", reason,
+                 display && *display ? display : "not set",
+                 wrong.empty() ? "without a display, use 'twinlight compare SCENE -o DIR'" : wrong.c_str());
+    std::_Exit(2);  // without freeglut's last words to a display that refused it
 }
 
 // 1 for 96 dots per inch, in steps of a half.

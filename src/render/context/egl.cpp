@@ -14,6 +14,7 @@
 
 #include "render/context/clamped_colors.h"
 #include "render/context/context.h"
+#include "render/context/driver_choice.h"
 #include "render/context/driver_name.h"
 #include "render/context/egl_devices.h"
 #include "render/context/gl.h"
@@ -130,10 +131,11 @@ Connection connect() {
         if (!why) return connection;
         tried += fmt::format("{}{}: {}", tried.empty() ? "" : "; ", source.name, why);
     }
+    const std::string wrong = wrong_driver_choice();
     throw std::runtime_error(
-        fmt::format("EGL provides no OpenGL with a compatibility profile ({}); install the GPU's driver or Mesa's "
-                    "(libegl-mesa0, libgl1-mesa-dri)",
-                    tried.empty() ? "it offers neither a device nor a surfaceless display" : tried));
+        fmt::format("EGL provides no OpenGL with a compatibility profile ({}); {}",
+                    tried.empty() ? "it offers neither a device nor a surfaceless display" : tried,
+                    wrong.empty() ? "install the GPU's driver or Mesa's (libegl-mesa0, libgl1-mesa-dri)" : wrong));
 }
 
 class EglContext final : public OffscreenContext {

@@ -2,10 +2,12 @@
 #include <GL/osmesa.h>
 
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "render/context/clamped_colors.h"
 #include "render/context/context.h"
+#include "render/context/driver_choice.h"
 #include "render/context/gl.h"
 #include "render/context/softpipe.h"
 
@@ -65,6 +67,9 @@ class OsmesaContext final : public OffscreenContext {
 std::string_view context_provider() { return "OSMesa"; }
 
 std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height, ColorBuffer color_buffer) {
+    // OSMesa has only Mesa's two software drivers, and crashes with another name.
+    if (const std::string wrong = wrong_gallium_driver(); !wrong.empty())
+        throw std::runtime_error("OSMesa has no such driver: " + wrong);
     keep_llvm_out_of_softpipe();
     return std::make_unique<OsmesaContext>(width, height, color_buffer);
 }
