@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -17,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/crash_report.h"
 #include "base/image/file.h"
 #include "render/context/context.h"
 #include "render/programmable/shader_program.h"
@@ -82,27 +82,6 @@ std::string where_kept(std::string_view text) {
     const bool written = ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
     ::close(descriptor);
     return written ? "; its text is in " + one_line(file) : "";
-}
-
-// Drivers crash on some scenes. Then the program still ends by the signal, but not without a word.
-std::string crash_message;
-void report_crash(int signal) {
-    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, crash_message.data(), crash_message.size());
-    std::raise(signal);
-}
-void report_crashes(std::string_view program) {
-    crash_message = fmt::format(
-        "{}: crashed, perhaps by a bug of the GL driver; the environment variable GALLIUM_DRIVER, set to llvmpipe or "
-        "softpipe, chooses another. If that crashes too, please report the scene.\n",
-        program);
-    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
-        struct sigaction before {
-        }, action{};
-        if (::sigaction(signal, nullptr, &before) != 0 || before.sa_handler != SIG_DFL) continue;  // a sanitizer's
-        action.sa_handler = report_crash;
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
-        ::sigaction(signal, &action, nullptr);
-    }
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -11,7 +10,6 @@
 
 #include "../pictures.h"
 #include "../run_program.h"
-#include "../sanitized.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
 
@@ -358,19 +356,6 @@ TEST_F(Cli, LeavesNoPartOfAFileWhenItIsInterrupted) {
             }
         }
     }
-}
-
-// As when a driver crashes: no scene does so with every driver, so a signal stands for it.
-TEST_F(Cli, SaysThatItCrashed) {
-    if (kSanitized) GTEST_SKIP() << "the sanitizer reports crashes itself";
-    const ProgramResult result = run_shell("twinlight",
-                                           "timeout --foreground --preserve-status -s SEGV 1 \"$PROGRAM\" fuzz --count "
-                                           "1000000 -o " +
-                                               quoted(out_ / "failures") + " >/dev/null");
-    EXPECT_EQ(result.status, 128 + SIGSEGV);
-    EXPECT_EQ(result.err,
-              "twinlight: crashed, perhaps by a bug of the GL driver; the environment variable GALLIUM_DRIVER, set to "
-              "llvmpipe or softpipe, chooses another. If that crashes too, please report the scene.\n");
 }
 
 // ---- What it does ----
