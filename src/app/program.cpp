@@ -224,7 +224,10 @@ int run_reporting_errors(std::string_view program, const std::function<int()>& r
         write_message(as_compilers_print(error));
         return kBadInput;
     } catch (const std::bad_alloc&) {
-        return fail(fmt::format("{}: out of memory; try a smaller --size", program));
+        // Without fmt::format, which needs memory.
+        std::fprintf(stderr, "%.*s: out of memory; try a smaller --size\n", static_cast<int>(program.size()),
+                     program.data());
+        return kBadInput;
     } catch (const UsageError& error) {
         return fail(fmt::format("{}: {}", program, one_line(error.what())));
     } catch (const FileError& error) {

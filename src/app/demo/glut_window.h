@@ -21,6 +21,7 @@
 #include "app/session/keys.h"
 #include "app/session/layout.h"
 #include "app/session/session.h"
+#include "base/text/reason.h"
 
 namespace twinlight::demo {
 
@@ -66,8 +67,8 @@ class Window {
         try {
             action(self);
         } catch (const std::exception& e) {
-            std::fprintf(stderr, "twinlight-demo: %s\n", e.what());
-            self.status_ = EXIT_FAILURE;
+            std::fprintf(stderr, "twinlight-demo: %s\n", reason_of(e).c_str());
+            self.status_ = 2;
             self.quit();
         }
     }

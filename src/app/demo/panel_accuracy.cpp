@@ -14,6 +14,8 @@
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
 #include "app/study_renderers.h"
+#include "base/text/reason.h"
+#include "base/threads/threads.h"
 #include "judge/study/scene_of_choice.h"
 #include "scene/state/state.h"
 
@@ -39,10 +41,14 @@ constexpr std::array<Target, 6> kTargets = {{{0.5 / 255, "0.5/255"},
 // A study in a thread of its own, with a connection and a context of its own.
 struct AccuracyPanel::Measurement {
     Measurement(std::shared_ptr<const CommandList> list, int list_revision)
-        : revision(list_revision), commands(std::move(list)), thread([this] { run(); }) {}
+        : revision(list_revision), commands(std::move(list)), thread(try_start_thread([this] { run(); })) {
+        if (thread.joinable()) return;
+        trouble = "the system gives no thread for this; close other programs and try again";
+        is_finished = true;
+    }
     ~Measurement() {
         is_stopped = true;
-        thread.join();
+        if (thread.joinable()) thread.join();
     }
 
     void run() {
@@ -70,7 +76,7 @@ struct AccuracyPanel::Measurement {
             study = std::move(result);
         } catch (const std::exception& error) {
             const std::lock_guard lock(mutex);
-            trouble = error.what();
+            trouble = reason_of(error);
         }
         is_finished = true;
     }

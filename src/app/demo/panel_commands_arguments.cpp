@@ -15,6 +15,7 @@
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
 #include "app/session/edits.h"
+#include "base/text/reason.h"
 #include "scene/command/memory.h"
 #include "scene/command/text.h"
 
@@ -128,7 +129,7 @@ void CommandsPanel::show_input(Session& session) {
     try {
         set_argument(session, at.command, at.argument, number_of(typed_text_));
     } catch (const std::exception& error) {
-        say(session, error.what());
+        say(session, reason_of(error));
     }
 }
 

@@ -13,6 +13,7 @@
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
 #include "app/session/edits.h"
+#include "base/text/reason.h"
 #include "scene/command/text.h"
 
 namespace twinlight::demo {
@@ -201,7 +202,7 @@ void CommandsPanel::show_insert(Session& session) {
             insert_error_.clear();
             ImGui::CloseCurrentPopup();
         } catch (const std::exception& error) {
-            insert_error_ = error.what();
+            insert_error_ = reason_of(error);
         }
     }
     ImGui::EndPopup();

@@ -11,6 +11,8 @@
 
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
+#include "base/text/reason.h"
+#include "base/threads/async.h"
 
 namespace twinlight::demo {
 namespace {
@@ -56,20 +58,20 @@ lesson::Language language() { return has_chinese_letters() ? lesson::Language::k
 }  // namespace
 
 void LessonPanel::check(const session::Session& session) {
-    running_ = std::async(std::launch::async, [state = session.lesson, revision = session.history.revision(),
-                                               list = session.history.now()] {
+    running_ = std::async(kThreadIfPossible, [state = session.lesson, revision = session.history.revision(),
+                                              list = session.history.now()] {
         Checked checked{state, revision, {}};
         try {
             checked.grade = lesson::Grader(state->page).grade(list);
         } catch (const std::exception& error) {
-            checked.grade.reason = error.what();
+            checked.grade.reason = reason_of(error);
         }
         return checked;
     });
 }
 
 void LessonPanel::update(session::Session& session) {
-    if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    if (!running_.valid() || !is_ready(running_)) return;
     Checked checked = running_.get();
     if (checked.state != session.lesson) return;  // another lesson was opened
     session.lesson->grade = std::move(checked.grade);

@@ -10,6 +10,8 @@
 
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
+#include "base/text/reason.h"
+#include "base/threads/async.h"
 #include "scene/command/text.h"
 
 namespace twinlight::demo {
@@ -39,19 +41,19 @@ void LintPanel::update(const session::Session& session) {
         seen_ = revision;
         since_ = Clock::now();
     }
-    if (running_.valid() && running_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+    if (running_.valid() && is_ready(running_)) {
         Result result = running_.get();
         made_for_ = result.revision;
         findings_ = std::move(result.findings);
         trouble_ = std::move(result.trouble);
     }
     if (running_.valid() || made_for_ == revision || Clock::now() - since_ < kStill) return;
-    running_ = std::async(std::launch::async,
+    running_ = std::async(kThreadIfPossible,
                           [revision, list = session.history.now(), size = WindowSize{session.width, session.height}] {
                               try {
                                   return Result{revision, session::findings_of(*list, size), ""};
                               } catch (const std::exception& error) {
-                                  return Result{revision, {}, error.what()};
+                                  return Result{revision, {}, reason_of(error)};
                               }
                           });
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text/reason.h"
 #include "judge/study/measure.h"
 #include "render/context/context.h"
 #include "render/context/gl.h"
@@ -84,7 +85,7 @@ void Panes::draw_pane(const Session& session, std::size_t number) {
                 programmable_->draw(session.scene.frame, {{look}, programmable::Tier::kAuto});
             }
         } catch (const std::exception& error) {
-            drawn.error = error.what();
+            drawn.error = reason_of(error);
         }
         glFinish();
         ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -145,6 +146,9 @@ void Panes::take_reference(const Session& session) {
         drawn.texture.set_magnification((*found)->divisor > 1 ? GL_LINEAR : GL_NEAREST);
         ++drawn.version;
     }
+    if (const std::string failure = worker_.take_failure(); !failure.empty())
+        for (std::size_t i = 0; i < kPanes; ++i)
+            if (session.panes[i].renderer == Path::kReference) drawn_[i].error = failure;
 }
 
 void Panes::update_difference(const Session& session) {

@@ -12,6 +12,7 @@
 
 #include "app/demo/glut_window.h"
 #include "app/session/steps.h"
+#include "base/text/reason.h"
 #include "render/context/gl.h"
 #include "scene/scenes/load.h"
 
@@ -146,7 +147,7 @@ void Window::open_step(int away) {
     try {
         session::show_step(session_, load_step(from_input ? "-" : session_.file.value_or(now.name), now, step));
     } catch (const std::exception& problem) {
-        session_.error = problem.what();
+        session_.error = reason_of(problem);
     }
     wake();
 }
@@ -165,7 +166,7 @@ void Window::reload_if_saved() {
         session::open(session_, std::move(scene), session_.file);
         say(session_, "read again: " + *session_.file);
     } catch (const std::exception& problem) {
-        session_.error = problem.what();
+        session_.error = reason_of(problem);
     }
     wake();
 }

@@ -12,6 +12,7 @@
 #include "app/demo/overlays.h"
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
+#include "base/text/reason.h"
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
 
@@ -86,7 +87,7 @@ void WorldView::update(const session::Session& session, programmable::Renderer& 
         renderer.draw(as_seen_from_outside(session.scene.frame, world_, projection_),
                       {{{.shading = Shading::kPhong, .lecture_variants = true}}, programmable::Tier::kAuto});
     } catch (const std::exception& error) {
-        error_ = error.what();
+        error_ = reason_of(error);
     }
     draw_lines(world_lines(world_, projection_), session.width, session.height);
     const fixed::InitialState initial(session.width, session.height);

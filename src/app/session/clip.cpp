@@ -8,13 +8,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <filesystem>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "base/image/file.h"
 #include "base/image/png.h"
+#include "base/text/reason.h"
+#include "base/threads/threads.h"
 
 namespace twinlight::session {
 namespace {
@@ -54,7 +56,7 @@ int frames_before(double seconds) { return static_cast<int>(std::lround(seconds 
 
 Clip::Clip(std::string folder) : folder_(std::move(folder)) {
     make_folder(folder_);
-    thread_ = std::thread([this] { run(); });
+    thread_ = try_start_thread([this] { run(); });
 }
 
 Clip::~Clip() {
@@ -63,7 +65,7 @@ Clip::~Clip() {
         is_abandoned_ = true;
     }
     changed_.notify_all();
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
 }
 
 void Clip::add(double seconds, Image picture) {
@@ -73,6 +75,7 @@ void Clip::add(double seconds, Image picture) {
         waiting_.push_back({seconds, std::move(picture)});
     }
     changed_.notify_all();
+    if (!thread_.joinable()) write_next();
 }
 
 void Clip::end(double seconds) {
@@ -83,6 +86,7 @@ void Clip::end(double seconds) {
         waiting_.push_back({seconds, {}});
     }
     changed_.notify_all();
+    if (!thread_.joinable()) write_next();
 }
 
 bool Clip::is_ending() const {
@@ -101,46 +105,54 @@ int Clip::frames() const {
 }
 
 void Clip::run() {
-    std::string png;  // the picture that is shown
-    std::string trouble;
-    for (;;) {
-        Shown shown;
-        {
-            std::unique_lock lock(mutex_);
-            changed_.wait(lock, [this] { return is_abandoned_ || !waiting_.empty(); });
-            if (is_abandoned_) return;
-            shown = std::move(waiting_.front());
-            waiting_.pop_front();
-        }
-        const bool is_end = shown.picture.pixels.empty();
-        try {
-            // A clip has at least one frame.
-            if (!png.empty()) trouble = write_frames(png, std::max(frames_before(shown.seconds), is_end ? 1 : 0));
-            if (!is_end) png = encode_png(shown.picture);
-        } catch (const std::runtime_error& error) {
-            trouble = error.what();
-        }
-        if (!is_end && trouble.empty()) continue;
-        const std::string result = trouble.empty() ? write_video() : trouble;
-        const std::lock_guard lock(mutex_);
-        is_ending_ = true;
-        result_ = result;
-        return;
+    while (write_next()) {
     }
 }
 
-// The same picture for each frame up to this number. Returns what went wrong.
-std::string Clip::write_frames(const std::string& png, int until) {
+// Waits for a picture and writes what comes before it. Returns whether more follows.
+bool Clip::write_next() {
+    Shown shown;
+    {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return is_abandoned_ || !waiting_.empty(); });
+        if (is_abandoned_) return false;
+        shown = std::move(waiting_.front());
+        waiting_.pop_front();
+    }
+    std::string result;
+    try {
+        result = written(shown);
+    } catch (const std::exception& error) {
+        result = reason_of(error);
+    }
+    if (result.empty()) return true;
+    const std::lock_guard lock(mutex_);
+    is_ending_ = true;
+    result_ = std::move(result);
+    return false;
+}
+
+// Returns what was written, if this is the end.
+std::string Clip::written(const Shown& shown) {
+    const bool is_end = shown.picture.pixels.empty();
+    // A clip has at least one frame.
+    if (!png_.empty()) write_frames(std::max(frames_before(shown.seconds), is_end ? 1 : 0));
+    if (is_end) return write_video();
+    png_ = encode_png(shown.picture);
+    return "";
+}
+
+// The same picture for each frame up to this number.
+void Clip::write_frames(int until) {
     for (int number = frames() + 1; number <= until; ++number) {
         {
             const std::lock_guard lock(mutex_);
-            if (is_abandoned_) return "";
+            if (is_abandoned_) return;
         }
-        write_file_atomically((std::filesystem::path(folder_) / fmt::format("frame-{:05}.png", number)).string(), png);
+        write_file_atomically((std::filesystem::path(folder_) / fmt::format("frame-{:05}.png", number)).string(), png_);
         const std::lock_guard lock(mutex_);
         frames_ = number;
     }
-    return "";
 }
 
 std::string Clip::write_video() const {

@@ -26,7 +26,8 @@ class Clip {
     // The picture that the window shows from this time on, in seconds since the start. It is shown until the next one. Pictures
     // that come faster than they can be written are left out.
     void add(double seconds, Image picture);
-    // Shows the last picture until this time, then writes the video. The work goes on in a thread.
+    // Shows the last picture until this time, then writes the video. The work goes on in a thread, or is done at once if the system
+    // gives none.
     void end(double seconds);
     bool is_ending() const;
     // What was written, when everything is: one sentence. Empty before.
@@ -40,7 +41,9 @@ class Clip {
         Image picture;  // empty at the end
     };
     void run();
-    std::string write_frames(const std::string& png, int until);
+    bool write_next();
+    std::string written(const Shown& shown);
+    void write_frames(int until);
     std::string write_video() const;
 
     std::string folder_;
@@ -49,6 +52,7 @@ class Clip {
     std::deque<Shown> waiting_;
     bool is_ending_ = false, is_abandoned_ = false;
     int frames_ = 0;
+    std::string png_;  // the picture that is shown
     std::string result_;
     std::thread thread_;  // the last member: it uses the others
 };

@@ -3,9 +3,11 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "app/session/session.h"
+#include "base/threads/threads.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
@@ -37,7 +39,7 @@ bool ReferenceJob::is_same_work(const ReferenceJob& other) const {
            looks == other.looks;
 }
 
-ReferenceWorker::ReferenceWorker() : thread_([this] { run(); }) {}
+ReferenceWorker::ReferenceWorker() : thread_(try_start_thread([this] { run(); })) {}
 
 ReferenceWorker::~ReferenceWorker() {
     {
@@ -46,7 +48,7 @@ ReferenceWorker::~ReferenceWorker() {
         next_.reset();
     }
     changed_.notify_all();
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
 }
 
 void ReferenceWorker::request(ReferenceJob job) {
@@ -57,6 +59,7 @@ void ReferenceWorker::request(ReferenceJob job) {
         next_ = std::move(job);
     }
     changed_.notify_all();
+    if (!thread_.joinable()) draw_next();
 }
 
 bool ReferenceWorker::is_busy() const {
@@ -74,6 +77,11 @@ std::shared_ptr<const ReferenceAllowed> ReferenceWorker::take_allowed() {
     return std::exchange(allowed_, nullptr);
 }
 
+std::string ReferenceWorker::take_failure() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(lacked_memory_, false) ? "there is not enough memory for the reference's picture" : "";
+}
+
 void ReferenceWorker::wait() const {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return !is_drawing_ && !next_; });
@@ -83,55 +91,73 @@ void ReferenceWorker::run() {
     // On Linux the priority is the thread's own, and threads that it starts have it, too.
     setpriority(PRIO_PROCESS, 0, kNicer);
     for (;;) {
-        ReferenceJob job;
         {
             std::unique_lock lock(mutex_);
-            is_drawing_ = false;
-            changed_.notify_all();
             changed_.wait(lock, [this] { return is_ending_ || next_; });
             if (is_ending_) return;
-            job = std::move(*next_);
-            next_.reset();
-            is_drawing_ = true;
         }
-        const auto is_outdated = [this] {
-            const std::lock_guard lock(mutex_);
-            return is_ending_ || next_.has_value();
-        };
-        const auto draw = [&](const Frame& frame, const Look& look, int divisor) {
-            const auto start = std::chrono::steady_clock::now();
-            reference::Options options = options_of(look);
-            auto picture = std::make_shared<ReferencePicture>();
-            picture->look = look;
-            picture->revision = job.revision;
-            picture->divisor = divisor;
-            picture->image = reference::render(frame, options);
-            picture->ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-            if (divisor == 1 && job.wants_allowed && reference::has_quadrilaterals(frame)) {
-                options.quad_cut = reference::QuadCut::kSecondToFourth;
-                picture->other_cut = reference::render(frame, options);
-            }
-            const std::lock_guard lock(mutex_);
-            pictures_.push_back(std::move(picture));
-        };
-        try {
-            for (const int divisor : {kCoarse, 1}) {
-                if (job.looks.empty() || is_outdated()) continue;
-                const Frame frame = frame_of(job, divisor);
-                for (const Look& look : job.looks)
-                    if (!is_outdated()) draw(frame, look, divisor);
-            }
-            if (job.wants_allowed && !is_outdated()) {
-                auto allowed = std::make_shared<ReferenceAllowed>();
-                allowed->revision = job.revision;
-                allowed->difference = reference::allowed_difference(frame_of(job, 1), options_of(Look{{}, false}));
-                const std::lock_guard lock(mutex_);
-                allowed_ = std::move(allowed);
-            }
-        } catch (const SceneError&) {
-            // The window shows the error: it makes the same Frame.
-        }
+        draw_next();
     }
+}
+
+void ReferenceWorker::draw_next() {
+    ReferenceJob job;
+    {
+        const std::lock_guard lock(mutex_);
+        if (!next_) return;  // the worker is ending
+        job = std::move(*next_);
+        next_.reset();
+        is_drawing_ = true;
+    }
+    bool lacked_memory = false;
+    try {
+        draw(job);
+    } catch (const SceneError&) {
+        // The window shows the error: it makes the same Frame.
+    } catch (const std::bad_alloc&) {
+        lacked_memory = true;
+    }
+    {
+        const std::lock_guard lock(mutex_);
+        is_drawing_ = false;
+        lacked_memory_ |= lacked_memory;
+    }
+    changed_.notify_all();
+}
+
+void ReferenceWorker::draw(const ReferenceJob& job) {
+    const auto is_outdated = [this] {
+        const std::lock_guard lock(mutex_);
+        return is_ending_ || next_.has_value();
+    };
+    const auto draw_one = [&](const Frame& frame, const Look& look, int divisor) {
+        const auto start = std::chrono::steady_clock::now();
+        reference::Options options = options_of(look);
+        auto picture = std::make_shared<ReferencePicture>();
+        picture->look = look;
+        picture->revision = job.revision;
+        picture->divisor = divisor;
+        picture->image = reference::render(frame, options);
+        picture->ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        if (divisor == 1 && job.wants_allowed && reference::has_quadrilaterals(frame)) {
+            options.quad_cut = reference::QuadCut::kSecondToFourth;
+            picture->other_cut = reference::render(frame, options);
+        }
+        const std::lock_guard lock(mutex_);
+        pictures_.push_back(std::move(picture));
+    };
+    for (const int divisor : {kCoarse, 1}) {
+        if (job.looks.empty() || is_outdated()) continue;
+        const Frame frame = frame_of(job, divisor);
+        for (const Look& look : job.looks)
+            if (!is_outdated()) draw_one(frame, look, divisor);
+    }
+    if (!job.wants_allowed || is_outdated()) return;
+    auto allowed = std::make_shared<ReferenceAllowed>();
+    allowed->revision = job.revision;
+    allowed->difference = reference::allowed_difference(frame_of(job, 1), options_of(Look{{}, false}));
+    const std::lock_guard lock(mutex_);
+    allowed_ = std::move(allowed);
 }
 
 }  // namespace twinlight::session

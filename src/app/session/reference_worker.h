@@ -1,4 +1,5 @@
-// ReferenceWorker: draws the reference's pictures in a thread of its own, so that the window never waits for them.
+// ReferenceWorker: draws the reference's pictures in a thread of its own, so that the window does not wait for them. If the system gives
+// no thread, the window waits.
 #pragma once
 
 #include <chrono>
@@ -6,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -55,11 +57,15 @@ class ReferenceWorker {
     // What was finished since the last call. Pictures of older jobs come, too: they are shown until a new one is there.
     std::vector<std::shared_ptr<const ReferencePicture>> take_pictures();
     std::shared_ptr<const ReferenceAllowed> take_allowed();
+    // Why a job was not drawn: one sentence, once; empty if nothing failed since the last call.
+    std::string take_failure();
     // Waits until nothing is left to draw.
     void wait() const;
 
   private:
     void run();
+    void draw_next();
+    void draw(const ReferenceJob& job);
 
     mutable std::mutex mutex_;
     mutable std::condition_variable changed_;
@@ -68,6 +74,7 @@ class ReferenceWorker {
     bool is_drawing_ = false, is_ending_ = false;
     std::vector<std::shared_ptr<const ReferencePicture>> pictures_;
     std::shared_ptr<const ReferenceAllowed> allowed_;
+    bool lacked_memory_ = false;
     std::thread thread_;  // the last member: it uses the others
 };
 

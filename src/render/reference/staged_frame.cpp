@@ -1,8 +1,8 @@
 #include "render/reference/staged_frame.h"
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
+
+#include "base/threads/threads.h"
 
 namespace twinlight::reference {
 
@@ -84,15 +84,7 @@ std::vector<Shader> make_color_shaders(StagedFrame& stages, const Options& optio
 void for_each_band(int height, const std::function<void(int y0, int y1)>& band) {
     constexpr int kRowsPerBand = 16;
     const int bands = (height + kRowsPerBand - 1) / kRowsPerBand;
-    std::atomic<int> next = 0;
-    const auto work = [&] {
-        for (int i = next++; i < bands; i = next++) band(i * kRowsPerBand, std::min(height, (i + 1) * kRowsPerBand));
-    };
-    std::vector<std::jthread> helpers;
-    const int helper_count = std::min(bands, static_cast<int>(std::thread::hardware_concurrency())) - 1;
-    helpers.reserve(static_cast<std::size_t>(std::max(helper_count, 0)));
-    for (int i = 0; i < helper_count; ++i) helpers.emplace_back(work);
-    work();
+    for_each_on_threads(bands, [&](int i) { band(i * kRowsPerBand, std::min(height, (i + 1) * kRowsPerBand)); });
 }
 
 }  // namespace twinlight::reference

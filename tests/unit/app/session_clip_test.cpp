@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "../no_threads.h"
 #include "../run_program.h"
 #include "app/session/clip.h"
 #include "base/image/file.h"
@@ -72,6 +73,16 @@ TEST(SessionClip, SaysWhatCannotBeWritten) {
     clip.add(0, filled(0));
     clip.end(1);
     EXPECT_NE(finished(clip).find("frame-00001.png"), std::string::npos);
+}
+
+TEST(SessionClip, IsWrittenAtOnceWithoutAThread) {
+    const TemporaryFolder folder;
+    const NoThreads none;
+    Clip clip(folder / "clip");
+    for (int i = 0; i < 9; ++i) clip.add(i / 30.0, filled(static_cast<float>(i % 2)));
+    EXPECT_EQ(clip.frames(), 8);
+    clip.end(9 / 30.0);
+    EXPECT_NE(clip.result().find("9 frames, 0.3 s"), std::string::npos) << clip.result();
 }
 
 TEST(SessionClip, TakesPartOfAPicture) {
