@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <iterator>
@@ -20,6 +21,7 @@
 #include "render/fixed/fixed.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
+#include "scene/state/picture_memory.h"
 #include "scene/state/recorded_frame.h"
 #include "scene/state/state.h"
 
@@ -90,7 +92,7 @@ void add_step_option(CLI::App& app, std::string& step, const std::string& defaul
         ->check(not_empty());
 }
 
-void add_memory_option(CLI::App& app, Memory& memory) {
+void add_memory_option(CLI::App& app, MemoryBudget& memory) {
     app.add_option_function<double>(
            "--memory", [&memory](double gigabytes) { memory.bytes = static_cast<std::size_t>(gigabytes * 1e9); },
            "how much memory a picture may need, in GB")
@@ -101,23 +103,19 @@ void add_memory_option(CLI::App& app, Memory& memory) {
 
 namespace {
 
-// What is left for the scene after the pictures.
-std::size_t without_pixels(const Memory& memory, int width, int height) {
-    const std::size_t pixels =
-        static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * memory.bytes_of_pixel;
-    if (pixels < memory.bytes) return memory.bytes - pixels;
-    throw UsageError(fmt::format(
-        "pictures of {} x {} need {:.2g} GB of memory, but {:.4g} are allowed; choose a smaller --size, or a larger "
-        "--memory",
-        width, height, static_cast<double>(pixels) / 1e9, static_cast<double>(memory.bytes) / 1e9));
+void check_fits(const MemoryBudget& memory, const Frame& frame) {
+    check_fits(memory, frame.width, frame.height, bytes_of_pictures(frame, memory.bytes_of_pixel),
+               bytes_of_scene(frame));
 }
 
-constexpr std::size_t kMostLookedAt = std::size_t{1} << 22;  // pixels
+constexpr std::uint64_t kMostLookedAt = std::uint64_t{1} << 22;  // pixels
 
 // color_contrast() of the driver's picture; nullopt if it is too large to draw it only for this, or if there is no driver.
-std::optional<float> contrast(const Scene& scene) {
+std::optional<float> contrast(const Scene& scene, const MemoryBudget& memory) {
+    constexpr std::size_t kBytesOfPixel = 40;
     const Frame& frame = scene.frame;
-    if (static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height) > kMostLookedAt)
+    if (pixels_of(frame.width, frame.height) > kMostLookedAt ||
+        bytes_of_pictures(frame, kBytesOfPixel) + bytes_of_scene(frame) > memory.bytes)
         return std::nullopt;
     Image image;
     try {
@@ -135,12 +133,11 @@ void print_note(const Recording& recording, std::string_view note) {
 
 // Reading up to a late frame may take long, so this shows its progress.
 Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std::optional<Size> size,
-                          std::optional<int> number, const Memory& memory) {
+                          std::optional<int> number, const MemoryBudget& memory) {
     FrameChoice choice{.number = number, .memory = memory.bytes};
     if (size) {
         choice.width = size->width;
         choice.height = size->height;
-        choice.memory = without_pixels(memory, size->width, size->height);
     }
     const auto print = [&](const std::string& note) { print_note(*recording, note); };
     std::vector<std::string> notes = recording->notes();
@@ -150,8 +147,10 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
         bar.show(fmt::format("reading {}: {} frames, {:.1f} million commands", recording->name, frames,
                              static_cast<double>(commands) / 1e6));
     };
-    RecordedFrame recorded = frame_to_see(recording, choice, contrast);
+    RecordedFrame recorded =
+        frame_to_see(recording, choice, [&](const Scene& scene) { return contrast(scene, memory); });
     bar.wipe();
+    check_fits(memory, recorded.scene.frame);
     std::ranges::for_each(recorded.notes, print);
     std::ranges::move(recorded.notes, std::back_inserter(notes));
     if (recorded.first_error) {
@@ -162,11 +161,11 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
     return std::move(recorded.scene);
 }
 
-Scene scene_of(std::shared_ptr<const Recording> commands, std::optional<Size> size, const Memory& memory) {
+Scene scene_of(std::shared_ptr<const Recording> commands, std::optional<Size> size, const MemoryBudget& memory) {
     const WindowSize of_scene = commands->command_list()->window.value_or(WindowSize{});
     const auto [width, height] = size.value_or(Size{of_scene.width, of_scene.height});
-    Frame made = make_frame(*commands->command_list(),
-                            {.width = width, .height = height, .memory = without_pixels(memory, width, height)});
+    Frame made = make_frame(*commands->command_list(), {.width = width, .height = height, .memory = memory.bytes});
+    check_fits(memory, made);
     std::vector<std::string> notes = commands->notes();
     for (const std::string& note : notes) print_note(*commands, note);
     return {std::move(commands), std::move(made), std::move(notes)};
@@ -175,7 +174,7 @@ Scene scene_of(std::shared_ptr<const Recording> commands, std::optional<Size> si
 }  // namespace
 
 Scene load_scene(const std::string& name, std::optional<Size> size, const RecordedPart& part, const std::string& step,
-                 const Memory& memory) {
+                 const MemoryBudget& memory) {
     std::shared_ptr<const Recording> recording;
     try {
         recording = load_recording(name, size ? std::optional(WindowSize{size->width, size->height}) : std::nullopt,
@@ -193,13 +192,16 @@ Scene load_scene(const std::string& name, std::optional<Size> size, const Record
 }
 
 std::vector<Scene> load_steps(const std::string& name, std::optional<Size> size, const RecordedPart& part,
-                              const std::string& step, const Memory& memory) {
+                              const std::string& step, const MemoryBudget& memory) {
     std::vector<Scene> scenes;
     scenes.push_back(load_scene(name, size, part, step, memory));
     const CommandList* first = scenes.front().recording->command_list();
-    if (!first || !step.empty()) return scenes;
+    if (!first || !step.empty() || first->steps.size() < 2) return scenes;
+    MemoryBudget of_all = memory;
+    of_all.bytes_of_pixel += (first->steps.size() - 1) * memory.bytes_of_step_pixel;
+    check_fits(of_all, scenes.front().frame);
     for (std::size_t i = 2; i <= first->steps.size(); ++i)
-        scenes.push_back(scene_of(load_step(name, *first, std::to_string(i)), size, memory));
+        scenes.push_back(scene_of(load_step(name, *first, std::to_string(i)), size, of_all));
     return scenes;
 }
 

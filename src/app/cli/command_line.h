@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/memory.h"
 #include "app/program.h"
 #include "base/image/image.h"
 #include "render/look.h"
@@ -67,12 +68,8 @@ struct RecordedPart {
 // --frame and --context.
 void add_recorded_options(CLI::App& app, RecordedPart& part);
 
-// How much memory a picture may need; see load_scene().
-struct Memory {
-    std::size_t bytes = kDefaultMemory;
-    std::size_t bytes_of_pixel = 40;  // what the command holds for each pixel, all pictures together
-};
-void add_memory_option(CLI::App& app, Memory& memory);
+// For MemoryBudget::bytes.
+void add_memory_option(CLI::App& app, MemoryBudget& memory);
 
 // The step of a scene with steps; see ReadOptions::step.
 void add_step_option(CLI::App& app, std::string& step, const std::string& default_step = "the first");
@@ -80,11 +77,11 @@ void add_step_option(CLI::App& app, std::string& step, const std::string& defaul
 // Loads a scene, or a frame of a recorded program. Throws UsageError or SceneError if drawing it needs more memory than
 // is allowed. Notes about a recording (cut short, GL errors) go to standard error.
 Scene load_scene(const std::string& name, std::optional<Size> size, const RecordedPart& part = {},
-                 const std::string& step = {}, const Memory& memory = {});
+                 const std::string& step = {}, const MemoryBudget& memory = {});
 
 // All steps of a scene with steps, without `step`; otherwise what load_scene() loads.
 std::vector<Scene> load_steps(const std::string& name, std::optional<Size> size, const RecordedPart& part,
-                              const std::string& step, const Memory& memory = {});
+                              const std::string& step, const MemoryBudget& memory = {});
 
 // The default of -o: "lab-report" for the scene lab or dir/lab.gl with the suffix "-report", in the working folder.
 std::string name_after_scene(const std::string& scene, std::string_view suffix);

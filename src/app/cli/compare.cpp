@@ -24,7 +24,7 @@ struct CompareArguments {
     std::optional<Size> size;
     RecordedPart part;
     std::string step;
-    Memory memory{.bytes_of_pixel = 180};
+    MemoryBudget memory{.bytes_of_pixel = 330, .bytes_of_step_pixel = 140};
     std::string folder;
     double budget = PlanOptions{}.budget;
     bool precise = false, json = false;

@@ -27,7 +27,7 @@ struct ExplainArguments {
     std::optional<Size> size;
     RecordedPart part;
     std::string step;
-    Memory memory;
+    MemoryBudget memory;
     std::string pixel, vertex;
     double budget = PlanOptions{}.budget;
     bool json = false, all = false;
@@ -149,11 +149,12 @@ std::string json_text(const Scene& scene, const std::vector<ExplainedDraw>& draw
     return explain::dumped(json);
 }
 
-int run_explain(const ExplainArguments& arguments) {
+int run_explain(ExplainArguments arguments) {
     if (!arguments.pixel.empty() && !arguments.vertex.empty())
         throw UsageError("--pixel and --vertex are two questions; give one of them");
     if (!arguments.vertex.empty() && arguments.shading)
         throw UsageError("--shading does not change how a vertex is lit; leave it out, or use --pixel X,Y");
+    if (!arguments.pixel.empty()) arguments.memory.bytes_of_pixel = 40;
     const Scene scene = load_scene(arguments.scene, arguments.size, arguments.part, arguments.step, arguments.memory);
     const PlanOptions options{{.shading = arguments.shading}, arguments.budget};
     const ExplainOptions of_point{options, arguments.json, arguments.all};

@@ -28,7 +28,7 @@ struct ExportArguments {
     std::optional<Shading> shading;
     RecordedPart part;
     std::string step;
-    Memory memory;
+    MemoryBudget memory{.has_size = false};
     bool precise = false;
     std::string output;  // a folder for shaders to keep, a file for a page; empty: standard output
     std::string glsl;    // the version of shaders to keep; empty: 330
@@ -95,14 +95,16 @@ void check_usage(const ExportArguments& arguments) {
         throw UsageError("--glsl applies only to shaders to keep; use it with --as glsl -o DIR");
 }
 
-int run_export(const ExportArguments& arguments) {
+int run_export(ExportArguments arguments) {
     check_usage(arguments);
+    const bool to_file = !arguments.output.empty();
+    const bool writes_texels = arguments.form == "html" || (arguments.form == "glsl" && to_file);
+    if (writes_texels) arguments.memory.bytes_of_pixel = 40;
     // Loading runs the whole scene, so that a scene with an error is not exported.
     Scene scene = load_scene(arguments.scene, {}, arguments.part, arguments.step, arguments.memory);
     programmable::Options options{{{.shading = arguments.shading}}};
     options.precise = arguments.precise;
-    const bool to_file = !arguments.output.empty();
-    if (arguments.form == "html" || (arguments.form == "glsl" && to_file)) {
+    if (writes_texels) {
         scene = with_texels(std::move(scene), options);
         check_can_be_kept(scene, options, arguments.form == "html");
     }

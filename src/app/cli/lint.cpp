@@ -24,7 +24,7 @@ struct LintArguments {
     std::optional<Size> size;
     RecordedPart part;
     std::string step;
-    Memory memory;
+    MemoryBudget memory;  // draws nothing
     bool json = false, rules = false;
 };
 

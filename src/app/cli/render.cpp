@@ -30,7 +30,7 @@ struct RenderArguments {
     std::optional<Size> size;
     RecordedPart part;
     std::string step;
-    Memory memory;
+    MemoryBudget memory{.bytes_of_pixel = 60};
     bool scrubbed = false, baked = false, precise = false;
     double budget = PlanOptions{}.budget;
     std::string output;

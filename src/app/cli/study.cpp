@@ -123,7 +123,12 @@ int run_study(StudyArguments arguments) {
     if (!arguments.merge.empty()) return merge(arguments);
     const std::optional<study::Study> earlier = earlier_study(arguments);
     const Size size = arguments.size.value_or(arguments.quick ? kQuickSize : kSize);
-    const Scene scene = load_scene(arguments.scene, size, {}, arguments.step);
+    // Measured. Each choice is drawn with so many samples of a pixel.
+    const auto samples = static_cast<std::size_t>(arguments.coverage.value_or(1));
+    const MemoryBudget memory{
+        .bytes_of_pixel = (arguments.quick ? 500 : 800) + (samples > 1 ? 40 * samples * samples : 0),
+        .has_option = false};
+    const Scene scene = load_scene(arguments.scene, size, {}, arguments.step, memory);
     const Frame& frame = scene.frame;
     const CommandList* commands = scene.recording->command_list();
     const bool has_slices = commands && study::has_slices(*commands);

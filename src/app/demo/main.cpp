@@ -9,6 +9,7 @@
 
 #include "app/demo/theme.h"
 #include "app/demo/window.h"
+#include "app/memory.h"
 #include "app/program.h"
 #include "app/session/keys.h"
 #include "judge/lesson/lesson.h"
@@ -124,6 +125,8 @@ int run(int argc, char** argv) {
     if (!parse_command_line(app, argc, argv)) return kFine;
     options.width = size.width;
     options.height = size.height;
+    constexpr std::size_t kBytesOfPixel = 60;  // measured: 52, in all views
+    check_fits({.has_option = false}, size.width, size.height, pixels_of(size.width, size.height) * kBytesOfPixel);
     if (!lesson_name.empty()) {
         if (app.count("SCENE") > 0) throw UsageError("give either SCENE or --lesson");
         options.lesson = lesson_named(lesson_name, options.language);

@@ -23,6 +23,7 @@
 #include "scene/scenes/load.h"
 #include "scene/scenes/meshes.h"
 #include "scene/shape/written_out.h"
+#include "scene/state/picture_memory.h"
 #include "scene/state/resized.h"
 #include "scene/state/state.h"
 
@@ -38,16 +39,13 @@ Json errors_of(const SceneError& error) {
     return errors;
 }
 
-// What is left for the scene after the pictures.
-std::size_t without_pixels(int width, int height) {
-    // A size_t has 32 bits here.
-    const std::uint64_t pixels =
-        std::uint64_t{kPageBytesOfPixel} * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
-    if (pixels < kPageMemory) return kPageMemory - static_cast<std::size_t>(pixels);
+void check_fits(const Frame& frame) {
+    const std::uint64_t bytes = bytes_of_pictures(frame, kPageBytesOfPixel) + bytes_of_scene(frame);
+    if (bytes <= kPageMemory) return;
     throw SceneError(fmt::format(
         "pictures of {} x {} need {:.2g} GB of memory, and this page has {:.2g}; choose a smaller window, or "
         "use the program twinlight",
-        width, height, static_cast<double>(pixels) / 1e9, static_cast<double>(kPageMemory) / 1e9));
+        frame.width, frame.height, static_cast<double>(bytes) / 1e9, static_cast<double>(kPageMemory) / 1e9));
 }
 
 }  // namespace
@@ -82,8 +80,9 @@ std::string PageScene::open(std::string_view text, const std::string& name, cons
             options.width = list->window->width;
             options.height = list->window->height;
         }
-        options.memory = without_pixels(options.width, options.height);
+        options.memory = kPageMemory;
         scene_ = make_scene(list, options);
+        check_fits(scene_->frame);
         if (controls_ && !controls_->shows(text, list->step)) controls_.reset();
         opened_ = {list, std::string(text), {options.width, options.height}, [name, step](std::string_view edited) {
                        return read_for_page(edited, name, step);

@@ -819,6 +819,8 @@ struct Frame {
     // Earlier pictures that textures have copies of, oldest first, each up to the last TakePixels that counts.
     std::vector<std::shared_ptr<const FrameItems>> earlier{};
     bool is_object = false;  // an ObjectPicture: only for a DrawSource
+    // What StateOptions::memory counts of it, and the pixels of the largest picture of a framebuffer object.
+    std::size_t bytes = 0, object_pixels = 0;
 
     // The items that are Draws, without the others.
     std::vector<const Draw*> draws() const { return draws_of<const Draw>(items); }

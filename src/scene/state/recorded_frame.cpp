@@ -167,6 +167,7 @@ class Player {
     std::vector<Command> endings_;
     DrawsNothing nothing_;
     bool draws_in_initial_viewport_ = false;
+    bool is_viewport_of_window_ = true;  // the newest glViewport is not of selection or feedback
     std::int64_t reach_x_ = 0, reach_y_ = 0;
     Viewport first_;  // the first that starts in the corner
     // Why the first frame is too large, if it is. Where nothing is ever swapped, it ends at a glFlush, and may be smaller.
@@ -234,8 +235,9 @@ void Player::command(const Command& command) {
         if (frame_end_ == FrameEnd::kFlush || swaps_) throw SceneError(*exhausted_);
         return;
     }
-    // Programs with framebuffer objects also set the viewport for those.
-    if (command.id == CommandId::glViewport && state_.framebuffers().named.empty()) {
+    // Programs with framebuffer objects also set the viewport for those, and selection and feedback (5.2, 5.3) may use any viewport.
+    if (command.id == CommandId::glViewport) is_viewport_of_window_ = state_.render_mode() == kGL_RENDER;
+    if (command.id == CommandId::glViewport && is_viewport_of_window_ && state_.framebuffers().named.empty()) {
         const Viewport& viewport = state_.raster().viewport;
         if (first_ == Viewport{} && viewport.x == 0 && viewport.y == 0) first_ = viewport;
         reach(viewport);
@@ -303,7 +305,7 @@ RecordedFrame Player::result(const std::shared_ptr<const Recording>& recording) 
         state_.apply(ending);
         endings_.push_back(std::move(ending));
     }
-    if (state_.framebuffers().draw == 0) reach(state_.raster().viewport);
+    if (state_.framebuffers().draw == 0 && is_viewport_of_window_) reach(state_.raster().viewport);
     RecordedFrame result;
     result.number = frame_;
     result.error_count = state_.error_count();

@@ -433,6 +433,11 @@ Frame State::take_frame() {
     frame.copies_pixels = copies_pixels_ && std::ranges::any_of(frame.draws(), &Draw::shows_copies);
     if (frame.copies_pixels)
         for (const KeptPicture& kept : kept_pictures_) frame.earlier.push_back(kept.items);
+    frame.bytes = item_bytes_;
+    for (const auto& held : object_pictures_)
+        if (const auto picture = held.lock())
+            frame.object_pixels = std::max(frame.object_pixels, static_cast<std::size_t>(picture->width) *
+                                                                    static_cast<std::size_t>(picture->height));
     drop_picture();
     return frame;
 }

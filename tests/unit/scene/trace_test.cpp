@@ -571,6 +571,22 @@ TEST_F(Traces, HaveTheSizeOfTheWindowWhereAViewReachesAPixelBeyond) {
     EXPECT_EQ(frame(views(40, 40)).scene.frame.width, 80);  // the window has grown
 }
 
+// Printers to vector files ask for feedback (5.3) in a viewport of their own, and picking (5.2) may.
+TEST_F(Traces, HaveNoSizeFromTheViewportsOfSelectionAndFeedback) {
+    const std::string window = "1 glViewport(x = 0, y = 0, width = 64, height = 48)\n";
+    const std::string large = "3 glViewport(x = -8192, y = -8192, width = 16384, height = 16384)\n";
+    const std::string feedback =
+        "2 glFeedbackBuffer(size = 4, type = GL_2D, buffer = &0)\n2 glRenderMode(mode = GL_FEEDBACK) = 0\n" + large +
+        kTriangle + "4 glRenderMode(mode = GL_RENDER) = 0\n";
+    const std::string selection = "2 glSelectBuffer(size = 4, buffer = &0)\n2 glRenderMode(mode = GL_SELECT) = 0\n" +
+                                  large + kTriangle + "4 glRenderMode(mode = GL_RENDER) = 0\n";
+    for (const std::string& mode : {feedback, selection}) {
+        EXPECT_EQ(frame(window + mode + window + kTriangle + kSwap).scene.frame.width, 64);
+        EXPECT_EQ(frame(window + kTriangle + mode + kSwap).scene.frame.width, 64);    // stays at the end of the frame
+        EXPECT_EQ(frame(window + mode + kTriangle + kSwap).scene.frame.width, 8192);  // draws in it
+    }
+}
+
 // Without a swap there is one buffer, and the next frame draws over it.
 TEST_F(Traces, EndAFrameAtGlFlushWhereNothingIsEverSwapped) {
     const std::string text = "1 glFlush()\n" + std::string(kTriangle) + "glFlush()\n" + kTriangle + "glFinish()\n";
