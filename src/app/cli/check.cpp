@@ -139,31 +139,36 @@ std::string json_of(const std::string& driver, const std::vector<Case>& cases, c
            "\n";  // file names may hold any bytes
 }
 
-// NAME.c for each case that the fixed function gets wrong: all of them, or none if the disk is full.
-void write_reproducers(const std::string& folder, const std::string& driver, const std::vector<Case>& cases,
-                       const std::vector<Result>& results) {
+// NAME.c for each case that the fixed function gets wrong, and the page. All files, or none if the disk is full.
+void write_files(const CheckArguments& arguments, Suite& suite, const std::vector<Case>& cases,
+                 std::vector<Result>& results) {
     std::vector<std::string> programs;
-    for (std::size_t i = 0; i < cases.size(); ++i) programs.push_back(reproducer(driver, cases[i], results[i]));
     std::vector<FileToWrite> files;
-    for (std::size_t i = 0; i < cases.size(); ++i)
+    if (!arguments.reproducers.empty())
+        for (std::size_t i = 0; i < cases.size(); ++i)
+            programs.push_back(reproducer(suite.driver(), cases[i], results[i]));
+    for (std::size_t i = 0; i < programs.size(); ++i)
         if (!programs[i].empty())
-            files.push_back({(std::filesystem::path(folder) / (cases[i].name + ".c")).string(), programs[i]});
-    write_files_atomically(files);
+            files.push_back(
+                {(std::filesystem::path(arguments.reproducers) / (cases[i].name + ".c")).string(), programs[i]});
+    std::string page;
+    if (!arguments.page.empty()) {
+        for (std::size_t i = 0; i < cases.size(); ++i) suite.draw_vertices(cases[i], results[i]);
+        page = check_page(suite.driver(), cases, results);
+        files.push_back({(std::filesystem::path(arguments.page) / "index.html").string(), page});
+    }
+    write_files_atomically(files, {}, MissingFolders::kMade);
+    if (!arguments.reproducers.empty()) make_folder(arguments.reproducers);  // also if there is nothing to show
 }
 
 int run_check(const CheckArguments& arguments) {
     const std::vector<Case> cases = load_cases(arguments.names);
     for (const std::string& folder :
          {arguments.reproducers, arguments.page})  // before the work: a bad folder fails at once
-        if (!folder.empty()) make_folder(folder);
+        if (!folder.empty()) try_folder(folder);
     Suite suite;
     std::vector<Result> results = suite.run(cases);
-    if (!arguments.reproducers.empty()) write_reproducers(arguments.reproducers, suite.driver(), cases, results);
-    if (!arguments.page.empty()) {
-        for (std::size_t i = 0; i < cases.size(); ++i) suite.draw_vertices(cases[i], results[i]);
-        write_file_atomically((std::filesystem::path(arguments.page) / "index.html").string(),
-                              check_page(suite.driver(), cases, results));
-    }
+    write_files(arguments, suite, cases, results);
     write_result(arguments.json ? json_of(suite.driver(), cases, results)
                                 : suite.driver() + "\n\n" + table(cases, results) + summary(suite.driver(), results));
     return counted(results).failing == 0 ? kFine : kDifferent;

@@ -10,6 +10,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/renderers.h"
 #include "base/image/contrast.h"
+#include "base/image/file.h"
 #include "judge/report/report.h"
 #include "judge/report/words.h"
 #include "render/context/driver_name.h"
@@ -161,6 +162,7 @@ int run_compare(CompareArguments arguments) {
     if (arguments.folder.empty()) arguments.folder = name_after_scene(arguments.scene, "-report");
     const std::vector<Scene> scenes =
         load_steps(arguments.scene, arguments.size, arguments.part, arguments.step, arguments.memory);
+    try_folder(arguments.folder);  // before the work: a bad folder fails at once
     if (scenes.size() > 1) return compare_steps(scenes, arguments);
     Compared result;
     {

@@ -73,11 +73,10 @@ void check_can_be_kept(const Scene& scene, const programmable::Options& options,
 void write_kept(const Scene& scene, const programmable::Options& options, const ExportArguments& arguments) {
     const programmable::Glsl version = kVersions.at(arguments.glsl.empty() ? "330" : arguments.glsl);
     const auto files = programmable::kept_files(scene.frame, options, version, scene.name());
-    make_folder(arguments.output);
     std::vector<FileToWrite> to_write;
     for (const programmable::NamedFile& file : files)
         to_write.push_back({(std::filesystem::path(arguments.output) / file.name).string(), file.bytes});
-    write_files_atomically(to_write);
+    write_files_atomically(to_write, {}, MissingFolders::kMade);
 }
 
 void check_usage(const ExportArguments& arguments) {

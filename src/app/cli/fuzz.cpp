@@ -1,6 +1,5 @@
 // twinlight fuzz: compares random scenes across the three renderers, or with the oracle.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -53,8 +52,7 @@ std::string file_of(const FuzzArguments& arguments, std::uint64_t state) {
 
 // Written as soon as it is found, because a long run may be killed.
 void write_failure(const FuzzArguments& arguments, std::uint64_t state, const std::string& scene) {
-    make_folder(arguments.folder);
-    write_file_atomically(file_of(arguments, state), scene);
+    write_files_atomically({{file_of(arguments, state), scene}}, {}, MissingFolders::kMade);
 }
 
 std::string grouped(long n) { return report::grouped(static_cast<std::size_t>(n)); }
@@ -139,27 +137,6 @@ std::string summary_json(const FuzzArguments& arguments, const Summary& summary,
     }
     // File names may hold any bytes.
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
-// Throws FileError if a failure could not be written later. A folder that this makes is removed again: most runs find nothing.
-void check_folder(const std::string& folder) {
-    std::string made = folder;  // the outermost folder that does not exist
-    std::error_code ignored;
-    const bool exists = std::filesystem::exists(folder, ignored);
-    for (std::filesystem::path above = std::filesystem::path(folder).parent_path();
-         !exists && !above.empty() && !std::filesystem::exists(above, ignored); above = above.parent_path())
-        made = above.string();
-    make_folder(folder);
-    const std::string probe = (std::filesystem::path(folder) / fmt::format("probe.{}", ::getpid())).string();
-    try {
-        write_file_atomically(probe, "");
-    } catch (const FileError& error) {
-        if (!exists) std::filesystem::remove_all(made, ignored);
-        const std::string_view reason = error.what();
-        throw FileError(folder + ": cannot be written" + std::string(reason.substr(reason.rfind(": "))));
-    }
-    std::filesystem::remove(probe, ignored);
-    if (!exists) std::filesystem::remove_all(made, ignored);
 }
 
 // Shows what a run has done so far: its progress function, for either kind of run.
@@ -272,7 +249,7 @@ int run_against_oracle(const FuzzArguments& arguments) {
 }
 
 int run_fuzz(const FuzzArguments& arguments) {
-    check_folder(arguments.folder);
+    try_folder(arguments.folder);  // most runs find nothing, so it is not made yet
     if (arguments.against == kOracle) return run_against_oracle(arguments);
     const Interrupt interrupt;
     const auto start = std::chrono::steady_clock::now();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 #include "app/cli/command_line.h"
@@ -39,15 +40,19 @@ std::string picture_of(const std::string& text, const std::string& name) {
 // lint.md, and lint/NAME-wrong.png and lint/NAME-mended.png for each rule.
 void write_rules(const std::string& folder) {
     const std::filesystem::path root = folder;
-    make_folder((root / "lint").string());
+    try_folder(folder);
+    std::vector<std::pair<std::string, std::string>> contents;  // path, bytes
     for (const lint::Rule& rule : lint::rules()) {
         const std::string name(rule.name);
-        write_file_atomically((root / "lint" / (name + "-wrong.png")).string(),
+        contents.emplace_back((root / "lint" / (name + "-wrong.png")).string(),
                               picture_of(lint::wrong_scene(rule), name));
-        write_file_atomically((root / "lint" / (name + "-mended.png")).string(),
+        contents.emplace_back((root / "lint" / (name + "-mended.png")).string(),
                               picture_of(lint::mended_scene(rule), name));
     }
-    write_file_atomically((root / "lint.md").string(), lint::markdown());
+    contents.emplace_back((root / "lint.md").string(), lint::markdown());
+    std::vector<FileToWrite> files;
+    for (const auto& [path, bytes] : contents) files.push_back({path, bytes});
+    write_files_atomically(files, {}, MissingFolders::kMade);
 }
 
 int write_mended(const LintArguments& arguments, const Scene& scene, const std::vector<lint::Warning>& warnings) {

@@ -137,7 +137,7 @@ int run_study(StudyArguments arguments) {
         return make_frame(study::with_slices(*commands, slices), {.width = frame.width, .height = frame.height});
     };
     // Before the work, so that a bad folder is reported at once.
-    make_folder(arguments.folder);
+    try_folder(arguments.folder);
     StudyRenderers renderers(frame.width, frame.height);
 
     study::Study about;  // known before measuring

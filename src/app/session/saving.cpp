@@ -69,11 +69,10 @@ std::string save(const Session& session, Form form, const Look& look, const std:
         case Form::kGlsl: {
             check_can_be_kept(programmable::why_not_in_files(frame), look);
             const auto files = programmable::kept_files(frame, {{look}}, programmable::Glsl::k330, list.name);
-            make_folder(path);
             std::vector<FileToWrite> to_write;
             for (const programmable::NamedFile& file : files)
                 to_write.push_back({(fs::path(path) / file.name).string(), file.bytes});
-            write_files_atomically(to_write);
+            write_files_atomically(to_write, {}, MissingFolders::kMade);
             return fmt::format("wrote {}/ with {} files; README.md explains them", path, files.size());
         }
     }

@@ -39,8 +39,8 @@ class SignalsBlocked {
     sigset_t before_{};
 };
 
-// Returns 0 or the error number.
-int write_and_close(Descriptor& file, std::string_view bytes) {
+// Return 0 or the error number.
+int write_all(const Descriptor& file, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(file.get(), bytes.data(), bytes.size());
         if (written >= 0) {
@@ -49,14 +49,66 @@ int write_and_close(Descriptor& file, std::string_view bytes) {
             return errno;
         }
     }
-    return file.close();
+    return 0;
+}
+int write_and_close(Descriptor& file, std::string_view bytes) {
+    const int error = write_all(file, bytes);
+    return error != 0 ? error : file.close();
 }
 
-// A file's bytes, written under a temporary name in the same folder. The destructor removes it unless put_in_place()
-// ran.
+// The folder itself, or the innermost one above it that exists.
+std::string existing_part(const std::string& folder) {
+    std::filesystem::path path = folder.empty() ? "." : folder;
+    std::error_code ignored;
+    while (!std::filesystem::exists(path, ignored)) {
+        const std::filesystem::path above = path.parent_path();
+        if (above == path) break;
+        path = above.empty() ? "." : above;
+    }
+    return path.string();
+}
+
+// The folders that writing has made. The destructor removes those that are still empty.
+class MadeFolders {
+  public:
+    MadeFolders() = default;
+    ~MadeFolders() {
+        while (!made_.empty()) {
+            ::rmdir(made_.back().c_str());
+            made_.pop_back();
+        }
+    }
+    MadeFolders(const MadeFolders&) = delete;
+    MadeFolders& operator=(const MadeFolders&) = delete;
+
+    // With those that it lies in.
+    void make(const std::string& folder) {
+        if (folder.empty() || made(folder)) return;
+        if (errno != ENOENT) fail(folder, errno);
+        const std::string above = std::filesystem::path(folder).parent_path().string();
+        if (above == folder) fail(folder, ENOENT);
+        make(above);
+        if (!made(folder)) fail(folder, errno);
+    }
+
+  private:
+    // False with errno if that fails.
+    bool made(const std::string& folder) {
+        if (::mkdir(folder.c_str(), 0777) != 0) return errno == EEXIST;
+        made_.push_back(folder);
+        return true;
+    }
+
+    std::vector<std::string> made_;  // the outer ones first
+};
+
+// A file's bytes. They have no name until put_in_place() gives them one, so that nothing is left behind even if the process is killed.
+// A file system that has no such files (O_TMPFILE) holds them under a temporary name, which the destructor removes.
 class PendingFile {
   public:
-    PendingFile(const std::string& path, std::string_view bytes) : path_(path) {
+    // `made`: makes a missing folder; null where that is an error.
+    PendingFile(const std::string& path, std::string_view bytes, bool may_be_nameless, MadeFolders* made)
+        : path_(path) {
         // Renaming onto a link would replace the link, and onto /dev/null the device.
         struct stat existing {};
         const bool exists = ::stat(path.c_str(), &existing) == 0;
@@ -70,11 +122,22 @@ class PendingFile {
         if (exists && ::access(path.c_str(), W_OK) != 0) fail(path, errno);  // a rename would ignore this
         target_ = exists ? std::filesystem::canonical(path).string() : path;
 
+        constexpr mode_t kAsUmaskAllows = 0666;
+        const mode_t mode = exists ? existing.st_mode & 0777 : kAsUmaskAllows;
+        const std::string folder = std::filesystem::path(target_).parent_path().string();
+        const std::string there = made ? existing_part(folder) : folder.empty() ? "." : folder;
+        if (made && !std::filesystem::is_directory(there)) fail(folder, ENOTDIR);
+        if (may_be_nameless && ::access("/proc/self/fd", X_OK) == 0) {
+            file_ = Descriptor(::open(there.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, mode));
+        }
+        if (file_.valid()) {
+            if (const int error = write_all(file_, bytes); error != 0) fail(path, error);
+            return;
+        }
+        if (made) made->make(folder);
         // The process number gives two writers of one file different temporary names.
         const std::string temporary = target_ + "." + std::to_string(::getpid()) + ".part";
-        constexpr mode_t kAsUmaskAllows = 0666;
-        Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
-                               exists ? existing.st_mode & 0777 : kAsUmaskAllows));
+        Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
         if (!file.valid()) fail(path, errno);
         temporary_ = temporary;
         if (const int error = write_and_close(file, bytes); error != 0) {
@@ -86,25 +149,42 @@ class PendingFile {
     PendingFile(PendingFile&& other) noexcept
         : path_(std::move(other.path_)),
           target_(std::move(other.target_)),
+          file_(std::move(other.file_)),
           temporary_(std::exchange(other.temporary_, {})) {}
 
     void remove_old() const {
-        if (!temporary_.empty()) ::unlink(target_.c_str());
+        if (!target_.empty()) ::unlink(target_.c_str());
     }
-    void put_in_place() {
-        if (temporary_.empty()) return;
+    void put_in_place(MadeFolders* made) {
+        if (target_.empty()) return;
+        if (made) made->make(std::filesystem::path(target_).parent_path().string());
+        if (temporary_.empty() && link_to(target_)) return;
+        if (temporary_.empty()) {
+            // No call replaces a file with a nameless one. If the process is killed here, the next one to write this file takes the name.
+            temporary_ = target_ + ".part";
+            ::unlink(temporary_.c_str());
+            if (!link_to(temporary_)) fail(path_, EEXIST);
+        }
         if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(path_, errno);
         temporary_.clear();
     }
 
   private:
+    // False if there is a file with this name.
+    bool link_to(const std::string& name) const {
+        const std::string file = "/proc/self/fd/" + std::to_string(file_.get());
+        if (::linkat(AT_FDCWD, file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) return true;
+        if (errno != EEXIST) fail(path_, errno);
+        return false;
+    }
     void remove_temporary() {
         if (!temporary_.empty()) ::unlink(temporary_.c_str());
     }
 
     std::string path_;       // as the user wrote it
-    std::string target_;     // with links followed
-    std::string temporary_;  // empty if there is no temporary file
+    std::string target_;     // with links followed; empty for a device
+    Descriptor file_;        // without a name; or
+    std::string temporary_;  // its name
 };
 
 // Reads to the end, at most `max_bytes`. `path` appears in the error message.
@@ -125,7 +205,19 @@ std::string read_rest(int descriptor, std::size_t max_bytes, const std::string& 
 
 }  // namespace
 
+void refuse_special_file(const std::string& path) {
+    struct stat about {};
+    if (::stat(path.c_str(), &about) != 0 || S_ISREG(about.st_mode) || S_ISDIR(about.st_mode)) return;
+    if (path.starts_with("/dev/") || path.starts_with("/proc/")) return;
+    throw FileError(path + ": this is " +
+                    (S_ISFIFO(about.st_mode)   ? "a named pipe"
+                     : S_ISSOCK(about.st_mode) ? "a socket"
+                                               : "a device") +
+                    ", not a file; give a file, or - for standard input");
+}
+
 std::string read_file(const std::string& path, std::size_t max_bytes) {
+    refuse_special_file(path);
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (!file.valid()) fail(path, errno);
     return read_rest(file.get(), max_bytes, path);
@@ -133,19 +225,29 @@ std::string read_file(const std::string& path, std::size_t max_bytes) {
 
 std::string read_standard_input(std::size_t max_bytes) { return read_rest(STDIN_FILENO, max_bytes, "standard input"); }
 
-void write_files_atomically(const std::vector<FileToWrite>& files, const std::vector<std::string>& stale) {
+void write_files_atomically(const std::vector<FileToWrite>& files, const std::vector<std::string>& stale,
+                            MissingFolders missing) {
+    constexpr std::size_t kMostNameless = 256;  // each is open until it has its name
     const SignalsBlocked blocked;
+    MadeFolders all_made;
+    MadeFolders* made = missing == MissingFolders::kMade ? &all_made : nullptr;
     std::vector<PendingFile> pending;
     pending.reserve(files.size());
-    for (const auto& [path, bytes] : files) pending.emplace_back(path, bytes);
+    for (const auto& [path, bytes] : files) pending.emplace_back(path, bytes, pending.size() < kMostNameless, made);
     // If the process is killed here, files are missing, the last one always; new ones never lie beside old ones.
     if (pending.size() + stale.size() > 1)
         std::for_each(pending.rbegin(), pending.rend(), [](const PendingFile& file) { file.remove_old(); });
     for (const std::string& path : stale) ::unlink(path.c_str());
-    for (PendingFile& file : pending) file.put_in_place();
+    for (PendingFile& file : pending) file.put_in_place(made);
 }
 
 void write_file_atomically(const std::string& path, std::string_view bytes) { write_files_atomically({{path, bytes}}); }
+
+void try_folder(const std::string& path) {
+    const std::string there = existing_part(path);
+    if (!std::filesystem::is_directory(there)) fail(path, ENOTDIR);
+    if (::access(there.c_str(), W_OK | X_OK) != 0) fail(path, errno);
+}
 
 bool make_folder(const std::string& path) {
     std::error_code error;

@@ -91,25 +91,12 @@ std::vector<std::string> stale_pictures(const fs::path& root, const std::vector<
     return stale;
 }
 
-// Makes the folders, the outer ones first, and writes the files. If that fails, removes the folders that it has made.
-void write_all(const std::vector<fs::path>& folders, const std::vector<FileToWrite>& files) {
-    std::vector<fs::path> made;
-    try {
-        for (const fs::path& folder : folders)
-            if (make_folder(folder.string())) made.push_back(folder);
-        write_files_atomically(files, stale_pictures(folders.front(), files));
-        std::error_code ignored;
-        for (std::size_t step = folders.size() - 1; fs::is_directory(folders.front() / step_folder(step), ignored);
-             ++step)
-            fs::remove(folders.front() / step_folder(step), ignored);  // if it is empty
-    } catch (const FileError&) {
-        std::error_code ignored;
-        while (!made.empty()) {
-            fs::remove(made.back(), ignored);
-            made.pop_back();
-        }
-        throw;
-    }
+// Writes the files, and removes folders of steps that an earlier report had.
+void write_all(const fs::path& root, std::size_t steps, const std::vector<FileToWrite>& files) {
+    write_files_atomically(files, stale_pictures(root, files), MissingFolders::kMade);
+    std::error_code ignored;
+    for (std::size_t step = steps; fs::is_directory(root / step_folder(step), ignored); ++step)
+        fs::remove(root / step_folder(step), ignored);  // if it is empty
 }
 
 }  // namespace
@@ -123,7 +110,7 @@ void write_report(const Comparison& comparison, const std::string& folder) {
     add_pictures(comparison, pictures, root, files);
     files.push_back({(root / "comparison.json").string(), json});
     files.push_back({(root / "index.html").string(), page});
-    write_all({root}, files);
+    write_all(root, 0, files);
 }
 
 void write_report(const std::vector<ComparedStep>& steps, const std::string& folder) {
@@ -131,17 +118,15 @@ void write_report(const std::vector<ComparedStep>& steps, const std::string& fol
     std::vector<EncodedPictures> pictures;
     for (const ComparedStep& step : steps) pictures.push_back(encode_pictures(step.comparison));
     std::vector<Compared> compared;
-    std::vector<fs::path> folders{root};
     std::vector<FileToWrite> files;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         compared.push_back({steps[i].title, steps[i].comparison, pictures[i]});
-        folders.push_back(root / step_folder(i));
-        add_pictures(steps[i].comparison, pictures[i], folders.back(), files);
+        add_pictures(steps[i].comparison, pictures[i], root / step_folder(i), files);
     }
     const std::string json = steps_json(steps), page = comparison_page(compared);
     files.push_back({(root / "comparison.json").string(), json});
     files.push_back({(root / "index.html").string(), page});
-    write_all(folders, files);
+    write_all(root, steps.size(), files);
 }
 
 }  // namespace twinlight::report

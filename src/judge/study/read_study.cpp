@@ -149,6 +149,8 @@ Point read_point(const Node& node, std::size_t series_count) {
     point.choice = read_choice(node["axes"]);
     for (const Node& sample : node["seconds"]["samples"].elements())
         point.seconds.push_back(sample.number(0, kLongest));
+    for (const char* name : {"median", "q1", "q3"})  // computed from the samples again, but no less checked
+        if (const Node value = node["seconds"][name]; !value.is_null()) value.number(0, kLongest);
     for (const Region& region : kRegions) point.errors.*region.errors = read_error(node["error"][region.name]);
     point.difference_factor = node["difference_factor"].whole_number(1, kMany);
     return point;

@@ -61,9 +61,6 @@ std::set<std::string> files_of_earlier(const std::string& folder) {
 }  // namespace
 
 void write_study(const Study& study, const std::string& folder) {
-    std::error_code error;
-    fs::create_directories(fs::path(folder) / "pictures", error);
-    if (error) throw FileError(folder + ": " + error.message());
     std::vector<FileToWrite> files;
     const auto add = [&](const std::string& name, std::string_view bytes) {
         files.push_back({(fs::path(folder) / name).string(), bytes});
@@ -83,7 +80,7 @@ void write_study(const Study& study, const std::string& folder) {
     for (const FileToWrite& file : files) earlier.erase(fs::path(file.path).lexically_relative(folder).string());
     std::vector<std::string> stale;
     for (const std::string& name : earlier) stale.push_back((fs::path(folder) / name).string());
-    write_files_atomically(files, stale);
+    write_files_atomically(files, stale, MissingFolders::kMade);
 }
 
 Study load_study(const std::string& file) {

@@ -89,6 +89,41 @@ TEST(UntrustedNumbers, AreRefused) {
     EXPECT_EQ(run_program("twinlight", {"fuzz", "--seed", "18446744073709551615", "--count", "1"}).status, 0);
 }
 
+// ---- Special files ----
+
+TEST(SpecialFiles, AreNotWaitedFor) {
+    const TemporaryFolder folder;
+    const std::string in_folder = "PROGRAM=$(realpath \"$PROGRAM\"); cd " + quoted(folder.str()) + "; ";
+    ASSERT_EQ(run_shell("", "mkfifo " + quoted(folder / "pipe.gl") + " " + quoted(folder / "pipe.trace")).status, 0);
+    write_file_atomically(folder / "texture.gl", "#pragma twinlight texture(\"pipe.gl\")\nglutSolidSphere(1, 8, 8);\n");
+    write_file_atomically(folder / "mesh.gl", "#pragma twinlight mesh(\"pipe.gl\")\n");
+    const std::string refused = ": this is a named pipe, not a file; give a file, or - for standard input\n";
+    for (const auto& [command, error] :
+         std::vector<std::pair<std::string, std::string>>{{"render pipe.gl --with reference", refused},
+                                                          {"render pipe.trace --with reference", refused},
+                                                          {"compare pipe.gl", refused},
+                                                          {"explain pipe.gl", refused},
+                                                          {"export pipe.gl --as c", refused},
+                                                          {"lint pipe.gl", refused},
+                                                          {"study pipe.gl --quick", refused},
+                                                          {"study --merge pipe.gl pipe.gl", refused},
+                                                          {"check ./pipe.gl", refused},
+                                                          {"lesson overlay --check pipe.gl", refused},
+                                                          {"lint texture.gl", "this is not a file"},
+                                                          {"lint mesh.gl", "this is not a file"}}) {
+        const ProgramResult result = run_shell("twinlight", in_folder + "timeout 20 \"$PROGRAM\" " + command);
+        EXPECT_EQ(result.status, 2) << command;
+        EXPECT_NE((result.out + result.err).find(error), std::string::npos)
+            << command << ": " << result.out << result.err;
+    }
+    // What the shell opens for the program stays a scene.
+    write_file_atomically(folder / "sphere.gl", kSphere);
+    for (const char* line :
+         {"cat sphere.gl | \"$PROGRAM\" explain /dev/stdin", "\"$PROGRAM\" explain - <sphere.gl",
+          "cat sphere.gl | \"$PROGRAM\" explain /dev/fd/0", "cat sphere.gl >pipe.gl & \"$PROGRAM\" explain - <pipe.gl"})
+        EXPECT_EQ(run_shell("twinlight", in_folder + line).status, 0) << line;
+}
+
 // ---- Folders ----
 
 TEST(Folders, HoldAllReproducersOrNone) {
@@ -107,7 +142,7 @@ TEST(Folders, HoldAllReproducersOrNone) {
         run_shell("twinlight",
                   "trap '' XFSZ; ulimit -f 1; \"$PROGRAM\" check --write-reproducers " + quoted(full) + " >/dev/null");
     EXPECT_EQ(result.status, 2);
-    EXPECT_TRUE(std::filesystem::is_empty(full));
+    EXPECT_FALSE(std::filesystem::exists(full));
 }
 
 TEST(Folders, KeepNoPicturesAndPlotsOfAnEarlierStudy) {
