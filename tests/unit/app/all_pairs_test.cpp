@@ -65,7 +65,7 @@ const std::vector<Way>& ways() {
             for (const char* shading : {"flat", "gouraud", "phong", "exact"})
                 list.push_back({.command = {"render", "--with", with, "--shading", shading},
                                 .writes_file = true,
-                                .may_refuse = is_of_vertices(with, shading) ? "the fixed function has no" : ""});
+                                .may_refuse = is_of_vertices(with, shading) ? "the fixed function " : ""});
         for (const char* option : {"--baked", "--precise"})
             list.push_back({.command = {"render", "--with", "programmable", option}, .writes_file = true});
         for (const char* with : {"fixed", "reference"})

@@ -520,7 +520,7 @@ TEST_F(ReportTest, RemovesPicturesThatTheNewReportLacks) {
     EXPECT_EQ(files_in(out).size(), 14u);
 }
 
-// Runs `work` in a process that is killed as it begins its n-th rename or removal of a file. Returns false if it has fewer.
+// Runs `work` in a process that is killed as it begins to name, rename or remove its n-th file. Returns false if it has fewer.
 bool killed_at(int n, const std::function<void()>& work) {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -544,7 +544,8 @@ bool killed_at(int n, const std::function<void()>& work) {
         ::ptrace(PTRACE_GET_SYSCALL_INFO, child, sizeof info, &info);
         if (info.op != PTRACE_SYSCALL_INFO_ENTRY) continue;
         const auto number = static_cast<long>(info.entry.nr);
-        const bool moves = number == SYS_renameat || number == SYS_renameat2 || number == SYS_unlinkat
+        const bool moves = number == SYS_renameat || number == SYS_renameat2 || number == SYS_unlinkat ||
+                           number == SYS_linkat
 #ifdef SYS_rename
                            || number == SYS_rename || number == SYS_unlink
 #endif
