@@ -83,7 +83,9 @@ class MadeFolders {
 
     // With those that it lies in.
     void make(const std::string& folder) {
-        if (folder.empty() || made(folder)) return;
+        if (folder.empty() || folder == last_) return;
+        last_ = folder;
+        if (made(folder)) return;
         if (errno != ENOENT) fail(folder, errno);
         const std::string above = std::filesystem::path(folder).parent_path().string();
         if (above == folder) fail(folder, ENOENT);
@@ -100,6 +102,7 @@ class MadeFolders {
     }
 
     std::vector<std::string> made_;  // the outer ones first
+    std::string last_;               // many files follow each other in one folder
 };
 
 // A file's bytes. They have no name until put_in_place() gives them one, so that nothing is left behind even if the process is killed.
