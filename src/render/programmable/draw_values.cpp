@@ -230,7 +230,8 @@ class DrawUniforms {
     void matrix(std::string_view name, const Matrix& m) {
         add(name, m);
     }
-    // Adds a uniform of the i-th light; put() follows, for each light that this one represents.
+    // Adds a uniform of the i-th light; put() follows, for each light that this one represents. The name is that of name_of(), made
+    // in place: each Draw of each frame comes here.
     void start_value(std::size_t i, LightValue value, std::string_view face = {}) {
         const LightUniform uniform = declaration_of(value, effects_, form_, i);
         uniforms_.add("u_light" + std::to_string(i) + "_",

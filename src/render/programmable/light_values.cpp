@@ -65,8 +65,12 @@ LightUniform declaration_of(LightValue value, const EffectSet& effects, const Fo
     return {};
 }
 
+std::string name_of(std::size_t i, const LightUniform& uniform, std::string_view face) {
+    return fmt::format("u_light{}_{}{}{}{}", i, face, face.empty() ? "" : "_", uniform.name, uniform.space);
+}
+
 std::string kept_cone_name(int number, LightValue value) {
-    return fmt::format("u_light{}_{}", number, value == LightValue::kCosOuter ? "cos_outer" : "cone_slope");
+    return name_of(static_cast<std::size_t>(number), declaration_of(value, {}, {}, 0));
 }
 
 }  // namespace twinlight::programmable

@@ -26,9 +26,9 @@ enum class LightValue : std::uint8_t {
     kSpotExponent,  // s_rli
     kCosOuter,      // of the lecture's cone
     kConeSlope,     // 1 / (cos inner - cos outer)
-    kAmbient,       // a_cli, or its products with a_cm of each face, or samples of both; likewise:
-    kDiffuse,
-    kSpecular,
+    kAmbient,       // a_cli, or its product with each face's a_cm, or samples of both
+    kDiffuse,       // the same of d_cli and d_cm
+    kSpecular,      // and of s_cli and s_cm
 };
 inline constexpr std::size_t kLightValueCount = static_cast<std::size_t>(LightValue::kSpecular) + 1;
 inline constexpr bool is_color(LightValue value) { return value >= LightValue::kAmbient; }
@@ -65,6 +65,9 @@ struct LightUniform {
     std::string_view comment = "";
 };
 LightUniform declaration_of(LightValue value, const EffectSet& effects, const Form& form, std::size_t i);
+
+// "u_light0_position_eye"; of a face's colours "u_light0_front_ambient".
+std::string name_of(std::size_t i, const LightUniform& uniform, std::string_view face = {});
 
 // The uniforms of shaders to keep that are not GL's: u_light3_cos_outer. The number is the light's in GL.
 std::string kept_cone_name(int number, LightValue value);

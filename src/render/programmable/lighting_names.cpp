@@ -49,7 +49,7 @@ int LightingNames::loop_length(std::size_t i) const {
 // The uniform of a light, of a face's colours too.
 std::string LightingNames::light_uniform(std::size_t i, const LightUniform& one, const std::string& face) {
     const int length = loop_length(i);
-    const std::string name = fmt::format("u_light{}_{}{}{}{}", i, face, face.empty() ? "" : "_", one.name, one.space);
+    const std::string name = name_of(i, one, face);
     return length == 0
                ? uniform(std::string(one.type), name, std::string(one.comment))
                : uniform(std::string(one.type), name, std::string(one.comment), fmt::format("[{}]", length)) + "[i]";

@@ -109,8 +109,7 @@ void add_face(Uniforms& uniforms, const std::string& name, const Code& code, con
         const auto product = [&](LightValue value, const glm::dvec4& color, const glm::dvec4& of,
                                  PerVertexColor per_vertex) {
             if (!needed.contains(value)) return;
-            const LightUniform uniform = declaration_of(value, code.effects, code.form, i);
-            uniforms.set(fmt::format("u_light{}_{}_{}", i, name, uniform.name),
+            uniforms.set(name_of(i, declaration_of(value, code.effects, code.form, i), name),
                          floats(per_vertex ? rgb(color) : rgb(color) * rgb(of)));
         };
         product(LightValue::kAmbient, light.ambient, material.ambient, ambient_of(varying));
@@ -236,8 +235,7 @@ Uniforms precise_uniforms(const Draw& draw, const Plan& plan, const Code& code) 
         const MesaLight in_space = mesa_light(light, eye_from_object, modelview, !code.form.object_space);
         values_of_light(code.effects, code.form, i).for_each([&](LightValue value) {
             if (is_color(value)) return;  // add_face() has them
-            const LightUniform uniform = declaration_of(value, code.effects, code.form, i);
-            values.set(fmt::format("u_light{}_{}{}", i, uniform.name, uniform.space), value_of(value, light, in_space));
+            values.set(name_of(i, declaration_of(value, code.effects, code.form, i)), value_of(value, light, in_space));
         });
     });
     return values;
