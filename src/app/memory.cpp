@@ -20,10 +20,6 @@ std::string gigabytes(double bytes) {
 
 }  // namespace
 
-std::uint64_t pixels_of(int width, int height) {
-    return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
-}
-
 void check_fits(const MemoryBudget& memory, int width, int height, std::uint64_t pictures, std::uint64_t besides) {
     if (pictures + besides <= memory.bytes) return;
     std::vector<std::string> remedies;

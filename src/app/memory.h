@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "scene/state/picture_memory.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -16,8 +17,6 @@ struct MemoryBudget {
     std::size_t bytes_of_step_pixel = 0;
     bool has_option = true, has_size = true;  // whether the command has --memory and --size
 };
-
-std::uint64_t pixels_of(int width, int height);
 
 // Throws UsageError, which shows what fits, if pictures of this size need more memory than is allowed. `pictures`: what they need, in
 // bytes; `besides`: what is needed whatever their size is.

@@ -37,8 +37,6 @@ void prepare_streams() {
     ignore_signal(SIGXFSZ);
 }
 
-void write_message(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
-
 void write_result(std::string_view bytes) {
     if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0) {
         throw FileError(std::string("standard output: ") + std::strerror(errno));

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <string_view>
 #include <utility>
 
@@ -12,8 +13,8 @@ namespace twinlight {
 // without a reader, or beyond the largest size of a file (ulimit -f), is an error, not the end of the program.
 void prepare_streams();
 
-// Writes to standard error. If it cannot be written, nothing else changes, because nobody would read of that either.
-void write_message(std::string_view text);
+// Writes to standard error. Where that fails the message is lost, and the program goes on.
+inline void write_message(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 template <class... T>
 void print_message(fmt::format_string<T...> format, T&&... values) {
     write_message(fmt::format(format, std::forward<T>(values)...));

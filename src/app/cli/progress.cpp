@@ -4,9 +4,9 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 
+#include "app/streams.h"
 #include "scene/command/text.h"
 
 namespace twinlight::cli {
@@ -27,7 +27,7 @@ ProgressBar::ProgressBar() : terminal_(::isatty(STDERR_FILENO) != 0) {}
 ProgressBar::~ProgressBar() { wipe(); }
 
 void ProgressBar::wipe() {
-    if (terminal_) std::fputs(fmt::format("\r{:{}}\r", "", kWidth).c_str(), stderr);
+    if (terminal_) print_message("\r{:{}}\r", "", kWidth);
 }
 
 void ProgressBar::show(std::string_view doing) { print(doing); }
@@ -43,8 +43,7 @@ void ProgressBar::print(std::string_view line) {
     const auto now = std::chrono::steady_clock::now();
     if (!terminal_ || (printed_ && now - *printed_ < kTooSoon)) return;
     printed_ = now;
-    // Unlike fmt::print, this does not throw where standard error cannot be written.
-    std::fputs(fmt::format("\r{:{}}", one_line(line).substr(0, kWidth), kWidth).c_str(), stderr);
+    print_message("\r{:{}}", one_line(line).substr(0, kWidth), kWidth);
 }
 
 }  // namespace twinlight::cli

@@ -10,13 +10,16 @@ constexpr std::uint64_t kAccumulation = 80, kCopies = 40, kObject = 80;
 
 }  // namespace
 
+std::uint64_t pixels_of(int width, int height) {
+    return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+}
+
 std::uint64_t bytes_of_pictures(const Frame& frame, std::size_t bytes_of_pixel) {
     if (bytes_of_pixel == 0) return 0;
     std::uint64_t each = bytes_of_pixel;
     if (accumulates(frame)) each += kAccumulation;
     if (frame.copies_pixels) each += kCopies;
-    const auto pixels = static_cast<std::uint64_t>(frame.width) * static_cast<std::uint64_t>(frame.height);
-    return pixels * each;
+    return pixels_of(frame.width, frame.height) * each;
 }
 
 std::uint64_t bytes_of_scene(const Frame& frame) { return frame.bytes + frame.object_pixels * kObject; }

@@ -8,6 +8,8 @@
 
 namespace twinlight {
 
+std::uint64_t pixels_of(int width, int height);
+
 // `bytes_of_pixel`: what is held for each pixel of the window at one time, all pictures, copies and buffers together, for a Frame
 // without glAccum and copied pixels. 0: no picture is drawn, and none is needed.
 std::uint64_t bytes_of_pictures(const Frame& frame, std::size_t bytes_of_pixel);
