@@ -77,6 +77,9 @@ inline ProgramResult run_shell(const std::string& program, const std::string& li
     return result;
 }
 
+inline constexpr const char* kCannotTrace = "strace is not installed, or cannot trace";
+inline bool can_trace() { return run_shell("", "strace -o /dev/null true").status == 0; }
+
 inline ProgramResult run_program(const std::string& program, const std::vector<std::string>& arguments) {
     std::string line = "\"$PROGRAM\"";
     for (const std::string& argument : arguments) line += " " + quoted(argument);

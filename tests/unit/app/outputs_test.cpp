@@ -139,7 +139,7 @@ struct Writer {
 constexpr Writer kWriters[] = {
     {"render small.gl --with reference --size 8x6 -o", "picture.png", "picture.png"},
     {"compare small.gl --size 8x6 -o", "report", "report/index.html"},
-    {"lint small.gl --fix normal-length -o", "mended.gl", "mended.gl"},
+    {"lint small.gl --fix normal-length -o", "fixed.gl", "fixed.gl"},
     {"export small.gl --as glsl -o", "shaders", "shaders/README.md"},
     {"export small.gl --as html -o", "page.html", "page.html"},
     {"lesson overlay -o", "start.gl", "start.gl"},
@@ -153,8 +153,7 @@ constexpr Writer kWriters[] = {
 // older result. Afterwards each file is whole; if the last one is there, all are; and nothing else is left.
 TEST(KilledWriters, LeaveAWholeResultOrNone) {
     if (kSanitized) GTEST_SKIP() << "a sanitizer makes system calls of its own";
-    if (run_shell("", "strace -o /dev/null true").status != 0)
-        GTEST_SKIP() << "strace is not installed, or cannot trace";
+    if (!can_trace()) GTEST_SKIP() << kCannotTrace;
     const TemporaryFolder folder;
     if (const Descriptor nameless(::open(folder.str().c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0600));
         !nameless.valid())

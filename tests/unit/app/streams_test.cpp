@@ -123,8 +123,7 @@ TEST(Streams, InAnyStateLeaveEveryCommandItsStatus) {
 
 // A file must not get the number of a closed stream: the warnings would be written into it.
 TEST(Streams, ThatAreClosedAreNoFiles) {
-    if (run_shell("", "strace -o /dev/null true").status != 0)
-        GTEST_SKIP() << "strace is not installed, or cannot trace";
+    if (!can_trace()) GTEST_SKIP() << kCannotTrace;
     const TemporaryFolder folder;
     const ProgramResult result = run_shell(
         "twinlight", "PROGRAM=$(realpath \"$PROGRAM\"); cd " + quoted(folder.str()) +

@@ -67,14 +67,17 @@ TEST_F(Egl, DrawsThePicturesOfOsmesa) {
 }
 
 TEST_F(Egl, TellsInOneLineThatNoDriverIsThere) {
-    const ProgramResult result = run_shell(program_,
-                                           "__EGL_VENDOR_LIBRARY_FILENAMES=/nowhere LIBGL_DRIVERS_PATH=/nowhere "
-                                           "\"$PROGRAM\" render report --with fixed -o " +
-                                               quoted(folder_ / "picture.png"));
-    EXPECT_EQ(result.status, 2);
-    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
-    EXPECT_NE(result.err.find("LIBGL_DRIVERS_PATH is '/nowhere'; unset it"), std::string::npos) << result.err;
-    EXPECT_TRUE(folder_.names().empty());
+    for (const auto& [variables, advice] :
+         {std::pair("", "install the GPU's driver or Mesa's"),
+          {"LIBGL_DRIVERS_PATH=/nowhere", "LIBGL_DRIVERS_PATH is '/nowhere'; unset it"}}) {
+        const ProgramResult result = run_shell(
+            program_, std::string("unset LIBGL_DRIVERS_PATH; __EGL_VENDOR_LIBRARY_FILENAMES=/nowhere ") + variables +
+                          " \"$PROGRAM\" render report --with fixed -o " + quoted(folder_ / "picture.png"));
+        EXPECT_EQ(result.status, 2);
+        EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+        EXPECT_NE(result.err.find(advice), std::string::npos) << result.err;
+        EXPECT_TRUE(folder_.names().empty());
+    }
 }
 
 // The message has the reason of each display, and nothing of Mesa's own messages.

@@ -52,7 +52,6 @@ class Checker {
   public:
     // The uniforms that the program's text declares and that have no value are added to `missing`.
     void check(const Code& code, const Uniforms& numbers, const std::string& where) {
-        ++programs_;
         const auto [declared, is_new] = declared_.try_emplace({code.effects, code.form});
         if (is_new) declared->second = uniform_names(assemble(code.effects, code.form));
         for (const std::string& name_and_length : declared->second) {
@@ -102,7 +101,6 @@ class Checker {
     std::map<std::pair<EffectSet, Form>, std::set<std::string, std::less<>>> declared_;
     std::set<std::string> missing_;
     std::map<LightValue, int> met_;
-    int programs_ = 0;
 };
 
 constexpr StateOptions kSmall = {.width = 64, .height = 64};
