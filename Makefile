@@ -363,8 +363,8 @@ $(BUILD)/precompiled.h.gch: src/base/precompiled.h $(BUILD)/flags
 	@echo "compile $<"
 	@mkdir -p $(@D); cp $< $(@:.gch=); $(compile) $(CXXFLAGS_all) -MMD -MP -MT $@ -MF $(@:.gch=.d) -x c++-header -c $< -o $@
 
-# If several objects instantiate a template, the linker takes the first copy. So a layer comes before those that use it, for then no
-# change of theirs changes its speed, and objects that are optimised less come last.
+# If several objects instantiate a template, the linker takes the first copy. So lower layers come first: a change in a higher layer
+# cannot change how fast they are. Objects that are optimised less come last.
 objects_less = $(filter $(LESS:%=$(BUILD)/objects/%.room.o),$^)
 objects_more = $(filter-out $(objects_less),$(filter %.o,$^))
 layers := $(addsuffix /%,$(addprefix $(BUILD)/objects/src/,base lighting scene))

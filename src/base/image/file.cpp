@@ -163,7 +163,7 @@ class PendingFile {
         if (made) made->make(std::filesystem::path(target_).parent_path().string());
         if (temporary_.empty() && link_to(target_)) return;
         if (temporary_.empty()) {
-            // No call replaces a file with a nameless one. If the process is killed here, the next one to write this file takes the name.
+            // No call replaces a file with a nameless one. If the process is killed here, the .part file stays until this file is written again.
             temporary_ = target_ + ".part";
             ::unlink(temporary_.c_str());
             if (!link_to(temporary_)) fail(path_, EEXIST);

@@ -25,7 +25,7 @@ TEST(Threads, DoEachPieceOnce) {
 }
 
 TEST(Threads, GiveTheirExceptionToTheCaller) {
-    // Of a helper's piece as well as of the caller's own: whichever thread takes piece 100.
+    // Piece 100 may run on any of the threads, also on the caller's own.
     for (int run = 0; run < 50; ++run)
         EXPECT_THROW(for_each_on_threads(kPieces,
                                          [](int i) {
