@@ -233,7 +233,8 @@ int run_reporting_errors(std::string_view program, const std::function<int()>& r
     } catch (const FileError& error) {
         return fail(fmt::format("{}: {}", program, one_line(error.what())));
     } catch (const programmable::ShaderRefused& error) {
-        return fail(fmt::format("{}: {}{}", program, one_line(error.what()), where_kept(error.text)));
+        return fail(fmt::format("{}: {}{}", program, one_line(error.what()),
+                                error.text.empty() ? "; --with reference draws them" : where_kept(error.text)));
     } catch (const std::exception& error) {  // errors of the driver may have several lines
         std::string lines;
         std::istringstream text(error.what());

@@ -12,6 +12,7 @@
 #include "judge/compare/allowances.h"
 #include "judge/compare/departures.h"
 #include "judge/compare/missing.h"
+#include "render/programmable/shader_program.h"
 
 namespace twinlight::compare {
 
@@ -127,6 +128,14 @@ bool differ_in_missing(const Comparison& comparison, const Pair& pair) {
     });
 }
 
+// Shaders that the driver refuses are a part of the scene that they do not draw.
+void add_refused(std::vector<Unsupported>& unsupported, const Frame& frame, const std::string& why) {
+    const std::string name = "a picture by shaders (" + why + ")";
+    if (std::ranges::find(unsupported, name, &Unsupported::name) != unsupported.end()) return;
+    const std::vector<const Draw*> draws = frame.draws();
+    unsupported.push_back({name, 1, draws.empty() ? Place{} : draws.front()->place, MissingFrom::kShaders});
+}
+
 }  // namespace
 
 Image Comparison::counterpart(const Pair& pair) const {
@@ -157,7 +166,15 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
             exact ? kExactRenders[i - (kRenders.size() - kExactRenders.size())] : kRenders[i];
         if (planned.per_pixel && !all) continue;
         begin_step(planned.name);
-        result.renders.push_back(render(planned, scene, options, renderers));
+        try {
+            result.renders.push_back(render(planned, scene, options, renderers));
+        } catch (const programmable::ShaderRefused& refused) {
+            result.renders.push_back({.path = planned.path,
+                                      .name = std::string(planned.name),
+                                      .meaning = std::string(planned.meaning),
+                                      .image = Image(frame.width, frame.height)});
+            add_refused(result.unsupported, frame, refused.what());
+        }
     }
     result.changed_by_missing = changed_by_missing(scene, result.renders.front(), options, renderers);
     begin_step("edges");

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <set>
 #include <span>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -38,6 +41,60 @@ std::string log_of(GLuint object, decltype(glGetShaderiv) get, decltype(glGetSha
                          const EffectSet& effects) {
     throw ShaderRefused(fmt::format("the driver refuses {}: {}", what, log.substr(0, log.find('\n'))),
                         fmt::format("{}\n{}\nfor these effects:\n{}", log, source, describe(effects)));
+}
+
+// ---- Too many lights ----
+
+// The numbers in uniforms of a shader: of arrays, which have an element for each light of a kind, and of all others.
+struct UniformNumbers {
+    struct Array {
+        std::string light;  // "u_light0"
+        long length = 0, numbers = 0;
+    };
+    std::vector<Array> arrays;
+    long others = 0;
+
+    // With arrays of at most this length.
+    long with(long longest) const {
+        long sum = others;
+        for (const Array& array : arrays) sum += std::min(array.length, longest) * array.numbers;
+        return sum;
+    }
+};
+
+UniformNumbers numbers_of_uniforms(const std::string& source) {
+    UniformNumbers found;
+    std::istringstream lines(source);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string word, type, name;
+        if (!(words >> word >> type >> name) || word != "uniform") continue;
+        const long numbers = type == "mat4" ? 16 : type == "mat3" ? 9 : type.starts_with("vec") ? type.back() - '0' : 1;
+        const std::size_t bracket = name.find('[');
+        const long length = bracket == name.npos ? 1 : std::strtol(name.c_str() + bracket + 1, nullptr, 10);
+        if (name.starts_with("u_light") && length > 1)
+            found.arrays.push_back({name.substr(0, name.find('_', 2)), length, numbers});
+        else
+            found.others += length * numbers;
+    }
+    return found;
+}
+
+// Throws ShaderRefused if a shader's lights need more uniforms than the driver has. Its own message does not speak of lights.
+void check_lights_fit(const std::string& source, GLenum limit_name) {
+    GLint limit = 0;
+    glGetIntegerv(limit_name, &limit);
+    const UniformNumbers numbers = numbers_of_uniforms(source);
+    long longest = 0;
+    for (const UniformNumbers::Array& array : numbers.arrays) longest = std::max(longest, array.length);
+    if (longest == 0 || numbers.with(longest) <= limit) return;
+    while (longest > 1 && numbers.with(longest) > limit) longest /= 2;  // their lengths are powers of two
+    long fitting = 0;
+    std::set<std::string> kinds;
+    for (const UniformNumbers::Array& array : numbers.arrays)
+        if (kinds.insert(array.light).second) fitting += std::min(array.length, longest);
+    throw ShaderRefused(
+        fmt::format("a draw has more lights than the {} that this driver can have in a shader", fitting), "");
 }
 
 GLuint start_compiling(GLenum type, const std::string& source) {
@@ -97,9 +154,12 @@ void ShaderProgram::link() {
     check_compiled(fragment_, "a fragment shader", source_.fragment, effects_);
     GLint linked = GL_FALSE;
     glGetProgramiv(program_, GL_LINK_STATUS, &linked);
-    if (!linked)
+    if (!linked) {
+        check_lights_fit(source_.vertex, GL_MAX_VERTEX_UNIFORM_COMPONENTS);
+        check_lights_fit(source_.fragment, GL_MAX_FRAGMENT_UNIFORM_COMPONENTS);
         refuse("a program", log_of(program_, glGetProgramiv, glGetProgramInfoLog),
                numbered(source_.vertex) + "\n" + numbered(source_.fragment), effects_);
+    }
     for (GLuint* shader : {&vertex_, &fragment_}) glDeleteShader(std::exchange(*shader, 0));
     source_ = {};
     effects_ = {};

@@ -14,7 +14,7 @@ namespace twinlight::programmable {
 // The driver refuses a shader. what() is one line.
 struct ShaderRefused : std::runtime_error {
     ShaderRefused(const std::string& line, std::string all) : std::runtime_error(line), text(std::move(all)) {}
-    std::string text;  // the driver's log, the numbered source and the EffectSet
+    std::string text;  // the driver's log, the numbered source and the EffectSet; empty if the line says it all
 };
 
 class ShaderProgram {
