@@ -188,6 +188,8 @@ else
 ALONE := $(SOURCES_osmesa) $(SOURCES_egls) $(SOURCES_bench_library) $(SOURCES_bench_meshes) $(SOURCES_fuzz) $(SOURCES_bad_input)
 # These have their own flags (INSTRUCTIONS_...).
 ALONE += src/lighting/points_avx%.cpp tests/unit/lighting/lane_results_avx%.cpp
+# With this in its room, g++ would no longer inline some of what reads a scene.
+ALONE += src/scene/command/loop_length.cpp
 # This calls so many of the equation's functions that g++ would no longer inline them where pictures are lit.
 ALONE += src/render/reference/pixel_history.cpp
 # Only Emscripten compiles this.

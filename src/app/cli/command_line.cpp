@@ -177,8 +177,9 @@ Scene load_scene(const std::string& name, std::optional<Size> size, const Record
                  const MemoryBudget& memory) {
     std::shared_ptr<const Recording> recording;
     try {
-        recording = load_recording(name, size ? std::optional(WindowSize{size->width, size->height}) : std::nullopt,
-                                   step, part.context);
+        recording = load_recording(
+            name, size ? std::optional(WindowSize{size->width, size->height}) : std::nullopt, step, part.context,
+            [&](Enum mode, std::size_t vertices) { return bytes_of_vertices({}, mode, vertices) <= memory.bytes; });
     } catch (const SceneError& error) {
         throw with_gl_errors(error, {});
     }

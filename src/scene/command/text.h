@@ -81,6 +81,9 @@ struct ReadOptions {
     // How a whole GLUT program is run (docs/scene-language.md). Other scenes ignore these.
     std::optional<WindowSize> window{};  // instead of the size in glutInitWindowSize
     std::size_t most_steps = kMaxProgramSteps;
+    // Whether a picture with so many vertices of one glBegin fits into the memory that is allowed. A loop that would send more is refused
+    // before it runs. Empty: not asked.
+    std::function<bool(Enum mode, std::size_t vertices)> fits{};
 };
 
 // Reads the C dialect, or a whole GLUT program. `file` appears in error messages, `name` in reports. Throws SceneError, also

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "base/image/file.h"
@@ -68,8 +69,9 @@ CommandList read_built_in(const EmbeddedFile& file, const ReadOptions& options) 
 }
 
 std::shared_ptr<const Recording> load_recording(const std::string& scene, std::optional<WindowSize> window,
-                                                const std::string& step, std::optional<int> context) {
-    const ReadOptions options{.step = step, .window = window};
+                                                const std::string& step, std::optional<int> context,
+                                                std::function<bool(Enum mode, std::size_t vertices)> fits) {
+    const ReadOptions options{.step = step, .window = window, .fits = std::move(fits)};
     if (scene == "-") return load_standard_input(options, context);
     std::vector<std::string_view> names;
     for (const EmbeddedFile& file : kSceneFiles) {

@@ -1,6 +1,7 @@
 // Loads the SCENE that both programs take on the command line.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,12 +24,12 @@ CommandList read_built_in(const EmbeddedFile& file, const ReadOptions& options =
 // `scene` is the name of a built-in scene, a file, or - for standard input. The content decides how it is read: a scene
 // in C gives a CommandList; an apitrace .trace or the text of its dump gives a recording that is read each time it is
 // visited. A whole C program runs with `window` instead of its own size. `step` is ReadOptions::step. `context` is the GL
-// context of a recorded program that is followed (trace/trace.h). Throws SceneError, and FileError if a file cannot be
+// context of a recorded program that is followed (trace/trace.h). `fits` is ReadOptions::fits. Throws SceneError, and FileError if a file cannot be
 // read.
 std::shared_ptr<const Recording> load_recording(const std::string& scene,
                                                 std::optional<WindowSize> window = std::nullopt,
-                                                const std::string& step = {},
-                                                std::optional<int> context = std::nullopt);
+                                                const std::string& step = {}, std::optional<int> context = std::nullopt,
+                                                std::function<bool(Enum mode, std::size_t vertices)> fits = {});
 // The same, but refuses recorded programs.
 std::shared_ptr<const CommandList> load_commands(const std::string& scene, const std::string& step = {});
 // Another step of a scene that was loaded under this name. Standard input is not read again.

@@ -284,6 +284,38 @@ TEST(MemoryLimit, HoldsForTheSizeOfARecording) {
     EXPECT_EQ(run_program("twinlight", {"explain", dump}).status, 0);  // draws no picture
 }
 
+// A loop is counted before it runs, which would take seconds.
+TEST(MemoryLimit, HoldsForALoopOfAProgram) {
+    const TemporaryFolder folder;
+    const std::string program = folder / "points.c";
+    const auto lint = [&](const std::string& loop) {
+        write_file_atomically(program,
+                              "void display(void) {\nglClear(GL_COLOR_BUFFER_BIT); glBegin(GL_POINTS);\n" + loop +
+                                  "\nglEnd();\n}\nint main(int argc, char **argv) { glutInit(&argc, argv); "
+                                  "glutCreateWindow(\"w\"); glutDisplayFunc(display); glutMainLoop(); return 0; }\n");
+        return run_program("twinlight", {"lint", program, "--size", "16x16", "--memory", "0.01"});
+    };
+    for (const char* loop : {"for (int i = 0; i < 10000; i++) glVertex2f(0.001 * i, 0);",
+                             "int i; for (i = 1; i <= 5000; ++i) { glVertex2f(0.001 * i, 0); glVertex2f(0, 0.1); }"}) {
+        const ProgramResult result = lint(loop);
+        EXPECT_EQ(result.status, 2) << loop;
+        EXPECT_NE(result.err.find("points.c:3:"), std::string::npos) << result.err;
+        EXPECT_NE(
+            result.err.find(": error: this loop sends 10000 vertices, which need more memory than is allowed; draw "
+                            "fewer vertices, or run twinlight with a larger --memory\n"),
+            std::string::npos)
+            << result.err;
+    }
+    // Loops that end earlier, or that send fewer vertices than rounds, run.
+    for (const char* loop : {"for (int i = 0; i < 100000; i++) { if (i == 9) break; glVertex2f(0.001 * i, 0); }",
+                             "for (int i = 0; i < 100000; i++) { glVertex2f(0.001 * i, 0); i = i + 50000; }",
+                             "for (int i = 0; i < 100000; i++) if (i < 9) glVertex2f(0.001 * i, 0);",
+                             "for (int i = 0; i < 5; i++) glVertex2f(0.001 * i, 0);"}) {
+        const ProgramResult result = lint(loop);
+        EXPECT_EQ(result.status, 0) << loop << result.err << result.out;
+    }
+}
+
 // The peak stays below what the limit counts, so the limit holds for the process. (Sanitizers need memory of their own.)
 TEST(MemoryLimit, CountsWhatIsBuilt) {
     if (kSanitized) GTEST_SKIP() << "sanitizers change how much memory is needed";
