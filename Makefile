@@ -140,6 +140,8 @@ SOURCES_egl := $(filter-out %/egl_$(if $(GL_given),software,any).cpp,$(SOURCES_e
 SOURCES_library := $(filter-out src/app/% $(SOURCES_osmesa) $(SOURCES_egls),$(sort $(shell find src -name '*.cpp')))
 SOURCES_app := $(wildcard src/app/*.cpp)
 SOURCES_cli := $(SOURCES_app) $(wildcard src/app/cli/*.cpp)
+# The tests link what carries out a command line, too.
+SOURCES_subcommands := $(filter-out %/main.cpp,$(SOURCES_cli))
 # The window's state, without GL; the tests link it, too.
 SOURCES_session := $(wildcard src/app/session/*.cpp)
 # The page for browsers, without GL and JavaScript; the tests link it, too.
@@ -185,7 +187,7 @@ ifeq ($(units),files)
 ALONE := %.cpp
 else
 # Some programs link these without the rest of their room, or the rest without these.
-ALONE := $(SOURCES_osmesa) $(SOURCES_egls) $(SOURCES_bench_library) $(SOURCES_bench_meshes) $(SOURCES_fuzz) $(SOURCES_bad_input)
+ALONE := src/app/cli/main.cpp $(SOURCES_osmesa) $(SOURCES_egls) $(SOURCES_bench_library) $(SOURCES_bench_meshes) $(SOURCES_fuzz) $(SOURCES_bad_input)
 # These have their own flags (INSTRUCTIONS_...).
 ALONE += src/lighting/points_avx%.cpp tests/unit/lighting/lane_results_avx%.cpp
 # With this in its room, g++ would no longer inline some of what reads a scene.
@@ -383,7 +385,7 @@ $(PROGRAMS)/twinlight-demo: $(call object,$(SOURCES_demo) $(SOURCES_demo_library
 	$(link) $(LIBS_window) $(LIBS)
 
 $(PROGRAMS)/twinlight-tests: $(call object,$(SOURCES_$(GL))) $(OBJECTS_library) $(call object,$(SOURCES_some_tests)) $(BUILD)/tests \
-    $(call object,$(SOURCES_bench_meshes) $(SOURCES_app) $(SOURCES_session) $(SOURCES_web))
+    $(call object,$(SOURCES_bench_meshes) $(SOURCES_subcommands) $(SOURCES_session) $(SOURCES_web))
 	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
 
 $(PROGRAMS)/twinlight-bench: $(call object,$(SOURCES_bench) $(SOURCES_bench_library)) $(OFFSCREEN)

@@ -26,6 +26,9 @@ struct Subcommand {
     std::function<int()> run;  // returns the exit status
 };
 
+// The program: carries out a command line and returns the exit status.
+int run(int argc, char** argv);
+
 // Each has a file of its own.
 Subcommand add_render(CLI::App& app);
 Subcommand add_compare(CLI::App& app);
