@@ -13,6 +13,7 @@ namespace {
 // The text after `separator` in the first line that starts with `name`; empty if there is none.
 std::string value_in(const char* file, const std::string& name, char separator) {
     std::ifstream lines(file);
+    lines.exceptions(std::ios::badbit);  // when memory is short
     for (std::string line; std::getline(lines, line);) {
         if (!line.starts_with(name)) continue;
         const std::size_t at = line.find(separator);

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "app/cli/command_line.h"
+#include "base/text/input_text.h"
 #include "scene/scenes/load.h"
 
 namespace twinlight::cli {
@@ -24,7 +24,7 @@ std::string name_of(const EmbeddedFile& file) { return std::string(file.name.sub
 // The first sentence of a scene's first comment.
 std::string description_of(const EmbeddedFile& file) {
     std::string sentence;
-    std::istringstream lines{std::string(file.text)};
+    InputText lines{std::string(file.text)};
     for (std::string line; std::getline(lines, line) && line.starts_with("// ");) {
         sentence += (sentence.empty() ? "" : " ") + line.substr(3);
         if (const std::size_t end = sentence.find(". "); end != std::string::npos) return sentence.substr(0, end + 1);
@@ -38,7 +38,7 @@ std::string wrapped(const std::string& words, std::size_t indent) {
     constexpr std::size_t kColumns = 80;
     std::string text;
     std::size_t column = indent;
-    std::istringstream in(words);
+    InputText in(words);
     for (std::string word; in >> word; column += word.size()) {
         if (column > indent && column + 1 + word.size() > kColumns) {
             text += "\n" + std::string(indent, ' ');

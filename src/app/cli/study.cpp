@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <sstream>
 
 #include "app/cli/command_line.h"
 #include "app/cli/interrupt.h"
@@ -16,6 +15,7 @@
 #include "app/cli/study_samples.h"
 #include "app/study_renderers.h"
 #include "base/image/file.h"
+#include "base/text/input_text.h"
 #include "judge/study/scene_of_choice.h"
 #include "render/context/driver_name.h"
 #include "scene/command/text.h"
@@ -143,7 +143,7 @@ int run_study(StudyArguments arguments) {
     study::Study about;  // known before measuring
     about.scene = scene.title();
     if (commands) {
-        std::istringstream text(print_scene(*commands));
+        InputText text(print_scene(*commands));
         about.fingerprint = fingerprint(text);
     } else {
         std::ifstream file(arguments.scene, std::ios::binary);

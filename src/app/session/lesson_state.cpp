@@ -1,9 +1,9 @@
 #include "app/session/lesson_state.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include "app/session/session.h"
+#include "base/text/input_text.h"
 
 namespace twinlight::session {
 namespace {
@@ -101,7 +101,7 @@ std::string verdict_on_prediction(const LessonState& state) {
 
 std::string plain_text(const std::string& markdown) {
     std::string text, paragraph;
-    std::istringstream lines(markdown + "\n\n");
+    InputText lines(markdown + "\n\n");
     for (std::string line; std::getline(lines, line);) {
         std::erase(line, '`');
         if (line.empty()) {

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <sstream>
 
 #include "base/image/file.h"
+#include "base/text/input_text.h"
 #include "judge/compare/releases.h"
 #include "render/context/driver_name.h"
 #include "scene/command/lexer.h"
@@ -155,7 +155,7 @@ std::pair<std::string, std::string> split(const Head& head, const Entry& entry, 
 
 // "1|0 0 0 1" becomes "1 0 0 1", or with the second alternatives "0 0 0 1".
 std::string one_of_two(const std::string& text, bool is_second) {
-    std::istringstream words(text);
+    InputText words(text);
     std::string result;
     for (std::string word; words >> word;) {
         const std::size_t bar = word.find('|');

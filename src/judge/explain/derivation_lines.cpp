@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/mat4x4.hpp>
-#include <sstream>
 #include <string_view>
 
+#include "base/text/input_text.h"
 #include "judge/explain/derivation_light.h"
 #include "scene/command/names.h"
 
@@ -185,7 +185,7 @@ Lines highlight_lines(const Derivation& at, const LightAt& light) {
 // "att spot n.VP d_cm d_cli" with its numbers: "0.70423 x 1.00000 x 0.86603 x (0.8 0.5 0.31) x (1 1 1)".
 std::string product_text(const char* formula, const LightTerms<double>& terms, const Vec& material, const Vec& light) {
     std::string text;
-    std::istringstream words(formula);
+    InputText words(formula);
     for (std::string word; words >> word;) {
         const std::string factor = word.ends_with("_cm")    ? short_color(material)
                                    : word.ends_with("_cli") ? short_color(light)
@@ -201,7 +201,7 @@ std::string product_text(const char* formula, const LightTerms<double>& terms, c
 // The formula without the factors that are 1 because the scene does not use them.
 std::string used_factors(const char* formula, const LightAt& light, bool whole) {
     std::string used;
-    std::istringstream words(formula);
+    InputText words(formula);
     for (std::string word; words >> word;) {
         const bool is_idle = (word == "att" && (light.directional() || light.source.has_initial_attenuation())) ||
                              (word == "spot" && !light.is_spot());

@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <sstream>
 #include <stdexcept>
 
+#include "base/text/input_text.h"
 #include "judge/lesson/lesson.h"
 
 namespace twinlight::lesson {
@@ -37,7 +37,7 @@ struct Reader {
 std::string changed(const Reader& reader, const std::string& scene, const std::string& diff) {
     std::string text = scene;
     std::size_t at = 0;
-    std::istringstream lines(diff);
+    InputText lines(diff);
     for (std::string line; std::getline(lines, line);) {
         const std::string rest = line.substr(1) + "\n";
         if (line[0] == '+') {
@@ -67,7 +67,7 @@ Lesson read_lesson(std::string_view text, std::string_view name) {
     Reader reader{.name = name};
     std::size_t section = kAbout;
     std::string* block = nullptr;
-    std::istringstream lines{std::string(text)};
+    InputText lines{std::string(text)};
     for (std::string line; std::getline(lines, line);) {
         ++reader.line;
         if (block) {

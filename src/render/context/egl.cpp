@@ -6,12 +6,12 @@
 
 #include <array>
 #include <cstdlib>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/text/input_text.h"
 #include "render/context/clamped_colors.h"
 #include "render/context/context.h"
 #include "render/context/driver_choice.h"
@@ -25,7 +25,7 @@ namespace twinlight {
 namespace {
 
 bool has_word(const char* words, std::string_view word) {
-    std::istringstream stream(words ? words : "");
+    InputText stream(words ? words : "");
     for (std::string each; stream >> each;)
         if (each == word) return true;
     return false;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <map>
-#include <sstream>
 
+#include "base/text/input_text.h"
 #include "render/effect/surface_draw.h"
 
 namespace twinlight {
@@ -123,7 +123,7 @@ std::vector<ExplainedLights> explain_lights(const Plan& plan) {
 
 EffectWords effect_words(const Plan& plan) {
     EffectWords words;
-    std::istringstream lines(describe(plan.effects));
+    InputText lines(describe(plan.effects));
     for (std::string line; std::getline(lines, line);) {
         const std::size_t colon = line.find(": ");
         if (line.starts_with("light ") && colon != line.npos)

@@ -12,10 +12,10 @@
 #include <glm/vec3.hpp>
 #include <map>
 #include <span>
-#include <sstream>
 #include <stdexcept>
 #include <tuple>
 
+#include "base/text/input_text.h"
 #include "scene/command/lexer.h"
 
 namespace twinlight {
@@ -38,7 +38,7 @@ class Materials : public tinyobj::MaterialReader {
         } catch (const std::runtime_error& failure) {
             throw std::runtime_error(fmt::format("{}: {}", in_quotes(name), failure.what()));
         }
-        std::istringstream in(text);
+        InputText in(text);
         tinyobj::LoadMtl(numbers, materials, &in, warning, error);
         return true;
     }
@@ -164,7 +164,7 @@ void check_indices(const tinyobj::attrib_t& attributes, const std::vector<tinyob
 }  // namespace
 
 std::shared_ptr<const Mesh> read_obj(std::string_view text, const MeshFiles& files) {
-    std::istringstream lines(obj_lines(text));
+    InputText lines(obj_lines(text));
     tinyobj::attrib_t attributes;
     std::vector<tinyobj::shape_t> shapes;
     std::vector<tinyobj::material_t> materials;

@@ -13,12 +13,12 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <sstream>
 #include <thread>
 #include <utility>
 
 #include "base/image/descriptor.h"
 #include "base/image/file.h"
+#include "base/text/input_text.h"
 #include "scene/command/text.h"
 #include "scene/trace/contexts.h"
 #include "scene/trace/functions.h"
@@ -43,7 +43,7 @@ bool is_executable(const fs::path& file) {
 // A program in PATH; "" if there is none.
 std::string in_path(const std::string& name) {
     const char* path = std::getenv("PATH");
-    std::istringstream folders(path ? path : "/usr/bin:/bin");
+    InputText folders(path ? path : "/usr/bin:/bin");
     for (std::string folder; std::getline(folders, folder, ':');) {
         const fs::path file = fs::path(folder.empty() ? "." : folder) / name;
         if (is_executable(file)) return fs::absolute(file).string();
@@ -70,7 +70,7 @@ std::string contents(const Descriptor& file) {
 }
 
 std::string without_apitrace(const std::string& text) {
-    std::istringstream lines(text);
+    InputText lines(text);
     std::string kept;
     for (std::string line; std::getline(lines, line);)
         if (!line.starts_with("apitrace: ")) kept += line + "\n";
@@ -78,7 +78,7 @@ std::string without_apitrace(const std::string& text) {
 }
 
 std::string last_line(const std::string& text) {
-    std::istringstream lines(text);
+    InputText lines(text);
     std::string last;
     for (std::string line; std::getline(lines, line);)
         if (!line.empty()) last = line;
