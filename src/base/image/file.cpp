@@ -10,6 +10,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <utility>
@@ -96,9 +97,12 @@ class MadeFolders {
   private:
     // False with errno if that fails.
     bool made(const std::string& folder) {
-        if (::mkdir(folder.c_str(), 0777) != 0) return errno == EEXIST;
-        made_.push_back(folder);
-        return true;
+        made_.push_back(folder);  // needs memory, which may be short
+        if (::mkdir(folder.c_str(), 0777) == 0) return true;
+        const int error = errno;
+        made_.pop_back();
+        errno = error;
+        return error == EEXIST;
     }
 
     std::vector<std::string> made_;  // the outer ones first
@@ -127,9 +131,9 @@ class PendingFile {
 
         constexpr mode_t kAsUmaskAllows = 0666;
         const mode_t mode = exists ? existing.st_mode & 0777 : kAsUmaskAllows;
-        const std::string folder = std::filesystem::path(target_).parent_path().string();
-        const std::string there = made ? existing_part(folder) : folder.empty() ? "." : folder;
-        if (made && !std::filesystem::is_directory(there)) fail(folder, ENOTDIR);
+        folder_ = std::filesystem::path(target_).parent_path().string();
+        const std::string there = made ? existing_part(folder_) : folder_.empty() ? "." : folder_;
+        if (made && !std::filesystem::is_directory(there)) fail(folder_, ENOTDIR);
         if (may_be_nameless && ::access("/proc/self/fd", X_OK) == 0) {
             file_ = Descriptor(::open(there.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, mode));
         }
@@ -137,12 +141,12 @@ class PendingFile {
             if (const int error = write_all(file_, bytes); error != 0) fail(path, error);
             return;
         }
-        if (made) made->make(folder);
+        if (made) made->make(folder_);
         // The process number gives two writers of one file different temporary names.
-        const std::string temporary = target_ + "." + std::to_string(::getpid()) + ".part";
+        std::string temporary = target_ + "." + std::to_string(::getpid()) + ".part";
         Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
         if (!file.valid()) fail(path, errno);
-        temporary_ = temporary;
+        temporary_ = std::move(temporary);  // needs no memory, which may be short
         if (const int error = write_and_close(file, bytes); error != 0) {
             remove_temporary();
             fail(path, error);
@@ -152,15 +156,19 @@ class PendingFile {
     PendingFile(PendingFile&& other) noexcept
         : path_(std::move(other.path_)),
           target_(std::move(other.target_)),
+          folder_(std::move(other.folder_)),
           file_(std::move(other.file_)),
           temporary_(std::exchange(other.temporary_, {})) {}
 
     void remove_old() const {
         if (!target_.empty()) ::unlink(target_.c_str());
     }
-    void put_in_place(MadeFolders* made) {
+    void make_folder(MadeFolders& made) const {
+        if (!target_.empty()) made.make(folder_);
+    }
+    // Needs no memory if there is no file of this name.
+    void put_in_place() {
         if (target_.empty()) return;
-        if (made) made->make(std::filesystem::path(target_).parent_path().string());
         if (temporary_.empty() && link_to(target_)) return;
         if (temporary_.empty()) {
             // No call replaces a file with a nameless one. If the process is killed here, the .part file stays until this file is written again.
@@ -175,8 +183,9 @@ class PendingFile {
   private:
     // False if there is a file with this name.
     bool link_to(const std::string& name) const {
-        const std::string file = "/proc/self/fd/" + std::to_string(file_.get());
-        if (::linkat(AT_FDCWD, file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) return true;
+        std::array<char, 32> file;
+        std::snprintf(file.data(), file.size(), "/proc/self/fd/%d", file_.get());
+        if (::linkat(AT_FDCWD, file.data(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) return true;
         if (errno != EEXIST) fail(path_, errno);
         return false;
     }
@@ -186,6 +195,7 @@ class PendingFile {
 
     std::string path_;       // as the user wrote it
     std::string target_;     // with links followed; empty for a device
+    std::string folder_;     // that it lies in; empty for the working one
     Descriptor file_;        // without a name; or
     std::string temporary_;  // its name
 };
@@ -237,11 +247,13 @@ void write_files_atomically(const std::vector<FileToWrite>& files, const std::ve
     std::vector<PendingFile> pending;
     pending.reserve(files.size());
     for (const auto& [path, bytes] : files) pending.emplace_back(path, bytes, pending.size() < kMostNameless, made);
+    if (made)
+        for (const PendingFile& file : pending) file.make_folder(*made);
     // If the process is killed here, files are missing, the last one always; new ones never lie beside old ones.
     if (pending.size() + stale.size() > 1)
         std::for_each(pending.rbegin(), pending.rend(), [](const PendingFile& file) { file.remove_old(); });
     for (const std::string& path : stale) ::unlink(path.c_str());
-    for (PendingFile& file : pending) file.put_in_place(made);
+    for (PendingFile& file : pending) file.put_in_place();
 }
 
 void write_file_atomically(const std::string& path, std::string_view bytes) { write_files_atomically({{path, bytes}}); }

@@ -9,7 +9,9 @@
 #include <climits>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "base/image/file.h"
@@ -23,14 +25,23 @@ std::string encode_png(const Image& image) {
     for (const Rgba& pixel : image.pixels) {
         for (std::size_t channel = 0; channel < kPngChannels; ++channel) codes.push_back(channel_code(pixel[channel]));
     }
-    std::string png;
+    // No exception may pass through stb, which has all bytes ready and gives them at once.
+    struct Written {
+        std::string png;
+        bool lacked_memory = false;
+    } result;
     const auto append = [](void* context, void* data, int size) {
-        static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+        Written& written = *static_cast<Written*>(context);
+        try {
+            written.png.append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+        } catch (const std::bad_alloc&) {
+            written.lacked_memory = true;
+        }
     };
-    const int written = stbi_write_png_to_func(append, &png, image.width, image.height, kPngChannels, codes.data(),
+    const int written = stbi_write_png_to_func(append, &result, image.width, image.height, kPngChannels, codes.data(),
                                                image.width * kPngChannels);
-    if (written == 0) throw std::runtime_error("the picture could not be encoded as PNG");
-    return png;
+    if (written == 0 || result.lacked_memory) throw std::bad_alloc();  // stb has no other reason
+    return std::move(result.png);
 }
 
 namespace {
@@ -40,6 +51,7 @@ constexpr int kRgba = 4;
 // The decoder's message. It may quote bytes of the file, so other characters become '?'.
 std::string cannot_be_read() {
     std::string reason = stbi_failure_reason();
+    if (reason == "outofmem") throw std::bad_alloc();
     std::ranges::replace_if(
         reason, [](unsigned char c) { return c < 0x20 || c >= 0x7F; }, '?');
     return "the PNG cannot be read: " + reason;
