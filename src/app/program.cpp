@@ -18,6 +18,7 @@
 
 #include "app/crash_report.h"
 #include "base/image/file.h"
+#include "base/text/input_text.h"
 #include "render/context/context.h"
 #include "render/programmable/shader_program.h"
 #include "scene/command/names.h"
@@ -82,6 +83,27 @@ std::string where_kept(std::string_view text) {
     const bool written = ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
     ::close(descriptor);
     return written ? "; its text is in " + one_line(file) : "";
+}
+
+// Needs no memory itself.
+std::string_view running_program;
+void report_no_memory() {
+    for (const std::string_view part : {running_program, std::string_view(": out of memory; try a smaller --size\n")}) {
+        [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, part.data(), part.size());
+    }
+}
+
+// A destructor that needs memory cannot throw: nlohmann::json's is one.
+std::terminate_handler terminate_before = nullptr;
+void end_without_memory() {
+    try {
+        if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+        report_no_memory();
+        ::_exit(kBadInput);
+    } catch (...) {  // the handler before prints it
+    }
+    terminate_before();
 }
 
 }  // namespace
@@ -178,7 +200,8 @@ bool parse_command_line(CLI::App& app, int argc, char** argv) {
         return true;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) {
-            std::ostringstream text;  // --help or --version
+            std::ostringstream text;            // --help or --version
+            text.exceptions(std::ios::badbit);  // when memory is short
             app.exit(error, text, text);
             write_result(text.str());
             return false;
@@ -215,18 +238,18 @@ int run_reporting_errors(std::string_view program, const std::function<int()>& r
         print_message("{}\n", message);
         return kBadInput;
     };
+    running_program = program;
+    terminate_before = std::set_terminate(end_without_memory);
     prepare_streams();
-    report_crashes(program);
-    keep_freed_memory();
     try {
+        report_crashes(program);
+        keep_freed_memory();
         return run();
     } catch (const SceneError& error) {  // begins with the place, for editors to jump to
         write_message(as_compilers_print(error));
         return kBadInput;
     } catch (const std::bad_alloc&) {
-        // Without fmt::format, which needs memory.
-        std::fprintf(stderr, "%.*s: out of memory; try a smaller --size\n", static_cast<int>(program.size()),
-                     program.data());
+        report_no_memory();
         return kBadInput;
     } catch (const UsageError& error) {
         return fail(fmt::format("{}: {}", program, one_line(error.what())));
@@ -237,7 +260,7 @@ int run_reporting_errors(std::string_view program, const std::function<int()>& r
                                 error.text.empty() ? "; --with reference draws them" : where_kept(error.text)));
     } catch (const std::exception& error) {  // errors of the driver may have several lines
         std::string lines;
-        std::istringstream text(error.what());
+        InputText text(error.what());
         for (std::string line; std::getline(text, line);) lines += (lines.empty() ? "" : "\n") + one_line(line);
         return fail(fmt::format("{}: {}", program, lines));
     }

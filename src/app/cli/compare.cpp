@@ -152,8 +152,9 @@ int compare_steps(const std::vector<Scene>& scenes, const CompareArguments& argu
                     warnings.push_back(std::move(warning));
         }
     }
+    const std::string text = arguments.json ? report::steps_json(steps) : summary(steps, arguments.folder);
     report::write_report(steps, arguments.folder);
-    write_result(arguments.json ? report::steps_json(steps) : summary(steps, arguments.folder));
+    write_result(text);
     print_lint_notes(warnings, arguments.scene);
     return report::verdict_of(steps) == compare::Verdict::kBeyond ? kDifferent : kFine;
 }
@@ -170,8 +171,10 @@ int run_compare(CompareArguments arguments) {
         result = compared(scenes.front(), arguments, bar);
     }
     const compare::Comparison& comparison = result.comparison;
+    const std::string text =
+        arguments.json ? report::comparison_json(comparison) : summary(comparison, arguments.folder);
     report::write_report(comparison, arguments.folder);
-    write_result(arguments.json ? report::comparison_json(comparison) : summary(comparison, arguments.folder));
+    write_result(text);
     print_lint_notes(result.warnings, arguments.scene);
     // load_scene() looks at the frame that it chooses itself.
     if (arguments.part.frame && color_contrast(comparison.renders.front().image) == 0)

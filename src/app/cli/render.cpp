@@ -111,16 +111,17 @@ int run_render(RenderArguments arguments) {
     const Scene scene = load_scene(arguments.scene, arguments.size, arguments.part, arguments.step, arguments.memory);
     const RendererSet renderers(scene.frame.width, scene.frame.height);
     const std::string png = encode_png(drawn(arguments, scene, renderers));
+    const std::vector<compare::Query> queries = compare::queries_of(scene, renderers.functions().answers);
+    const std::vector<lint::Warning> warnings = lint::lint(scene);
     if (to_stdout) {
         write_result(png);
     } else {
         write_file_atomically(arguments.output, png);
         if (!names_file) write_result(fmt::format("Picture: {}\n", one_line(arguments.output)));
     }
-    for (const compare::Query& query : compare::queries_of(scene, renderers.functions().answers))
-        print_message("{}\n", one_line(compare::sentence_of(query)));
+    for (const compare::Query& query : queries) print_message("{}\n", one_line(compare::sentence_of(query)));
     warn_unsupported(scene.frame, kRenderers.at(arguments.renderer));
-    print_lint_notes(lint::lint(scene), arguments.scene);
+    print_lint_notes(warnings, arguments.scene);
     return kFine;
 }
 

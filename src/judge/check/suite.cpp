@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <limits>
+#include <new>
 #include <stdexcept>
 
 #include "judge/check/variants.h"
@@ -401,6 +402,8 @@ void Suite::run_vertices(std::span<const Case> cases, std::vector<Result>& resul
             CarriedOut given = hard_case.carried_out(compare::kVertexWindow);
             judge_error(hard_case, given.error, results[i]);
             scenes[i] = compare::make_vertex_scene(std::move(given.scene), results[i].error);
+        } catch (const std::bad_alloc&) {
+            throw;
         } catch (const std::exception& refused) {
             results[i].error = refused.what();
         }
@@ -437,12 +440,16 @@ std::vector<std::vector<Color>> Suite::shader_colors(std::vector<std::optional<c
                                                      const ShaderVariant& variant, std::vector<Result>& results) {
     try {
         return compare::shader_colors(scenes, context_.shaders(), variant.options);
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception&) {
         std::vector<std::vector<Color>> colors(scenes.size());
         for (std::size_t i = 0; i < scenes.size(); ++i) {
             try {
                 colors[i] =
                     compare::shader_colors(std::span(&scenes[i], 1), context_.shaders(), variant.options).front();
+            } catch (const std::bad_alloc&) {
+                throw;
             } catch (const std::exception& refused) {
                 results[i].error = refused.what();
                 scenes[i].reset();
@@ -473,6 +480,8 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
             for (CasePicture& picture : pictures)
                 result.pictures.emplace_back(fmt::format("{} {}", name_of(picture.path), picture.variant),
                                              std::move(picture.image));
+        } catch (const std::bad_alloc&) {
+            throw;
         } catch (const std::exception& refused) {
             result.error = refused.what();
         }

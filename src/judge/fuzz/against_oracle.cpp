@@ -12,6 +12,7 @@
 #include <limits>
 #include <list>
 #include <memory>
+#include <new>
 #include <optional>
 #include <span>
 
@@ -516,6 +517,8 @@ class OracleRun {
         std::optional<Judged> made;
         try {
             made = Judged::make(commands, options_.strictness);
+        } catch (const std::bad_alloc&) {
+            throw;
         } catch (const std::exception&) {
             return {};
         }
