@@ -1,6 +1,8 @@
 // Replaces operator new of the whole program. Without a RefusedMemory, it does what the library's does.
 #include "refused_memory.h"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
@@ -34,7 +36,7 @@ long RefusedMemory::allocations() const { return allocated; }
 
 }  // namespace twinlight
 
-// The address sanitizer has its own, which also finds memory that is freed in a wrong way. The other forms of operator new call these.
+// The other forms of operator new call these.
 #ifndef __SANITIZE_ADDRESS__
 
 [[gnu::noinline]] void* operator new(std::size_t bytes) {
@@ -53,5 +55,27 @@ long RefusedMemory::allocations() const { return allocated; }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+#elif !defined(__clang__)  // whose sanitizer is a part of the program, not a library behind it
+
+// The address sanitizer's own operator new does the work, so that it still finds memory that is freed in a wrong way.
+namespace {
+template <class... Arguments>
+void* allocated_by_sanitizer(void*& function, const char* name, Arguments... arguments) {
+    if (counts.load(std::memory_order_relaxed)) count_one();
+    if (!function) function = ::dlsym(RTLD_NEXT, name);
+    return reinterpret_cast<void* (*)(Arguments...)>(function)(arguments...);
+}
+void *new_one, *new_array, *new_one_aligned, *new_array_aligned;
+}  // namespace
+
+void* operator new(std::size_t bytes) { return allocated_by_sanitizer(new_one, "_Znwm", bytes); }
+void* operator new[](std::size_t bytes) { return allocated_by_sanitizer(new_array, "_Znam", bytes); }
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+    return allocated_by_sanitizer(new_one_aligned, "_ZnwmSt11align_val_t", bytes, alignment);
+}
+void* operator new[](std::size_t bytes, std::align_val_t alignment) {
+    return allocated_by_sanitizer(new_array_aligned, "_ZnamSt11align_val_t", bytes, alignment);
+}
 
 #endif

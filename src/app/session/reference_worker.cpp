@@ -3,10 +3,10 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
 #include "app/session/session.h"
+#include "base/text/reason.h"
 #include "base/threads/threads.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
@@ -78,8 +78,17 @@ std::shared_ptr<const ReferenceAllowed> ReferenceWorker::take_allowed() {
 }
 
 std::string ReferenceWorker::take_failure() {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(lacked_memory_, false) ? "there is not enough memory for the reference's picture" : "";
+    std::exception_ptr failure;
+    {
+        const std::lock_guard lock(mutex_);
+        failure = std::exchange(failure_, nullptr);
+    }
+    if (!failure) return "";
+    try {
+        std::rethrow_exception(failure);
+    } catch (const std::exception& error) {
+        return "the reference's picture cannot be drawn: " + reason_of(error);
+    }
 }
 
 void ReferenceWorker::wait() const {
@@ -109,18 +118,18 @@ void ReferenceWorker::draw_next() {
         next_.reset();
         is_drawing_ = true;
     }
-    bool lacked_memory = false;
+    std::exception_ptr failure;
     try {
         draw(job);
     } catch (const SceneError&) {
         // The window shows the error: it makes the same Frame.
-    } catch (const std::bad_alloc&) {
-        lacked_memory = true;
+    } catch (...) {
+        failure = std::current_exception();
     }
     {
         const std::lock_guard lock(mutex_);
         is_drawing_ = false;
-        lacked_memory_ |= lacked_memory;
+        if (failure) failure_ = std::move(failure);
     }
     changed_.notify_all();
 }

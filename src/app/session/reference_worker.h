@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -74,7 +75,7 @@ class ReferenceWorker {
     bool is_drawing_ = false, is_ending_ = false;
     std::vector<std::shared_ptr<const ReferencePicture>> pictures_;
     std::shared_ptr<const ReferenceAllowed> allowed_;
-    bool lacked_memory_ = false;
+    std::exception_ptr failure_;  // of the last job that was not drawn
     std::thread thread_;  // the last member: it uses the others
 };
 

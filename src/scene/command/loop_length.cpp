@@ -74,8 +74,7 @@ void Reader::check_length_of_for(std::size_t loop, std::size_t test, std::size_t
     if (!p.options.fits(opened->enumerant(0), *rounds * vertices))
         fail(tokens[loop].place,
              "this loop sends {} vertices, which need more memory than is allowed; draw fewer vertices, or run "
-             "twinlight with "
-             "a larger --memory",
+             "twinlight with a larger --memory",
              *rounds * vertices);
 }
 

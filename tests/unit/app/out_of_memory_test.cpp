@@ -17,7 +17,6 @@
 #include "../effort.h"
 #include "../refused_memory.h"
 #include "../run_program.h"
-#include "../sanitized.h"
 #include "app/cli/command_line.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
@@ -39,7 +38,6 @@ class OutOfMemory : public testing::Test {
   protected:
     // Runs the work with each allocation refused that is tried: all of the first, then fewer.
     void try_all(const std::string& name, const std::function<int()>& work) {
-        if (kSanitized) GTEST_SKIP() << "the address sanitizer has its own operator new";
         long count = 0;
         const Outcome whole = outcome(work, RefusedMemory::kNone, false, &count);
         ASSERT_LT(whole.status, 2) << name << ": " << whole.err;

@@ -26,7 +26,7 @@ TEST(SessionReference, GoesOnAfterAPictureThatIsTooLarge) {
     ReferenceWorker worker;
     worker.request(job_of(1, {1 << 24, 1 << 24}));  // even a quarter of this is more than the address space
     worker.wait();
-    EXPECT_EQ(worker.take_failure(), "there is not enough memory for the reference's picture");
+    EXPECT_EQ(worker.take_failure(), "the reference's picture cannot be drawn: out of memory");
     EXPECT_EQ(worker.take_failure(), "");
     EXPECT_TRUE(worker.take_pictures().empty());
     EXPECT_FALSE(worker.is_busy());
