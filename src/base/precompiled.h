@@ -13,7 +13,6 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
 #include <set>
@@ -25,3 +24,5 @@
 #include <unordered_map>
 #include <variant>
 #include <vector>
+
+#include "base/text/json.h"

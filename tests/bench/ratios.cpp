@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <nlohmann/json.hpp>
 
 #include "app/cli/progress.h"
+#include "base/text/json.h"
 
 namespace twinlight::bench {
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -12,6 +11,7 @@
 #include "../unit/run_program.h"
 #include "../window/xvfb.h"
 #include "base/image/file.h"
+#include "base/text/json.h"
 #include "ratios.h"
 
 namespace twinlight::window_bench {

@@ -6,7 +6,6 @@
 #include <cctype>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -14,6 +13,7 @@
 
 #include "../unit/run_program.h"
 #include "base/image/file.h"
+#include "base/text/json.h"
 #include "judge/study/study.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"

@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "../unit/compare_three_ways.h"
 #include "../unit/run_program.h"
 #include "base/image/file.h"
+#include "base/text/json.h"
 #include "judge/compare/comparison.h"
 #include "judge/report/words.h"
 #include "scene/scenes/load.h"

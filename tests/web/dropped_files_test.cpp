@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/web/page_scene.h"
 #include "base/image/file.h"
+#include "base/text/json.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"

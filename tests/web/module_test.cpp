@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <future>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "../unit/run_program.h"
 #include "app/web/page_scene.h"
 #include "base/image/file.h"
+#include "base/text/json.h"
 #include "judge/check/case.h"
 #include "scene/scenes/load.h"
 

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/web/page_scene.h"
+#include "base/text/json.h"
 #include "render/reference/reference.h"
 
 namespace twinlight::web::page_controls_test {

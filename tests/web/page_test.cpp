@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <future>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
@@ -17,6 +16,7 @@
 #include "app/session/keys.h"
 #include "app/web/page_scene.h"
 #include "base/image/file.h"
+#include "base/text/json.h"
 #include "judge/check/case.h"
 #include "scene/scenes/load.h"
 

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/web/page_scene.h"
+#include "base/text/json.h"
 #include "judge/compare/tolerance.h"
 
 namespace twinlight::web::webgl_frame_test {

@@ -1,13 +1,13 @@
 // A browser without a window, for the tests of pages.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "../unit/run_program.h"
+#include "base/text/json.h"
 
 namespace twinlight {
 

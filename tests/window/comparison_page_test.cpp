@@ -1,12 +1,12 @@
 // The pages of compare and check in a browser without a window: what they open on, their buttons, steps and filters.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "../unit/compare_three_ways.h"
 #include "../unit/run_program.h"
 #include "base/image/file.h"
+#include "base/text/json.h"
 #include "browser.h"
 #include "judge/report/report.h"
 #include "scene/command/text.h"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
 #include <sstream>
@@ -16,6 +15,7 @@
 #include "base/image/difference.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
+#include "base/text/json.h"
 #include "browser.h"
 #include "judge/compare/allowances.h"
 #include "render/reference/reference.h"

@@ -4,13 +4,13 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "../unit/effort.h"
 #include "../unit/run_program.h"
 #include "base/image/file.h"
+#include "base/text/json.h"
 #include "browser.h"
 
 namespace twinlight::opened_pages_test {

@@ -3,10 +3,10 @@
 
 #include <fstream>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "../unit/run_program.h"
+#include "base/text/json.h"
 #include "browser.h"
 
 namespace twinlight::study_page_test {

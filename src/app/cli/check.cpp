@@ -3,12 +3,12 @@
 
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "app/cli/check_page.h"
 #include "app/cli/command_line.h"
 #include "app/cli/reproducer.h"
 #include "base/image/file.h"
+#include "base/text/json.h"
 #include "judge/check/suite.h"
 #include "judge/compare/releases.h"
 #include "render/context/driver_name.h"

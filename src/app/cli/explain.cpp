@@ -19,8 +19,6 @@ namespace twinlight::cli {
 
 namespace {
 
-using Json = explain::Json;
-
 struct ExplainArguments {
     std::string scene;
     std::optional<Shading> shading;

@@ -3,12 +3,12 @@
 
 #include <chrono>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "app/cli/command_line.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "base/image/file.h"
+#include "base/text/json.h"
 #include "judge/fuzz/against_oracle.h"
 #include "judge/fuzz/fuzzer.h"
 #include "judge/report/words.h"

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "app/cli/command_line.h"
 #include "base/image/file.h"
+#include "base/text/json.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
 

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "app/cli/command_line.h"
 #include "base/text/input_text.h"
+#include "base/text/json.h"
 #include "scene/scenes/load.h"
 
 namespace twinlight::cli {
@@ -16,8 +16,6 @@ struct ScenesArguments {
     std::string name;
     bool json = false;
 };
-
-using Json = nlohmann::ordered_json;
 
 std::string name_of(const EmbeddedFile& file) { return std::string(file.name.substr(0, file.name.rfind(".gl"))); }
 

@@ -13,7 +13,6 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 
 #include "app/demo/glut_window.h"
 #include "app/demo/theme.h"
@@ -21,6 +20,7 @@
 #include "app/session/lesson_state.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
+#include "base/text/json.h"
 #include "render/context/context.h"
 #include "render/context/driver_choice.h"
 #include "render/context/gl.h"

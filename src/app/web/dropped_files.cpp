@@ -10,7 +10,7 @@
 
 #include "app/web/page_scene.h"
 #include "base/image/contrast.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/state/recorded_frame.h"

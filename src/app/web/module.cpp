@@ -10,7 +10,7 @@
 #include "app/web/dropped_files.h"
 #include "app/web/page_lessons.h"
 #include "app/web/page_scene.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 
 namespace twinlight::web {
 namespace {

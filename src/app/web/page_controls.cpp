@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/web/edited_text.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "scene/command/text.h"
 
 namespace twinlight::web {

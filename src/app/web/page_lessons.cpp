@@ -4,7 +4,7 @@
 
 #include "app/session/lesson_state.h"
 #include "app/web/page_scene.h"
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "scene/command/text.h"
 
 namespace twinlight::web {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "judge/compare/tolerance.h"
 #include "judge/explain/explain.h"
 #include "judge/lint/lint.h"

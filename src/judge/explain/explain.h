@@ -3,18 +3,16 @@
 // The numbers are the reference's. What the renderers give there is the caller's to add, where it is wanted.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "base/text/json.h"
 #include "render/look.h"
 #include "render/path.h"
 #include "render/reference/pixel_history.h"
 #include "scene/state/scene.h"
 
 namespace twinlight::explain {
-
-using Json = nlohmann::ordered_json;
 
 struct Pixel {
     int x = 0, y = 0;  // from the top left corner of the picture

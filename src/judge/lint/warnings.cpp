@@ -1,7 +1,7 @@
 // Warnings as text, as JSON, and the page docs/lint.md.
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "judge/lint/watch.h"
 #include "scene/command/text.h"
 
@@ -46,7 +46,6 @@ std::string full_text(const Warning& warning, std::string_view source) {
 }
 
 std::string json_text(const std::string& scene, std::span<const Warning> warnings) {
-    using Json = nlohmann::ordered_json;
     Json json = {{"scene", scene}};
     json["warnings"] = Json::array();
     for (const Warning& warning : warnings) {

@@ -1,5 +1,5 @@
 // comparison.json
-#include <nlohmann/json.hpp>
+#include "base/text/json.h"
 
 #include "judge/report/report.h"
 #include "judge/report/words.h"
@@ -12,8 +12,6 @@ using compare::Render;
 using compare::Verdict;
 
 namespace {
-
-using Json = nlohmann::ordered_json;  // keeps the keys in this order
 
 Json json_of(const RegionDifference& region) {
     return {{"pixels", region.pixels},

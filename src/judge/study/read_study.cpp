@@ -2,16 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/text/json.h"
 #include "judge/study/study.h"
 
 namespace twinlight::study {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // A JSON value with its path, for error messages.
 class Node {

@@ -3,8 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "judge/report/html.h"
 #include "judge/study/measure.h"
 #include "judge/study/spectral.h"
@@ -13,8 +13,6 @@
 namespace twinlight::study {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kSeen = 1;  // a Delta E 2000 that is just visible
 

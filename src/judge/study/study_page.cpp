@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/text/json.h"
 #include "base/text/page.h"
 #include "judge/report/html.h"
 #include "judge/study/study.h"
@@ -15,7 +15,6 @@ namespace twinlight::study {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using report::escaped;
 
 // The axes on which the choices of this study differ.
@@ -47,7 +46,7 @@ std::string page_data(const Study& study) {
         json["difference"] = report::data_uri(point.difference_png);
     }
     // The text goes into <script>, which only a "<" could end.
-    std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace), safe;
+    std::string text = dumped(data), safe;
     for (const char c : text) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
     return safe;
 }

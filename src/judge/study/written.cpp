@@ -1,15 +1,12 @@
 // study.json and study.csv.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "judge/study/study.h"
 
 namespace twinlight::study {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json json_of(const Error& error) {
     Json json = {{"pixels", error.pixels}};

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "base/text/page.h"
 #include "render/programmable/kept/c_text.h"
 #include "render/programmable/kept/kept_code.h"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "render/effect/plan.h"
 #include "render/programmable/form.h"
 #include "scene/state/frame.h"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "render/effect/plan.h"
 #include "scene/state/frame.h"
 

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "base/text/json_text.h"
+#include "base/text/json.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::webgl {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
@@ -12,6 +11,7 @@
 #include "../run_program.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
+#include "base/text/json.h"
 
 namespace twinlight::cli_test {
 namespace {

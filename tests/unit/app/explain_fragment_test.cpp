@@ -8,10 +8,10 @@
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-#include <nlohmann/json.hpp>
 
 #include "../run_program.h"
 #include "base/image/file.h"
+#include "base/text/json.h"
 
 namespace twinlight::explain_fragment_test {
 namespace {

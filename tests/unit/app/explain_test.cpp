@@ -9,7 +9,6 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
 
@@ -17,6 +16,7 @@
 #include "../run_program.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
+#include "base/text/json.h"
 
 namespace twinlight::explain_test {
 namespace {

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "../run_program.h"
 #include "base/image/file.h"
+#include "base/text/json.h"
 #include "judge/lesson/lesson.h"
 
 namespace twinlight::lesson_cli_test {

@@ -7,7 +7,6 @@
 #include <csignal>
 #include <filesystem>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +18,7 @@
 #include "base/image/descriptor.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
+#include "base/text/json.h"
 
 namespace twinlight::outputs_test {
 namespace {

@@ -7,7 +7,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "../run_program.h"
 #include "../sanitized.h"
 #include "base/image/file.h"
+#include "base/text/json.h"
 
 namespace twinlight::untrusted_test {
 namespace {

@@ -13,11 +13,11 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "../pictures.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
+#include "base/text/json.h"
 #include "judge/compare/missing.h"
 #include "judge/report/report.h"
 #include "judge/report/words.h"

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <string>
@@ -17,6 +16,7 @@
 #include "../run_program.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
+#include "base/text/json.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"

@@ -1,8 +1,7 @@
 // The study of spectral samples: its measurements, sentences and files.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "judge/study/spectral.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"

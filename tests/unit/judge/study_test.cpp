@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <random>
 #include <set>
 #include <span>
 #include <sstream>
 
+#include "base/text/json.h"
 #include "judge/study/scene_of_choice.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"

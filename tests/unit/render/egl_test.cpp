@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "../run_program.h"
 #include "base/image/file.h"
+#include "base/text/json.h"
 #include "render/context/context.h"
 
 namespace twinlight::egl_test {

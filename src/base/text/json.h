@@ -1,0 +1,30 @@
+// nlohmann::json, and JSON whose members keep their order.
+#pragma once
+
+#include <cassert>
+#include <exception>
+#include <new>
+#include <string>
+
+#ifdef INCLUDE_NLOHMANN_JSON_HPP_
+#error "include base/text/json.h in place of <nlohmann/json.hpp>"
+#endif
+namespace twinlight {
+// json's destructor takes a value for whole that an allocation's exception left half made (before version 3.11.3). Thrown from there,
+// this exception ends the program, as one of memory that is short.
+inline bool is_half_made() {
+    if (std::uncaught_exceptions() > 0) throw std::bad_alloc();
+    return false;
+}
+}  // namespace twinlight
+#define JSON_ASSERT(condition) assert((condition) || twinlight::is_half_made())
+#include <nlohmann/json.hpp>
+
+namespace twinlight {
+
+using Json = nlohmann::ordered_json;
+
+// A scene's text may hold any bytes, but JSON is UTF-8.
+inline std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+}  // namespace twinlight
