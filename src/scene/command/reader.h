@@ -226,7 +226,7 @@ class Reader {
     Flow run_while();
     Flow run_do();
     Flow run_for();
-    void check_length_of_for(std::size_t loop, std::size_t test, std::size_t close);
+    void check_length_of_for(std::size_t loop);
     Flow run_switch();
     Flow run_return();
     bool is_declaration() const;

@@ -249,7 +249,7 @@ Flow Reader::run_for() {
     while (!token_.is(";") && p.at < close) skip_token();
     expect(";", "after the condition of for (...)");
     const std::size_t step = p.at;
-    check_length_of_for(loop, test, close);
+    check_length_of_for(loop);
     while (true) {
         p.loop = loop;
         jump(test);

@@ -295,8 +295,12 @@ TEST(MemoryLimit, HoldsForALoopOfAProgram) {
                                   "glutCreateWindow(\"w\"); glutDisplayFunc(display); glutMainLoop(); return 0; }\n");
         return run_program("twinlight", {"lint", program, "--size", "16x16", "--memory", "0.01"});
     };
-    for (const char* loop : {"for (int i = 0; i < 10000; i++) glVertex2f(0.001 * i, 0);",
-                             "int i; for (i = 1; i <= 5000; ++i) { glVertex2f(0.001 * i, 0); glVertex2f(0, 0.1); }"}) {
+    for (const char* loop :
+         {"for (int i = 0; i < 10000; i++) glVertex2f(0.001 * i, 0);",
+          "int i; for (i = 1; i <= 5000; ++i) { glVertex2f(0.001 * i, 0); glVertex2f(0, 0.1); }",
+          "for (int i = 0; i < 1000; i++) for (int j = 0; j < 10; j++) glVertex2f(0.001 * i, 0.1 * j);",
+          "for (int i = 0; i < 1000; i++) { for (int j = 1; j < 10; j++) glVertex2f(0.001 * i, 0.1 * j); "
+          "glVertex2f(0.001 * i, 0); }"}) {
         const ProgramResult result = lint(loop);
         EXPECT_EQ(result.status, 2) << loop;
         EXPECT_NE(result.err.find("points.c:3:"), std::string::npos) << result.err;
@@ -307,10 +311,12 @@ TEST(MemoryLimit, HoldsForALoopOfAProgram) {
             << result.err;
     }
     // Loops that end earlier, or that send fewer vertices than rounds, run.
-    for (const char* loop : {"for (int i = 0; i < 100000; i++) { if (i == 9) break; glVertex2f(0.001 * i, 0); }",
-                             "for (int i = 0; i < 100000; i++) { glVertex2f(0.001 * i, 0); i = i + 50000; }",
-                             "for (int i = 0; i < 100000; i++) if (i < 9) glVertex2f(0.001 * i, 0);",
-                             "for (int i = 0; i < 5; i++) glVertex2f(0.001 * i, 0);"}) {
+    for (const char* loop :
+         {"for (int i = 0; i < 100000; i++) { if (i == 9) break; glVertex2f(0.001 * i, 0); }",
+          "for (int i = 0; i < 100000; i++) { glVertex2f(0.001 * i, 0); i = i + 50000; }",
+          "for (int i = 0; i < 100000; i++) if (i < 9) glVertex2f(0.001 * i, 0);",
+          "for (int i = 0; i < 10000; i++) for (int j = 0; j < 10; j++) { glVertex2f(0.1 * j, 0); i += 9999; }",
+          "for (int i = 0; i < 5; i++) glVertex2f(0.001 * i, 0);"}) {
         const ProgramResult result = lint(loop);
         EXPECT_EQ(result.status, 0) << loop << result.err << result.out;
     }
