@@ -15,12 +15,12 @@
 #include <vector>
 
 #include "../effort.h"
-#include "../refused_memory.h"
 #include "../run_program.h"
 #include "app/cli/command_line.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
 #include "judge/report/report.h"
+#include "refused_memory.h"
 #include "render/reference/reference.h"
 #include "scene/scenes/load.h"
 #include "scene/state/recorded_frame.h"
