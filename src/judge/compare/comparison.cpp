@@ -128,6 +128,19 @@ bool differ_in_missing(const Comparison& comparison, const Pair& pair) {
     });
 }
 
+// Whether pictures differ, or are not judged in whole, in which the bug has a part.
+bool may_cause_difference(const Comparison& comparison, const Departure& departure) {
+    const bool misses_unknown = comparison.changed_by_missing.empty();
+    return std::ranges::any_of(comparison.pairs, [&](const Pair& pair) {
+        const bool is_open = pair.verdict == Verdict::kBeyond || (pair.verdict == Verdict::kPartial && misses_unknown);
+        const auto has_part = [&](const Render& render) {
+            return departure.cause == Cause::kFixedFunction ? render.path == Path::kFixed
+                                                            : render.path != Path::kReference;
+        };
+        return is_open && (has_part(comparison.a(pair)) || has_part(comparison.b(pair)));
+    });
+}
+
 // Shaders that the driver refuses are a part of the scene that they do not draw.
 void add_refused(std::vector<Unsupported>& unsupported, const Frame& frame, const std::string& why) {
     const std::string name = "a picture by shaders (" + why + ")";
@@ -222,10 +235,10 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     if (all) result.queries = queries_of(scene, renderers.answers);
     const Driver driver = parse_driver_name(options.driver);
     result.is_listed_driver = is_listed(driver);
-    const bool is_judged = result.verdict() != Verdict::kPartial || !result.changed_by_missing.empty();
-    if (!result.within_tolerance() || !is_judged)
+    if (result.verdict() != Verdict::kWithin)
         for (const Departure* departure : known_departures_in(scene, driver))
-            result.known_departures.push_back(fmt::format("{} ({})", departure->name, departure->section));
+            if (may_cause_difference(result, *departure))
+                result.known_departures.push_back(fmt::format("{} ({})", departure->name, departure->section));
     return result;
 }
 

@@ -23,6 +23,7 @@
 #include "judge/report/words.h"
 #include "scene/command/command.h"
 #include "scene/command/text.h"
+#include "scene/state/state.h"
 
 namespace twinlight::report::comparison_test {
 namespace {
@@ -332,6 +333,28 @@ TEST(Verdict, NamesWhatTheDriverIsKnownToGetWrongWhereItIsBeyond) {
     }
     const Comparison listed = compared("llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6");
     EXPECT_TRUE(answer(listed).details.back().starts_with("fixed ~ reference: "));
+}
+
+TEST(Verdict, BlamesNoBugOfTheFixedFunctionForPicturesInWhichItHasNoPart) {
+    const auto commands = std::make_shared<const CommandList>(
+        read_scene("glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 30); "
+                   "glutSolidCube(1);",
+                   "scene.gl", "scene"));
+    const Scene scene = make_scene(commands, {.width = kWidth, .height = kHeight});
+    Stub stub;
+    Renderers renderers = stub.renderers();
+    const auto bugs = [&] {
+        const Comparison comparison =
+            compare_scene(scene, {.driver = "softpipe, 3.3 (Compatibility Profile) Mesa 22.3.1, EGL"}, renderers);
+        EXPECT_FALSE(comparison.within_tolerance());
+        return comparison.known_departures.size();
+    };
+    renderers.programmable = [](const Frame& frame, const programmable::Options& options) {
+        return programmable::Picture{Stub::picture(frame, options.shading ? 0.6F : 128.0F / 255), {}};
+    };
+    EXPECT_EQ(bugs(), 0U);
+    stub.fixed = 0.6F;
+    EXPECT_EQ(bugs(), 1U);
 }
 
 TEST(Verdict, IsPartialWhereARendererLeavesSomethingOut) {
