@@ -126,7 +126,7 @@ std::string fragment_text(const PixelFragment& fragment, const Scene& scene, con
 
 std::string pictures_text(const std::vector<Rendered>& pictures, bool variants) {
     if (pictures.empty()) return "";
-    std::string text = "\n" + color_head("The same by each renderer");
+    std::string text = "\n" + color_head("What each renderer gives");
     for (const Rendered& picture : pictures)
         text += color_row(std::string(name_of(picture.renderer)),
                           fmt::format("8-bit values {} {} {}", channel_code(picture.color[0]),
@@ -190,7 +190,7 @@ std::string text_of(const Scene& scene, const PixelExplanation& explanation, con
     const std::vector<const Draw*> draws = frame.draws();
     std::string text = fmt::format(
         "{}, pixel {},{} of {} x {}: {}\n", scene.title(), pixel.x, pixel.y, frame.width, frame.height,
-        fragments.empty() ? "no draw covers it, so it shows what glClear left"
+        fragments.empty() ? "by the reference, no draw covers it, so it shows what glClear left"
                           : fmt::format("{} fragment{}, in order", fragments.size(), fragments.size() == 1 ? "" : "s"));
     if (accumulates(frame)) text += "glAccum combines pictures here, so earlier fragments may show too (4.2.4).\n";
     if (std::ranges::any_of(fragments, &PixelFragment::is_lit)) text += legend();
