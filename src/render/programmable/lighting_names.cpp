@@ -185,9 +185,13 @@ std::string LightingNames::shininess(const std::string& face, const FaceEffects&
             of_face(face, [&](const std::string& name) { return kept_material(name) + ".shininess"; });
         return whole ? fmt::format("int({})", value) : value;
     }
-    return of_face(face, [&](const std::string& name) {
-        return uniform(whole ? "int" : "float", fmt::format("u_{}_shininess", name), "s_rm");
+    // softpipe's compiler takes the wrong face in a choice between the integers 1 and 0.
+    const bool is_chosen = whole && face == "shown";
+    const std::string value = of_face(face, [&](const std::string& name) {
+        const std::string one = uniform(whole ? "int" : "float", fmt::format("u_{}_shininess", name), "s_rm");
+        return is_chosen ? fmt::format("float({}) + 0.5", one) : one;
     });
+    return is_chosen ? fmt::format("int({})", value) : value;
 }
 
 // ---- Structures ----
