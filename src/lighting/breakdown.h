@@ -18,13 +18,13 @@ template <class Real>
 MeasuredLit<Real> measured_light(const Model<Real>& model, const Material<Real>& material,
                                  const SurfacePoint<Real>& surface, std::span<const Light<Real>> lights,
                                  LightTerms<Real>* breakdown = nullptr) {
-    Vec3<Real> sum = magnitudes(material.emission) + magnitudes(finite_or_zero(material.ambient * model.ambient));
+    Vec3<Real> sum = magnitudes(material.emission) + magnitudes(number_or_zero(material.ambient * model.ambient));
     const Lit<Real> lit = light_surface(model, material, surface, lights, [&](const LightTerms<Real>& t) {
         if (breakdown) *breakdown++ = t;
         sum += magnitudes(t.ambient) + magnitudes(t.diffuse);
         if (!model.separate_specular) sum += magnitudes(t.specular);
     });
-    return {lit, finite_or_zero(sum)};
+    return {lit, saturated(sum)};
 }
 
 // What light_terms() finds on its way to a light's factors.

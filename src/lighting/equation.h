@@ -26,8 +26,9 @@
 // only facts that are the same for all points (bool members).
 //
 // A RULING is our choice where the specification is silent (rulings.h). The general one: no result is NaN or infinite.
-// Where the equation has a limit, the result is that limit; otherwise the term contributes 0. The functions of real.h
-// ensure this. ruled(ruling, ..., value) returns `value`; only marked.h also records the ruling.
+// Where the equation has a limit, the result is that limit; otherwise the term contributes 0. A power may be beyond the
+// largest number: then the colour is the largest one, which 2.14.6 clamps. The functions of real.h ensure this.
+// ruled(ruling, ..., value) returns `value`; only marked.h also records the ruling.
 #pragma once
 
 #include <span>
@@ -80,7 +81,7 @@ struct Model {
     bool ambient_unattenuated = false;  // a_cm a_cli is not multiplied by att_i and spot_i
 };
 
-// What one light adds, term by term.
+// What one light adds, term by term. A power or a term beyond the largest number is infinite.
 template <class Real>
 struct LightTerms {
     Real attenuation{1}, spot{1};
@@ -204,11 +205,11 @@ LightTerms<Real> light_terms(const Model<Real>& model, const AnyMaterial& materi
 
     const Real reach = t.attenuation * t.spot;
     const Real ambient_reach = model.ambient_unattenuated ? Real(1) : reach;
-    if (light.has_ambient) t.ambient = finite_or_zero(ambient_reach * (material.ambient * light.ambient));
-    t.diffuse = finite_or_zero(reach * t.n_dot_vp * (material.diffuse * light.diffuse));
+    if (light.has_ambient) t.ambient = number_or_zero(ambient_reach * (material.ambient * light.ambient));
+    t.diffuse = number_or_zero(reach * t.n_dot_vp * (material.diffuse * light.diffuse));
     if (light.has_specular) {
         t.highlight = highlight(model, light, material.shininess, n, vp_dir, vpe_dir);
-        t.specular = finite_or_zero(reach * t.highlight * (material.specular * light.specular));
+        t.specular = number_or_zero(reach * t.highlight * (material.specular * light.specular));
     }
     return t;
 }
@@ -238,7 +239,7 @@ template <class Real, class AnyMaterial, class Visit = IgnoreTerms>
 Lit<Real> light_surface(const Model<Real>& model, const AnyMaterial& material, const SurfacePoint<Real>& surface,
                         std::span<const Light<Real>> lights, Visit&& visit = {}) {
     const Vec3<Real> vpe_dir = toward_viewer(model, surface.position_eye);
-    Vec3<Real> primary = material.emission + finite_or_zero(material.ambient * model.ambient), secondary;
+    Vec3<Real> primary = material.emission + number_or_zero(material.ambient * model.ambient), secondary;
     for (const Light<Real>& light : lights) {
         const LightTerms<Real> t = light_terms(model, material, surface, light, vpe_dir);
         primary += t.ambient + t.diffuse;
@@ -248,7 +249,7 @@ Lit<Real> light_surface(const Model<Real>& model, const AnyMaterial& material, c
             primary += t.specular;
         visit(t);
     }
-    return {finite_or_zero(primary), finite_or_zero(secondary), material.diffuse_alpha};
+    return {saturated(primary), saturated(secondary), material.diffuse_alpha};
 }
 
 }  // namespace twinlight::lighting

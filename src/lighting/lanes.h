@@ -88,6 +88,14 @@ template <class Scalar, class Arch, PowerBy kPower>
 Lanes<Scalar, Arch, Range::kPlain, kPower> finite_or_zero(Lanes<Scalar, Arch, Range::kPlain, kPower> x) {
     return x;
 }
+template <class Scalar, class Arch, PowerBy kPower>
+Lanes<Scalar, Arch, Range::kPlain, kPower> number_or_zero(Lanes<Scalar, Arch, Range::kPlain, kPower> x) {
+    return x;
+}
+template <class Scalar, class Arch, PowerBy kPower>
+Lanes<Scalar, Arch, Range::kPlain, kPower> saturated(Lanes<Scalar, Arch, Range::kPlain, kPower> x) {
+    return x;
+}
 
 // No guard: a division by 0 gives NaN or infinity. It reaches the result unless a select() discards it, and that would
 // discard the guarded value too. Negative values need no guard: larger(x, 0) has already made them 0.

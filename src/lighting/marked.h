@@ -31,7 +31,8 @@ struct Marked {
     friend constexpr Marked operator-(Marked a) { return {-a.value, a.rulings}; }
     friend constexpr Marked operator*(Marked a, Marked b) {
         const bool is_zero = a.is_plain_zero() || b.is_plain_zero();
-        return {a.value * b.value, is_zero ? RulingSet{} : a.rulings | b.rulings};
+        const bool has_zero = a.value == 0 || b.value == 0;  // the other may be infinite
+        return {has_zero ? 0 : a.value * b.value, is_zero ? RulingSet{} : a.rulings | b.rulings};
     }
     constexpr Marked& operator*=(Marked b) { return *this = *this * b; }
     friend constexpr Marked operator/(Marked a, Marked b) {

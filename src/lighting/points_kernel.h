@@ -53,7 +53,10 @@ template <class Real>
 template <class Real>
 [[gnu::always_inline]] inline void store(const Real& points, double* column, std::size_t first) {
     double* to = column + first;
-    if constexpr (std::is_floating_point_v<Real>) {
+    if constexpr (std::is_same_v<Real, long double>) {  // which may be beyond the largest double
+        constexpr long double kLargest = Limits<double>::largest;
+        *to = static_cast<double>(points > kLargest ? kLargest : points < -kLargest ? -kLargest : points);
+    } else if constexpr (std::is_floating_point_v<Real>) {
         *to = static_cast<double>(points);
     } else if constexpr (std::is_same_v<typename Real::Batch::value_type, double>) {
         points.batch.store_unaligned(to);

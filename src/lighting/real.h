@@ -67,7 +67,30 @@ Real clamp01(Real x) {
     return select(x > Real(0), select(x < Real(1), x, Real(1)), Real(0));
 }
 
-// RULING: NaN and infinity contribute 0.
+// Infinity stands for a number beyond the largest one, whose colour 2.14.6 clamps as any other.
+//
+// NaN contributes 0. It comes from such a number times 0, which is 0; by RULING, also from infinite state, and from sums of such
+// numbers with both signs.
+template <class Real>
+Real number_or_zero(Real x) {
+    return select(x == x, x, ruled(Ruling::kNoNumber, Real(0)));
+}
+template <class Real>
+Vec3<Real> number_or_zero(Vec3<Real> c) {
+    return {number_or_zero(c.x), number_or_zero(c.y), number_or_zero(c.z)};
+}
+// The largest number of its sign in place of infinity.
+template <class Real>
+Real saturated(Real x) {
+    const Real largest = Limits<Real>::largest;
+    return number_or_zero(select(x > largest, largest, select(x < -largest, -largest, x)));
+}
+template <class Real>
+Vec3<Real> saturated(Vec3<Real> c) {
+    return {saturated(c.x), saturated(c.y), saturated(c.z)};
+}
+
+// RULING: a direction's components that are NaN or infinite are 0.
 template <class Real>
 Real finite_or_zero(Real x) {
     using std::abs;
@@ -103,10 +126,10 @@ Real over_length(Real a, Real length, Ruling ruling) {
     return ruled(ruling, length <= Real(0), a / positive_or_one(length));
 }
 
-// 1 / x; 0 if that is infinite or, by `ruling`, if x is not positive.
+// 1 / x; by `ruling`, 0 if x is not positive.
 template <class Real>
 Real inverse_or_zero(Real x, Ruling ruling) {
-    return select(x > Real(0), finite_or_zero(Real(1) / x), ruled(ruling, Real(0)));
+    return select(x > Real(0), Real(1) / x, ruled(ruling, Real(0)));
 }
 
 template <class Real>

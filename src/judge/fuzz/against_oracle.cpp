@@ -81,7 +81,7 @@ constexpr const char* kBeyondPowers = "a power beyond the largest float";
 constexpr const char* kNearlyAgree = "a light and a vertex that nearly agree";
 constexpr const char* kInterpolated = "a light nearer to a fragment than interpolation is exact";
 constexpr const char* kOpposite = "opposite directions to light and viewer";
-// 2.1.1 asks for colours up to 1024; a double's largest may be infinite when a long double is not.
+// 2.1.1 asks for colours up to 1024.
 constexpr const char* kBeyondColors = "a colour beyond the largest float";
 
 bool is_failure(std::string_view verdict) {
@@ -439,21 +439,15 @@ class OracleRun {
     void judge_reference(Judged& scene, const check::ReferenceVariant& variant, std::vector<Miss>& misses) {
         const NumberType type =
             variant.options.arithmetic.number == Number::kFloat ? NumberType::kFloat : NumberType::kDouble;
-        const bool is_long = variant.options.arithmetic.number == Number::kLongDouble;
         reference::Options options = variant.options;
         options.lecture_variants = false;
         const std::vector<reference::LitVertex> lit = reference::light_vertices(scene.draw(), options, false);
         for (std::size_t vertex = 0; vertex < lit.size(); ++vertex) {
             for (const bool back : {false, true}) {
                 if (back && !scene.draw().lighting.light_model.two_side) continue;
-                const auto colors = [&](glm::dvec4 color) {
-                    // What a long double holds may be infinite as a double.
-                    constexpr double kMost = std::numeric_limits<double>::max();
-                    return rgb_of(is_long ? glm::clamp(color, -kMost, kMost) : color);
-                };
                 const reference::LitVertex& v = lit[vertex];
-                const Shown shown{colors(back ? v.back_primary : v.front_primary),
-                                  colors(back ? v.back_secondary : v.front_secondary)};
+                const Shown shown{rgb_of(back ? v.back_primary : v.front_primary),
+                                  rgb_of(back ? v.back_secondary : v.front_secondary)};
                 const Verdict verdict = scene.verdict(shown, vertex, back, type, false);
                 note(kReference + variant.name, verdict, shown, scene.right(vertex, back, false), misses);
             }

@@ -1,7 +1,9 @@
 #include "judge/oracle/oracle.h"
 
+#include <algorithm>
 #include <cctype>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <random>
 #include <span>
@@ -167,8 +169,9 @@ class Machine {
 
     // x as a double, and the rest.
     static void split(const Number& x, double& value, double& rest) {
-        value = static_cast<double>(x);
-        rest = std::isfinite(value) ? static_cast<double>(Number(x - value)) : 0;
+        constexpr double kLargest = std::numeric_limits<double>::max();
+        value = std::clamp(static_cast<double>(x), -kLargest, kLargest);
+        rest = std::abs(value) < kLargest ? static_cast<double>(Number(x - value)) : 0;
     }
 
     Colors lit(const Vector4& v, const Vector3& n, const Material& material) {

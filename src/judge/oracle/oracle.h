@@ -34,7 +34,7 @@ struct Options {
     friend bool operator==(const Options&, const Options&) = default;
 };
 
-// The colours of one face of a vertex, before the clamp of 2.14.6. Infinite where a double has no such number.
+// The colours of one face of a vertex, before the clamp of 2.14.6. The largest double where they are beyond it.
 struct Colors {
     std::array<double, 4> primary{};
     std::array<double, 3> secondary{};

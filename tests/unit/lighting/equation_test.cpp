@@ -126,6 +126,13 @@ TEST(Attenuation, IsTheReciprocalOfTheQuadraticInTheDistance) {
     EXPECT_EQ(c.red(), 1 / (1 + 0.5 * 2 + 0.25 * 4));
 }
 
+TEST(Attenuation, MayMakeALightBrighterThanTheLargestNumber) {
+    Case c;
+    c.place_light({0, 0, 2});
+    c.light().constant_attenuation = std::numeric_limits<double>::denorm_min();
+    EXPECT_EQ(c.red(), std::numeric_limits<double>::max());
+}
+
 TEST(Attenuation, DoesNotActOnDirectionalLights) {
     Case c;
     c.light().constant_attenuation = 5;
@@ -257,6 +264,22 @@ TEST(Specular, OfShininessZeroIsOneWhereverTheLightIsInFront) {  // 0^0 = 1 (2.1
     c.only_specular(0);
     c.place_light({1, 0, 0.01}, 0);
     EXPECT_EQ(c.red(), 1);
+}
+
+TEST(Specular, BeyondTheLargestNumberIsTheLargest) {  // 2.14.6 clamps it; 0 times it is 0
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    Case c;
+    c.only_specular(128);
+    c.surface.normal_eye = {0, 0, 1000};  // 1e384
+    c.material.specular = {1, 0, -1};     // colours have no bounds (2.14.2)
+    EXPECT_EQ(c.lit().primary, (D{kLargest, 0, -kLargest}));
+    EXPECT_EQ(c.lit().magnitude, (D{kLargest, 0, kLargest}));
+    c.light().specular = {1e-10, 1e-10, 0};
+    EXPECT_EQ(c.lit().primary, (D{kLargest, 0, 0}));
+    c.model.separate_specular = true;
+    EXPECT_EQ(c.lit().secondary, (D{kLargest, 0, 0}));
+    c.aim_spot({0, 0, 1}, 10);  // the light comes from +z, so the surface is outside
+    EXPECT_EQ(c.lit().secondary, (D{0, 0, 0}));
 }
 
 TEST(Specular, GoesToTheSecondaryColourWhenSeparate) {

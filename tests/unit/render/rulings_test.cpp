@@ -80,7 +80,9 @@ TEST(DecidingRulings, AreToldOfStatesWithoutAHardCase) {
     const std::string shiny =
         "glMaterialfv(GL_FRONT, GL_SPECULAR, (GLfloat[]){1, 1, 1, 1});\n"
         "glMaterialf(GL_FRONT, GL_SHININESS, 128); glNormal3f(0, 0, 1e10);";
-    EXPECT_EQ(rulings_under(shiny), Rulings{Ruling::kNoNumber});  // 1e1280
+    EXPECT_EQ(rulings_under(shiny), Rulings{});  // 1e1280, which is clamped
+    const std::string both = "glEnable(GL_LIGHT1); glLightfv(GL_LIGHT1, GL_SPECULAR, (GLfloat[]){-1, -1, -1, 1});\n";
+    EXPECT_EQ(rulings_under(both + shiny), Rulings{Ruling::kNoNumber});
 
     const std::string fog = "glEnable(GL_FOG); glFogi(GL_FOG_MODE, GL_LINEAR); glFogf(GL_FOG_START, 0.5);\n";
     EXPECT_EQ(rulings_under(fog + "glFogf(GL_FOG_END, 0.5);"), Rulings{Ruling::kFogWithoutDepth});
