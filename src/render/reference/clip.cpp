@@ -40,10 +40,14 @@ std::optional<ClipVolume> ClipVolume::without_planes_of(std::span<const ClipVert
     // and the dot product need.
     constexpr double kRounding = 16 * 0x1p-24;
     const auto lies_in = [&](const Plane& plane) {
-        return plane.origin == EdgeOrigin::kClipPlane && std::ranges::all_of(primitive, [&](const ClipVertex& v) {
-                   return std::abs(plane.signed_distance(v)) <=
-                          kRounding * glm::length(plane.normal_eye) * glm::length(v.position_eye);
-               });
+        return std::ranges::all_of(primitive, [&](const ClipVertex& v) {
+            const double distance = std::abs(plane.signed_distance(v));
+            if (plane.origin == EdgeOrigin::kClipPlane)
+                return distance <= kRounding * glm::length(plane.normal_eye) * glm::length(v.position_eye);
+            // What is exactly in the view volume's planes is drawn on purpose, mostly without a matrix.
+            return distance > 0 &&
+                   distance <= kRounding * glm::dot(glm::abs(plane.normal_clip), glm::abs(v.position_clip));
+        });
     };
     if (std::ranges::none_of(planes_, lies_in)) return std::nullopt;
     ClipVolume others = *this;

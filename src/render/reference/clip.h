@@ -38,8 +38,8 @@ class ClipVolume {
   public:
     explicit ClipVolume(const RasterState& raster);
 
-    // The volume without the clip planes that the whole primitive lies in, as far as single precision can tell; nullopt
-    // if there are none.
+    // The volume without the planes that the whole primitive lies in, as far as single precision can tell; nullopt if
+    // there are none.
     std::optional<ClipVolume> without_planes_of(std::span<const ClipVertex> primitive) const;
 
     bool contains(const ClipVertex& v) const;

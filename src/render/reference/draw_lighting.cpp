@@ -153,7 +153,7 @@ lighting::MeasuredLit<double> DrawLighting::light_surface(const LitMaterial& mat
 }
 
 Vec DrawLighting::scene_ambient(const LitMaterial& material) const {
-    return spectral_ ? spectral_->scene_ambient(material) : lighting::finite_or_zero(material.ambient * model_.ambient);
+    return spectral_ ? spectral_->scene_ambient(material) : lighting::number_or_zero(material.ambient * model_.ambient);
 }
 
 bool DrawLighting::has_one_material(Face face) const {
@@ -169,6 +169,33 @@ Colors DrawLighting::lit(const glm::dvec4& position_eye, const glm::dvec3& norma
     return {.primary = glm::dvec4(vec3_cast<glm::dvec3>(lit.primary), lit.alpha),
             .secondary = glm::dvec4(vec3_cast<glm::dvec3>(lit.secondary), 1),
             .magnitude = glm::dvec4(vec3_cast<glm::dvec3>(lit.magnitude), std::abs(lit.alpha))};
+}
+
+std::optional<std::array<Colors, 2>> DrawLighting::beside_cones(const glm::dvec4& position_eye,
+                                                                const glm::dvec3& normal_eye,
+                                                                const LitMaterial& material, Face face) const {
+    if (position_eye.w == 0) return std::nullopt;
+    const Vec place = surface_of(position_eye, normal_eye, face).position_eye;
+    // How far the cosine may be off: interpolated places and directions are some roundings of floats away.
+    const auto rounding_beside = [&](const lighting::Light<double>& light) {
+        constexpr double kRoundings = 16 * 0x1p-24;
+        if (!light.is_spot || light.has_smooth_cone) return 0.0;
+        const auto [vp_dir, d] = lighting::toward_light(light, place);
+        const double size = light.directional ? 0 : length(place) + length(light.position_eye);
+        const double rounding = kRoundings * (d > 0 ? 1 + size / d : 1);
+        return std::abs(lighting::cosine_to_axis(light, vp_dir) - light.cos_cutoff) <= rounding ? rounding : 0;
+    };
+    if (std::ranges::none_of(lights_, [&](const auto& light) { return rounding_beside(light) > 0; }))
+        return std::nullopt;
+    DrawLighting inside = *this, outside = *this;
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        inside.lights_[i].cos_cutoff -= 2 * rounding_beside(lights_[i]);
+        outside.lights_[i].cos_cutoff += 2 * rounding_beside(lights_[i]);
+    }
+    if (spectral_)
+        for (DrawLighting* lighting : {&inside, &outside}) lighting->spectral_->place_like(lighting->lights_);
+    return std::array{inside.lit(position_eye, normal_eye, material, face),
+                      outside.lit(position_eye, normal_eye, material, face)};
 }
 
 Colors DrawLighting::colors(const StageVertex& v, Face face) const {

@@ -49,6 +49,10 @@ class DrawLighting {
     lighting::MeasuredLit<double> light_surface(const LitMaterial& material,
                                                 const lighting::SurfacePoint<double>& surface,
                                                 lighting::LightTerms<double>* breakdown = nullptr) const;
+    // The colours on both sides of the cones' borders, if rounding in floats decides whether the point is within one that ends
+    // there (2.14.1); empty elsewhere.
+    std::optional<std::array<Colors, 2>> beside_cones(const glm::dvec4& position_eye, const glm::dvec3& normal_eye,
+                                                      const LitMaterial& material, Face face) const;
     Vec scene_ambient(const LitMaterial& material) const;
     // The vertex's material: its own, with the current colour for the properties that follow it (2.14.3).
     LitMaterial material(const StageVertex& v, Face face) const;
@@ -63,6 +67,7 @@ class DrawLighting {
     bool enabled() const { return enabled_; }
     // Whether the back face has its own colours; if not, GL uses the front's.
     bool two_side() const { return enabled_ && two_side_; }
+    bool has_cones() const { return std::ranges::any_of(lights_, &lighting::Light<double>::is_spot); }
     // Whether all points of a face have the same material, ignoring the current colour.
     bool has_one_material(Face face) const;
     // Whether materials of vertices may differ in more than the properties that follow the current colour.

@@ -121,9 +121,7 @@ class PieceMaker {
         : draw_(draw),
           draw_index_(draw_index),
           vertices_(vertices),
-          keeps_what_lies_in_planes_(
-              in_clip_plane == InClipPlane::kPerhaps &&
-              std::ranges::any_of(draw.raster.clip_planes_eye, [](const auto& plane) { return plane.has_value(); })),
+          keeps_what_lies_in_planes_(in_clip_plane == InClipPlane::kPerhaps),
           whole_volume_(draw.raster),
           volume_(whole_volume_),
           pieces_(pieces) {}

@@ -15,7 +15,7 @@ enum class QuadCut : std::uint8_t { kFirstToThird, kSecondToFourth };  // corner
 // Whether the cut matters.
 bool has_quadrilaterals(const Frame& frame);
 
-// What of a primitive that lies in a clip plane is drawn. 2.12 keeps it, but only rounding decides whether its computed
+// What of a primitive that lies in a plane of glClipPlane, or nearly in one of the view volume, is drawn. 2.12 keeps it, but only rounding decides whether its computed
 // positions are in the plane, beside it or beyond it.
 enum class InClipPlane : std::uint8_t {
     kAsComputed,  // what its positions in double precision say

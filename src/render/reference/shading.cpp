@@ -101,8 +101,10 @@ template <class Real>
 Shaded<Real> Shader::shade(const Fragment& fragment) const {
     return with_point(fragment, [&](const Fragment& whole) -> Shaded<Real> {
         const Finish<Real> finish = this->finish<Real>(whole);
-        if constexpr (std::is_same_v<Real, Interval>)
+        if constexpr (std::is_same_v<Real, Interval>) {
             if (copies_colors()) return {finished(copied_colors(*whole.piece), finish), finish.has_choice};
+            if (const auto ranges = colors_beside_cones(whole)) return {finished(*ranges, finish), finish.has_choice};
+        }
         const LitColors colors = lights_pixels(*whole.piece) ? lit(whole) : vertex_colors(whole);
         return {finished(colors, finish), finish.has_choice};
     });
@@ -197,17 +199,34 @@ bool Shader::has_linear_fog_behind_eye(const Piece& piece) const {
 }
 
 bool Shader::has_several_colors(const Piece& piece) const {
-    return !units_.empty() || has_linear_fog_behind_eye(piece) || copies_colors();
+    return !units_.empty() || has_linear_fog_behind_eye(piece) || copies_colors() ||
+           (lights_pixels(piece) && lighting_.has_cones());
 }
 
 // Where it is in doubt which pixel is copied, it may have any colour.
-Shader::CopiedColors Shader::copied_colors(const Piece& piece) const {
-    CopiedColors colors;
+Shader::LitRanges Shader::copied_colors(const Piece& piece) const {
+    LitRanges colors;
     colors.primary.fill({0, 1});
     if (piece.is_perhaps_clipped) return colors;
     const auto& [low, high] = draw_.pixels->color_ranges[piece.primitive.vertices[0]];
     for (int i = 0; i < 4; ++i) colors.primary[static_cast<std::size_t>(i)] = {low[i], high[i]};
     return colors;
+}
+
+std::optional<Shader::LitRanges> Shader::colors_beside_cones(const Fragment& fragment) const {
+    if (!lights_pixels(*fragment.piece) || !lighting_.enabled() || !lighting_.has_cones()) return std::nullopt;
+    const LitPlace place = lit_place_of_unit_normal(fragment);
+    const StageVertex& v = place.vertex;
+    const auto both = lighting_.beside_cones(v.position_eye, v.normal_eye, material(fragment, place), place.face);
+    if (!both) return std::nullopt;
+    const LitColors inside = clamped_colors((*both)[0]), outside = clamped_colors((*both)[1]);
+    LitRanges ranges;
+    for (int i = 0; i < 4; ++i) {
+        const auto channel = static_cast<std::size_t>(i);
+        ranges.primary[channel] = hull(inside.primary[i], outside.primary[i]);
+        ranges.secondary[channel] = hull(inside.secondary[i], outside.secondary[i]);
+    }
+    return ranges;
 }
 
 void Shader::add_fog(const Fragment& fragment, Finish<double>& finish) const { finish.fog = fog(fragment); }

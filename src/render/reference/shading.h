@@ -61,7 +61,7 @@ class Shader {
     // The points that are lit for the colour; empty without lighting. The sum of the weights is 1.
     std::vector<PointOfFragment> points(const Fragment& fragment) const;
     // Whether correct implementations may find different colours on this piece: textured, in linear fog that reaches behind
-    // the eye, or copied from their own pictures.
+    // the eye, copied from their own pictures, or with pixels that are lit by spots.
     bool has_several_colors(const Piece& piece) const;
     // How the fragment's colour comes from its lit colours. The last step gives shade()'s colour, before the transfer
     // curve.
@@ -103,12 +103,15 @@ class Shader {
         Face face = Face::kFront;
     };
 
-    // The colours that renderers may have copied from their pictures (4.3.3).
-    struct CopiedColors {
+    // The lit colours that correct implementations may find.
+    struct LitRanges {
         Channels<Interval> primary{}, secondary{};
     };
+    // What renderers may have copied from their pictures (4.3.3).
     bool copies_colors() const { return draw_.pixels && !draw_.pixels->color_ranges.empty(); }
-    CopiedColors copied_colors(const Piece& piece) const;
+    LitRanges copied_colors(const Piece& piece) const;
+    // Where a pixel is lit beside the border of a spot's cone.
+    std::optional<LitRanges> colors_beside_cones(const Fragment& fragment) const;
 
     bool lights_pixels(const Piece& piece) const { return piece.rays || lights_pixels(); }
     bool lights_pixels() const {

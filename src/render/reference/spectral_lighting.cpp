@@ -59,6 +59,7 @@ void SpectralLighting::place_like(const std::vector<lighting::Light<double>>& li
         for (std::size_t i = 0; i < lights.size(); ++i) {
             group.lights[i].position_eye = lights[i].position_eye;
             group.lights[i].half_dir_eye = lights[i].half_dir_eye;
+            group.lights[i].cos_cutoff = lights[i].cos_cutoff;
             group.lights[i].constant_attenuation = lights[i].constant_attenuation;
             group.lights[i].linear_attenuation = lights[i].linear_attenuation;
             group.lights[i].quadratic_attenuation = lights[i].quadratic_attenuation;
@@ -139,7 +140,7 @@ void SpectralLighting::light_points(const std::vector<lighting::Points>& groups,
 Vec3<double> SpectralLighting::scene_ambient(const LitMaterial& material) const {
     Vec sum;
     for (std::size_t i = 0; i < groups_.size(); ++i)
-        sum += color(groups_[i], lighting::finite_or_zero(material.samples[i].ambient * groups_[i].model.ambient));
+        sum += color(groups_[i], lighting::number_or_zero(material.samples[i].ambient * groups_[i].model.ambient));
     return sum;
 }
 

@@ -1,6 +1,8 @@
 // The edge mask: where two correct rasterisers may choose different triangles (docs/edges.md).
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "../small_frames.h"
 
 namespace twinlight::edge_pixels_test {
@@ -91,6 +93,46 @@ TEST(EdgePixels, AreAllOfWhatLiesInAClipPlane) {
     EXPECT_FALSE(marked(edges({point})).contains({8, 8}));
     point.raster.clip_planes_eye[0] = glm::dvec4(1, 0, 0, -8 - 1e-9);
     EXPECT_TRUE(marked(edges({point})).contains({8, 8}));
+}
+
+TEST(EdgePixels, AreThoseOfAPointBesideAPlaneOfTheViewVolume) {
+    const auto is_marked_at = [](double z) {  // in clip coordinates, where 1 is the far plane
+        Draw point = window_draw(kSize, kSize, kGL_POINTS, {vertex(8, 8, kRed)});
+        point.raster.point_size = 8;  // pixels wide: only its border is open elsewhere
+        point.vertices.edit()[0].position_object.z = -(z + 1) / 2;
+        return marked(edges({point})).contains({8, 8});
+    };
+    EXPECT_TRUE(is_marked_at(1 + 5e-8));
+    EXPECT_TRUE(is_marked_at(1 - 5e-8));
+    EXPECT_TRUE(is_marked_at(-1 - 5e-8));
+    EXPECT_FALSE(is_marked_at(1 + 1e-5));
+    EXPECT_FALSE(is_marked_at(1 - 1e-5));
+    EXPECT_FALSE(is_marked_at(1));  // exactly: it is drawn
+}
+
+// A spot above the pixel (8, 8) whose cone ends at the centres of the pixels 3 beside it. Rounding decides whether these are lit.
+TEST(AllowedDifference, OfPixelsOnTheBorderOfAConeIsTheLight) {
+    Draw surface = without_diagonal(deep_quad(kRed, 0.5));
+    for (Vertex& v : surface.vertices.edit()) v.normal_object = {0, 0, 1};
+    surface.lighting.enabled = true;
+    LightSource& light = surface.lighting.lights[0];
+    light.enabled = true;
+    light.diffuse = {1, 1, 1, 1};
+    light.position_eye = {8.5, 8.5, -0.5 + 3 * std::sqrt(3), 1};
+    light.spot_cutoff_deg = 30;
+    const auto allowed = [&](Shading shading) {
+        const AllowedDifference difference =
+            reference::allowed_difference(frame_of(kSize, kSize, {surface}), {{.shading = shading}});
+        return [difference](int x, int y) {
+            return difference.channels.pixels.at(static_cast<std::size_t>((kSize - 1 - y) * kSize + x))[0];
+        };
+    };
+    const auto per_pixel = allowed(Shading::kPhong);
+    EXPECT_GT(per_pixel(11, 8), 0.5);
+    EXPECT_GT(per_pixel(8, 5), 0.5);
+    EXPECT_EQ(per_pixel(10, 8), 0);
+    EXPECT_EQ(per_pixel(12, 8), 0);
+    EXPECT_EQ(allowed(Shading::kGouraud)(11, 8), 0);  // only vertices are lit
 }
 
 TEST(EdgePixels, AreNotWhereTheSameTriangleIsDrawnAgain) {
