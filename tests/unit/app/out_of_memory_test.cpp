@@ -36,7 +36,7 @@ struct Outcome {
 
 class OutOfMemory : public testing::Test {
   protected:
-    // Runs the work with each allocation refused that is tried. ALL_CASES: every one, alone or with all later ones, in turn.
+    // Runs the work with each allocation refused that is tried, alone or with all later ones.
     void try_all(const std::string& name, const std::function<int()>& work) {
         long count = 0;
         const Outcome whole = outcome(work, RefusedMemory::kNone, false, &count);
@@ -86,10 +86,12 @@ class OutOfMemory : public testing::Test {
     std::string output(const std::string& name) const { return folder_ / name; }
 
   private:
-    // All of the first and of the last, when files are written, and some between them.
+    // All of the first and of the last, when files are written, and some between them. ALL_CASES: every one, or 10,000 evenly spread if
+    // there are more.
     static long next(long number, long count, std::mt19937& random) {
         constexpr long kFirst = 10, kLast = 24;
-        if (tries_all() || number < kFirst || number >= count - kLast) return number + 1;
+        if (number < kFirst || number >= count - kLast) return number + 1;
+        if (tries_all()) return std::min(number + std::max(1L, count / 10'000), count - kLast);
         return std::min(number + std::uniform_int_distribution<long>(1, number)(random), count - kLast);
     }
     std::vector<std::string> files() const {
