@@ -7,11 +7,11 @@
 #include <cstdlib>
 #include <set>
 #include <span>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
+#include "base/text/input_text.h"
 #include "render/context/gl.h"
 #include "render/programmable/vertex_attributes.h"
 
@@ -64,9 +64,9 @@ struct UniformNumbers {
 
 UniformNumbers numbers_of_uniforms(const std::string& source) {
     UniformNumbers found;
-    std::istringstream lines(source);
+    InputText lines(source);
     for (std::string line; std::getline(lines, line);) {
-        std::istringstream words(line);
+        InputText words(line);
         std::string word, type, name;
         if (!(words >> word >> type >> name) || word != "uniform") continue;
         const long numbers = type == "mat4" ? 16 : type == "mat3" ? 9 : type.starts_with("vec") ? type.back() - '0' : 1;

@@ -26,7 +26,7 @@ class LoopCounter {
   public:
     explicit LoopCounter(const Program& program) : tokens_(program.tokens), program_(program) {}
 
-    // Of the loop whose "for" has this index, which becomes that of its last token.
+    // Counts the loop that begins at tokens_[at], which is "for", and moves `at` to its last token.
     std::optional<Calls> of_loop(std::size_t& at) {
         if (!tokens_[at + 1].is("(")) return std::nullopt;
         const std::size_t close = program_.partners[at + 1];
@@ -59,7 +59,7 @@ class LoopCounter {
         return static_cast<double>(*end) - static_cast<double>(*start) + (is_equal_too ? 1 : 0);
     }
 
-    // Of the statement that begins with this token. `at` becomes the index of its last one.
+    // Counts the statement that begins at tokens_[at], and moves `at` to its last token.
     std::optional<Calls> of_statement(std::size_t& at) {
         const bool is_block = tokens_[at].is("{");
         const std::size_t end = is_block ? program_.partners[at] : tokens_.size();

@@ -215,7 +215,7 @@ TEST_F(OutOfMemory, OfTheReferenceIsOneLine) {
     });
 }
 
-// With the reference in the place of all renderers.
+// The reference draws every picture here, because it needs no driver.
 TEST_F(OutOfMemory, OfAComparisonIsOneLine) {
     const std::string scene_file = input("scene.gl", kScene);
     compare::Renderers renderers;
