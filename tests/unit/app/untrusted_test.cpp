@@ -410,15 +410,16 @@ TEST(MemoryLimit, CountsAtLeastWhatAComparisonUses) {
         EXPECT_EQ(refused.status, 2) << mode << " " << polygon_mode << ": " << used / 80'000 << " bytes a vertex";
         EXPECT_NE(refused.err.find("--memory"), std::string::npos) << refused.err;
     }
-    // A shape's indices draw each vertex twice. Its pictures fit where they are said to need no more: 1.9 kB a vertex. It uses 1.6, or
-    // 1.25 on a busy machine, where the threads' memory overlaps less.
+    // A shape's indices draw each vertex twice. It uses 1.6 kB a vertex where two processors draw at once, and 1.07 where there is
+    // one. What it is said to need is the same on both, so it is held to the larger of 1.6 kB and what is measured.
     const std::string small = folder / "small.gl", sphere = folder / "sphere.gl";
     write_file_atomically(small, "glutSolidSphere(1, 283, 283);");
     write_file_atomically(sphere, "glutSolidSphere(1, 400, 400);");
     const double used = 2 * (peak_of(compare(sphere, "2")) - peak_of(compare(small, "2")));
     EXPECT_GT(used, 100e6);
     EXPECT_EQ(run_program("twinlight", compare(sphere, std::to_string(used / 1e9))).status, 2);
-    EXPECT_EQ(run_program("twinlight", compare(sphere, std::to_string(1.7 * used / 1e9))).status, 0)
+    const double enough = 1.4 * std::max(used, 160'000 * 1600.0);
+    EXPECT_EQ(run_program("twinlight", compare(sphere, std::to_string(enough / 1e9))).status, 0)
         << used / 160'000 << " bytes a vertex";
 }
 
