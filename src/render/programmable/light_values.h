@@ -2,13 +2,14 @@
 // value for each of these and for no other (draw_values.cpp, precise.cpp).
 #pragma once
 
-#include <bitset>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "render/effect/effect_set.h"
 #include "render/programmable/form.h"
+#include "render/programmable/value_set.h"
 
 namespace twinlight::programmable {
 
@@ -33,22 +34,7 @@ enum class LightValue : std::uint8_t {
 inline constexpr std::size_t kLightValueCount = static_cast<std::size_t>(LightValue::kSpecular) + 1;
 inline constexpr bool is_color(LightValue value) { return value >= LightValue::kAmbient; }
 
-class LightValues {
-  public:
-    bool contains(LightValue value) const { return values_[static_cast<std::size_t>(value)]; }
-    void add(LightValue value, bool is_needed = true) {
-        if (is_needed) values_.set(static_cast<std::size_t>(value));
-    }
-    template <class Visit>
-    void for_each(const Visit& visit) const {
-        for (std::size_t i = 0; i < kLightValueCount; ++i)
-            if (values_[i]) visit(static_cast<LightValue>(i));
-    }
-    friend bool operator==(const LightValues&, const LightValues&) = default;
-
-  private:
-    std::bitset<kLightValueCount> values_;
-};
+using LightValues = ValueSet<LightValue>;
 
 // The list: all that the program of these effects and this form needs of the i-th light.
 LightValues values_of_light(const EffectSet& effects, const Form& form, std::size_t i);

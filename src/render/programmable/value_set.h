@@ -1,0 +1,36 @@
+// What the lists of uniforms are made of (light_values.h).
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+
+namespace twinlight::programmable {
+
+// A set of an enum's values.
+template <class Value>
+class ValueSet {
+  public:
+    bool contains(Value value) const { return (values_ & bit(value)) != 0; }
+    void add(Value value, bool is_needed = true) {
+        if (is_needed) values_ |= bit(value);
+    }
+    void add(std::initializer_list<Value> values, bool is_needed = true) {
+        for (const Value value : values) add(value, is_needed);
+    }
+    // In the enum's order.
+    template <class Visit>
+    void for_each(const Visit& visit) const {
+        for (std::uint64_t rest = values_; rest != 0; rest &= rest - 1)
+            visit(static_cast<Value>(std::countr_zero(rest)));
+    }
+    friend bool operator==(const ValueSet&, const ValueSet&) = default;
+
+  private:
+    static std::uint64_t bit(Value value) { return std::uint64_t{1} << static_cast<unsigned>(value); }
+
+    std::uint64_t values_ = 0;
+};
+
+}  // namespace twinlight::programmable
