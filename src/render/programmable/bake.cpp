@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "render/programmable/program_uniforms.h"
+
 namespace twinlight::programmable {
 namespace {
 
@@ -39,7 +41,7 @@ void for_each_line(std::string_view source, const Function& function) {
 }
 
 // The driver may multiply constants with each other first, and these with the others leave the floats.
-bool stays_uniform(std::string_view name) { return name == "u_object_scale"; }
+bool stays_uniform(std::string_view name) { return name == declaration_of(DrawValue::kObjectScale).name; }
 
 std::string with_constants(const std::string& source, const Uniforms& values) {
     std::string text;

@@ -17,8 +17,8 @@
 #include "base/math/normal_matrix.h"
 #include "render/effect/color_products.h"
 #include "render/programmable/light_values.h"
-#include "render/programmable/lighting_names.h"
 #include "render/programmable/precise/precise.h"
+#include "render/programmable/program_uniforms.h"
 #include "render/programmable/vertex_attributes.h"
 #include "render/programmable/wide_range.h"
 
@@ -148,17 +148,14 @@ class DrawUniforms {
     }
 
     Uniforms build(DrawProgram::OfState& of_state) {
-        const glm::dmat4 clip_from_object = draw_.clip_from_eye * eye_from_object_;
-        matrix("u_clip_from_object", clip_from_object / clip_scale(clip_from_object, reach_object()));
+        if (effects_.lighting) choose_coordinates();
+        values_of_draw(effects_, form_).for_each([&](DrawValue value) {
+            uniforms_.add(declaration_of(value).name);
+            put(value);
+        });
+        textures();
         clip_planes();
-        fragments();
         if (!effects_.lighting) return std::move(uniforms_);
-        if (form_.wide_range)
-            wide_range();
-        else if (form_.object_space)
-            object_space();
-        else
-            eye_space();
 
         of_state = {.colors = uniforms_.size(), .lights = 0, .unit = unit_};
         const bool is_like = like_ && needs_same_of_lights(like_->code);
@@ -177,12 +174,11 @@ class DrawUniforms {
 
   private:
     void colors() {
-        const LightColor ambient{plan_.constant_ambient, {}};
-        if (effects_.spectral_products)
-            matrix("u_constant_ambient", product_matrix(model(), ambient));
-        else
-            vector("u_constant_ambient", ambient.rgb);
-        if (effects_.spectral_groups > 0) spectral_samples();
+        values_of_model(effects_).for_each([&](ModelValue value) {
+            uniforms_.add(declaration_of(value, effects_).name);
+            put(value);
+        });
+        if (effects_.spectral_groups > 0) samples_of_lights();
         face("front", plan_.lighting.front, effects_.front);
         if (effects_.two_side) face("back", plan_.lighting.back, effects_.back);
     }
@@ -190,8 +186,9 @@ class DrawUniforms {
     void lights() {
         for (std::size_t i = 0; i < lights_.size(); ++i) {
             light(i);
-            if (!form_.loops.empty())
-                number("u_count_of_light" + std::to_string(i), static_cast<double>(lights_[i].size()));
+            if (loop_length(effects_, form_, i) == 0) continue;
+            uniforms_.add(name_of_count(i));
+            put(static_cast<double>(lights_[i].size()));
         }
     }
     bool needs_same_of_lights(const Code& other) const {
@@ -216,26 +213,9 @@ class DrawUniforms {
         for (int column = 0; column < kColumns; ++column) put(m[column]);
     }
 
-    template <class Value>
-    void add(std::string_view name, const Value& value) {
-        uniforms_.add(name);
-        put(value);
-    }
-    void number(std::string_view name, double value) { add(name, value); }
-    template <class Vector>
-    void vector(std::string_view name, const Vector& v) {
-        add(name, v);
-    }
-    template <class Matrix>
-    void matrix(std::string_view name, const Matrix& m) {
-        add(name, m);
-    }
-    // Adds a uniform of the i-th light; put() follows, for each light that this one represents. The name is that of name_of(), made
-    // in place: each Draw of each frame comes here.
+    // Adds a uniform of the i-th light; put() follows, for each light that this one represents.
     void start_value(std::size_t i, LightValue value, std::string_view face = {}) {
-        const LightUniform uniform = declaration_of(value, effects_, form_, i);
-        uniforms_.add("u_light" + std::to_string(i) + "_",
-                      {face, face.empty() ? "" : "_", uniform.name, uniform.space});
+        add_to(uniforms_, i, declaration_of(value, effects_, form_, i), face);
     }
 
     // The largest absolute value of each component of the uploaded positions.
@@ -245,42 +225,46 @@ class DrawUniforms {
         return facts.position_reach.w * glm::dvec4(glm::dvec3(facts.radius_object), 1);
     }
 
+    // ---- Values of the whole Draw ----
+
+    // The coordinates that the shader lights in, and their unit.
+    void choose_coordinates() {
+        if (form_.wide_range)
+            wide_range();
+        else if (form_.object_space)
+            object_space();
+        else
+            eye_space();
+        if (effects_.needs_normal() && !form_.object_space) normals();
+    }
+
     void eye_space() {
         if (effects_.needs_position_eye())
             unit_ = form_.homogeneous ? unit_of_homogeneous(sizes_of(draw_, plan_), plan_)
                                       : eye_unit(eye_from_object_, reach_object(), plan_);
-        glm::dmat4 eye_from_object = eye_from_object_;
+        lit_from_object_ = eye_from_object_;
         for (int column = 0; column < 4; ++column)
-            for (int row = 0; row < 3; ++row) eye_from_object[column][row] /= unit_;
+            for (int row = 0; row < 3; ++row) lit_from_object_[column][row] /= unit_;
         if (form_.homogeneous) {  // their scale does not matter
-            const double scale =
-                homogeneous_scale(reach_xyz(eye_from_object, reach_object()), reach_w(eye_from_object, reach_object()));
-            eye_from_object /= scale;
+            const double scale = homogeneous_scale(reach_xyz(lit_from_object_, reach_object()),
+                                                   reach_w(lit_from_object_, reach_object()));
+            lit_from_object_ /= scale;
             unit_of_directions_ = unit_ * scale;
         }
-        matrix("u_eye_from_object", eye_from_object);
-        normals();
     }
 
     void normals() {
-        if (!effects_.needs_normal()) return;
-        glm::dmat3 normals = normal_matrix_of(draw_, plan_);
-        if (form_.sized_normals) {
-            const double unit = power_of_two(std::max(
-                {largest_component(normals[0]), largest_component(normals[1]), largest_component(normals[2])}));
-            normals /= unit;
-            number("u_normal_unit", unit);
-        }
-        matrix("u_eye_from_object_normal", normals);
+        normals_ = normal_matrix_of(draw_, plan_);
+        if (!form_.sized_normals) return;
+        normal_unit_ = power_of_two(
+            std::max({largest_component(normals_[0]), largest_component(normals_[1]), largest_component(normals_[2])}));
+        normals_ /= normal_unit_;
     }
 
     // Brings the viewer and the lights to object coordinates.
     void object_space() {
         unit_ = similarity_scale(eye_from_object_);
         object_from_eye_ = glm::inverse(eye_from_object_);
-        vector("u_viewer_object", point(glm::dvec3(0)));
-        vector("u_viewer_dir_object", direction(glm::dvec3(0, 0, 1)));
-        if (form_.sized_normals) number("u_normal_unit", 1);
     }
 
     void wide_range() {
@@ -299,12 +283,66 @@ class DrawUniforms {
             unit_ = power_of_two(directions / kMostDirection);
         scale_of_xyz_ = unit_of_w / unit_of_xyz;
         unit_of_directions_ = unit_of_w * unit_ * eye_from_object_[3][3];  // keeping_w()
-        vector("u_object_scale", glm::dvec4(glm::dvec3(1 / unit_of_xyz), 1 / unit_of_w));
-        matrix("u_eye_from_object_turned", glm::dmat3(keeping_w(eye_from_object_)) / scale_of_xyz_ / unit_);
-        const NearestVertex viewer = nearest_vertex(draw_, glm::dvec3(0));
-        near_vertex("u_viewer_near_object", viewer);
-        vector("u_viewer_way_eye", viewer.way_eye / unit_);
-        normals();
+        object_scale_ = glm::dvec4(glm::dvec3(1 / unit_of_xyz), 1 / unit_of_w);
+        if (effects_.local_viewer) viewer_ = nearest_vertex(draw_, glm::dvec3(0));
+    }
+
+    void put(DrawValue value) {
+        const Fog& fog = draw_.fog;
+        const PointParameters& points = draw_.raster.point_parameters;
+        switch (value) {
+            case DrawValue::kClipFromObject: {
+                const glm::dmat4 clip_from_object = draw_.clip_from_eye * eye_from_object_;
+                return put(clip_from_object / clip_scale(clip_from_object, reach_object()));
+            }
+            case DrawValue::kEyeFromObject: return put(lit_from_object_);
+            case DrawValue::kEyeFromObjectNormal: return put(normals_);
+            case DrawValue::kNormalScale: return;  // only for --precise, which has its own (precise.cpp)
+            case DrawValue::kEyeFromObjectTurned:
+                return put(glm::dmat3(keeping_w(eye_from_object_)) / scale_of_xyz_ / unit_);
+            case DrawValue::kObjectScale: return put(object_scale_);
+            case DrawValue::kNormalUnit: return put(normal_unit_);
+            case DrawValue::kViewerObject: return put(point(glm::dvec3(0)));
+            case DrawValue::kViewerNearObject: return put_near_vertex(viewer_);
+            case DrawValue::kViewerWayEye: return put(viewer_.way_eye / unit_);
+            case DrawValue::kViewerDirObject: return put(direction(glm::dvec3(0, 0, 1)));
+            case DrawValue::kGeneratedEyeFromObject: return put(eye_from_object_ / unit_of_reach());
+            case DrawValue::kGeneratedNormalFromObject: return put(generated_normals());
+            case DrawValue::kPointEyeFromObject: {
+                glm::dmat4 eye_from_object = eye_from_object_;
+                for (int column = 0; column < 4; ++column)
+                    for (int row = 0; row < 3; ++row) eye_from_object[column][row] /= unit_of_reach();
+                return put(eye_from_object);
+            }
+            case DrawValue::kPointAttenuation: {
+                const double unit = unit_of_reach();
+                return put(points.distance_attenuation * glm::dvec3(1, unit, unit * unit));
+            }
+            case DrawValue::kPointSizes:
+                return put(glm::dvec3(draw_.raster.point_size, points.size_min, points.size_max));
+            case DrawValue::kEyeZFromObject: return put(glm::transpose(eye_from_object_)[2]);
+            case DrawValue::kEyeWFromObject: return put(glm::transpose(eye_from_object_)[3]);
+            case DrawValue::kFogColor: return put(rgb(fog.color));
+            case DrawValue::kFogEnd: return put(fog.end);
+            case DrawValue::kFogScale: {
+                // RULING: linear fog with end = start is a step there.
+                constexpr double kStep = 1e30;
+                return put(fog.end == fog.start ? kStep : 1 / (fog.end - fog.start));
+            }
+            case DrawValue::kFogDensity: return put(fog.density);
+        }
+    }
+
+    double unit_of_reach() const { return power_of_two(reach_xyz(eye_from_object_, reach_object())); }
+
+    // For texture coordinates that are generated from the normal or the direction to the vertex, of all units.
+    glm::dmat3 generated_normals() const {
+        const glm::dmat3 normals = normal_matrix(glm::dmat3(draw_.eye_from_object));
+        const double third = glm::length(normals[2]);  // of GL_RESCALE_NORMAL: see normal_matrix_of()
+        if (effects_.generated_normal() == GeneratedNormal::kUnit)
+            return normals / power_of_two(std::max({largest_component(normals[0]), largest_component(normals[1]),
+                                                    largest_component(normals[2])}));
+        return draw_.lighting.rescale_normal && third > 0 ? normals / third : normals;
     }
 
     // A vertex in the floats of the vertex array, so that nothing is left of its difference with itself. Its w is 1, or between 1
@@ -323,11 +361,9 @@ class DrawUniforms {
         return known != nearest_.end() ? known->second
                                        : nearest_.emplace(&light, nearest_vertex(draw_, place_eye)).first->second;
     }
-    void near_vertex(std::string_view name, const NearestVertex& nearest) {
-        if (form_.position_w)
-            vector(name, near_vertex(nearest));
-        else
-            vector(name, glm::dvec3(near_vertex(nearest)));
+    void put_near_vertex(const NearestVertex& nearest) {
+        const glm::dvec4 vertex = near_vertex(nearest);
+        return form_.position_w ? put(vertex) : put(glm::dvec3(vertex));
     }
 
     // From eye coordinates to the coordinates that the shader lights in.
@@ -342,155 +378,152 @@ class DrawUniforms {
     void clip_planes() {
         int count = 0;
         for (const auto& plane_eye : draw_.raster.clip_planes_eye)
-            if (plane_eye) vector("u_clip_plane" + std::to_string(count++) + "_object", *plane_eye * eye_from_object_);
+            if (plane_eye) {
+                uniforms_.add(clip_plane_name(count++));
+                put(*plane_eye * eye_from_object_);
+            }
     }
 
-    // Generated texture coordinates (2.11.4). `suffix`: of the unit's uniforms.
-    void generated_planes(const TextureUnit& unit, const std::string& suffix) {
+    // ---- Textures ----
+
+    void textures() {
+        if (effects_.has_texture()) texture(effects_.texture, 0, draw_.texture, "");
+        for (const UnitEffects& unit : effects_.units)
+            draw_.for_each_unit([&](std::size_t number, const TextureUnit& state) {
+                if (number == unit.number) texture(unit.texture, number, state, std::to_string(number));
+            });
+    }
+
+    // `suffix`: of the unit's uniforms.
+    void texture(const TextureEffects& effects, std::size_t number, const TextureUnit& unit, std::string_view suffix) {
+        values_of_texture(effects, form_, number).for_each([&](TextureValue value) {
+            if (value == TextureValue::kSampler) return;  // reads the unit of its number
+            uniforms_.add(declaration_of(value).name, {suffix});
+            put(value, unit);
+        });
+    }
+
+    void put(TextureValue value, const TextureUnit& unit) {
+        switch (value) {
+            case TextureValue::kMatrix: return put(unit.texture_matrix);
+            case TextureValue::kPlaneSObject: return put_plane(unit, 0);
+            case TextureValue::kPlaneTObject: return put_plane(unit, 1);
+            case TextureValue::kPlaneRObject: return put_plane(unit, 2);
+            case TextureValue::kPlaneQObject: return put_plane(unit, 3);
+            case TextureValue::kEnvColor: return put(unit.env_color);
+            case TextureValue::kSampler:
+            case TextureValue::kPlaneSEye:  // only in shaders to keep (webgl/kept_values.cpp)
+            case TextureValue::kPlaneTEye:
+            case TextureValue::kPlaneREye:
+            case TextureValue::kPlaneQEye: return;
+        }
+    }
+
+    // Of generated texture coordinates (2.11.4). (plane * matrix) . position_object = plane . position_eye.
+    void put_plane(const TextureUnit& unit, int coordinate) {
         for (const GeneratedCoordinate& one : unit.generated) {
-            if (one.needs_normal()) continue;
-            // (plane * matrix) . position_object = plane . position_eye.
+            if (one.coordinate != coordinate) continue;
             const glm::dvec4 plane = one.mode == kGL_EYE_LINEAR ? one.plane * draw_.eye_from_object : one.plane;
             const glm::dvec4 origin(origin_object_.value_or(glm::dvec3(0)), 1);
-            vector(fmt::format("u_plane_{}_object{}", "strq"[one.coordinate], suffix),
-                   glm::dvec4(glm::dvec3(plane), glm::dot(plane, origin)));
+            put(glm::dvec4(glm::dvec3(plane), glm::dot(plane, origin)));
         }
     }
 
-    // For the coordinates of all units that are generated from the normal or the direction to the vertex.
-    void generated() {
-        const GeneratedNormal normal = effects_.generated_normal();
-        if (effects_.generates_from_direction()) {
-            const double scale = power_of_two(reach_xyz(eye_from_object_, reach_object()));
-            matrix("u_generated_eye_from_object", eye_from_object_ / scale);
+    // ---- Materials and lights ----
+
+    void put(ModelValue value) {
+        const LightColor ambient{plan_.constant_ambient, {}};
+        switch (value) {
+            case ModelValue::kConstantAmbient:
+                return effects_.spectral_products ? put(product_matrix(model(), ambient)) : put(ambient.rgb);
+            case ModelValue::kRgbFromSamples: return put_filled(weights(*model().spectrum), 9);
         }
-        if (normal == GeneratedNormal::kUnused) return;
-        const glm::dmat3 normals = normal_matrix(glm::dmat3(draw_.eye_from_object));
-        const double third = glm::length(normals[2]);  // of GL_RESCALE_NORMAL: see normal_matrix_of()
-        double scale = 1;
-        if (normal == GeneratedNormal::kUnit)
-            scale = power_of_two(std::max(
-                {largest_component(normals[0]), largest_component(normals[1]), largest_component(normals[2])}));
-        else if (draw_.lighting.rescale_normal && third > 0)
-            scale = third;
-        matrix("u_generated_normal_from_object", normals / scale);
     }
 
-    // The size of points by their distance (3.3).
-    void points() {
-        const PointParameters& parameters = draw_.raster.point_parameters;
-        const double unit = power_of_two(reach_xyz(eye_from_object_, reach_object()));
-        glm::dmat4 eye_from_object = eye_from_object_;
-        for (int column = 0; column < 4; ++column)
-            for (int row = 0; row < 3; ++row) eye_from_object[column][row] /= unit;
-        matrix("u_point_eye_from_object", eye_from_object);
-        vector("u_point_attenuation", parameters.distance_attenuation * glm::dvec3(1, unit, unit * unit));
-        vector("u_point_sizes", glm::dvec3(draw_.raster.point_size, parameters.size_min, parameters.size_max));
-    }
-
-    void fragments() {
-        if (effects_.attenuated_points) points();
-        if (effects_.texture.matrix) matrix("u_texture_matrix", draw_.texture.texture_matrix);
-        if (effects_.texture.generates()) {
-            generated_planes(draw_.texture, "");
-            generated();
-        }
-        vector("u_texture_env_color", draw_.texture.env_color);
-        if (!effects_.units.empty()) texture_units();
-        if (!effects_.has_fog()) return;
-        const glm::dmat4 rows = glm::transpose(eye_from_object_);
-        vector("u_eye_z_from_object", rows[2]);
-        vector("u_eye_w_from_object", rows[3]);
-        const Fog& fog = draw_.fog;
-        vector("u_fog_color", rgb(fog.color));
-        number("u_fog_density", fog.density);
-        number("u_fog_end", fog.end);
-        // RULING: linear fog with end = start is a step there.
-        constexpr double kStep = 1e30;
-        number("u_fog_scale", fog.end == fog.start ? kStep : 1 / (fog.end - fog.start));
-    }
-
-    // Draws that combine textures: each uniform has its unit's number.
-    void texture_units() {
-        draw_.for_each_unit([&](std::size_t number, const TextureUnit& unit) {
-            const std::string suffix = std::to_string(number);
-            matrix("u_texture_matrix" + suffix, unit.texture_matrix);
-            vector("u_texture_env_color" + suffix, unit.env_color);
-            generated_planes(unit, suffix);
-        });
-        generated();
-    }
-
-    // Three samples per group; the last group is filled with 0.
-    void samples(const std::string& name, std::vector<double> values, double factor = 1) {
-        values.resize(3 * static_cast<std::size_t>(effects_.spectral_groups));
-        uniforms_.add(name);
-        for (const double value : values) put(factor * value);
-    }
-
-    // The uniforms for lighting in spectral samples: of faces and lights, and the weights from samples to red, green
-    // and blue.
-    void spectral_samples() {
-        const SpectralSamples& spectrum = *model().spectrum;
+    // The weights from samples to red, green and blue.
+    static std::vector<double> weights(const SpectralSamples& spectrum) {
         std::vector<double> weights;
         for (int s = 0; s < spectrum.count(); ++s) {
             const Vec3<double> w = spectrum.weight(static_cast<std::size_t>(s));
             for (const double channel : {w.x, w.y, w.z}) weights.push_back(channel);
         }
-        weights.resize(9 * static_cast<std::size_t>(effects_.spectral_groups));
-        uniforms_.add("u_rgb_from_samples");
-        for (const double weight : weights) put(weight);
-        const auto of_face = [&](const std::string& name, const Material& m) {
-            const Material::Reflectances& r = m.reflectances;
-            samples(name + "_ambient_samples", samples_of(spectrum, MaterialColor{rgb(m.ambient), r.ambient}));
-            samples(name + "_diffuse_samples", samples_of(spectrum, MaterialColor{rgb(m.diffuse), r.diffuse}));
-            samples(name + "_specular_samples", samples_of(spectrum, MaterialColor{rgb(m.specular), r.specular}));
-        };
-        of_face("u_front", plan_.lighting.front);
-        if (effects_.two_side) of_face("u_back", plan_.lighting.back);
-        for (std::size_t i = 0; i < lights_.size(); ++i) {
-            const LightSource& light = source(lights_[i].front());
-            const double reach = reach_of(lights_[i].front());
-            const std::string name = fmt::format("u_light{}", i);
-            samples(name + "_ambient_samples", samples_of(spectrum, ambient_of(light)), reach);
-            samples(name + "_diffuse_samples", samples_of(spectrum, diffuse_of(light)), reach);
-            samples(name + "_specular_samples", samples_of(spectrum, specular_of(light)), reach);
+        return weights;
+    }
+    // The last group is filled with 0.
+    void put_filled(std::vector<double> values, std::size_t numbers_per_group, double factor = 1) {
+        values.resize(numbers_per_group * static_cast<std::size_t>(effects_.spectral_groups));
+        for (const double value : values) put(factor * value);
+    }
+
+    // Visits the three colours of materials and lights: visit(value, the light's, the material's, what comes with each vertex).
+    template <class Visit>
+    static void for_each_color(const Material& material, const FaceEffects& varying, const Visit& visit) {
+        const Material::Reflectances& reflectances = material.reflectances;
+        visit(LightValue::kAmbient, ambient_of_light, MaterialColor{rgb(material.ambient), reflectances.ambient},
+              ambient_of(varying));
+        visit(LightValue::kDiffuse, diffuse_of_light, MaterialColor{rgb(material.diffuse), reflectances.diffuse},
+              diffuse_of(varying));
+        visit(LightValue::kSpecular, specular_of_light, MaterialColor{rgb(material.specular), reflectances.specular},
+              specular_of(varying));
+    }
+
+    void samples_of_lights() {
+        const LightValues needed = sampled_colors(effects_);
+        for (std::size_t i = 0; i < lights_.size(); ++i)
+            for_each_color({}, {}, [&](LightValue value, const auto& light_color_of, const auto&, PerVertexColor) {
+                if (!needed.contains(value)) return;
+                const std::size_t planned = lights_[i].front();
+                uniforms_.add(name_of_light_samples(i, value));
+                put_filled(samples_of(*model().spectrum, light_color_of(source(planned))), 3, reach_of(planned));
+            });
+    }
+
+    // The colours of a face, and their products with the lights'.
+    void face(std::string_view name, const Material& material, const FaceEffects& varying) {
+        values_of_face(effects_, varying).for_each([&](FaceValue value) {
+            add_to(uniforms_, name, value, effects_);
+            put(value, material, varying);
+        });
+        const LightValues sampled = sampled_colors(effects_);
+        for_each_color(material, varying,
+                       [&](LightValue value, const auto&, const MaterialColor& color, PerVertexColor) {
+                           if (!sampled.contains(value)) return;
+                           uniforms_.add(name_of_face_samples(name, value));
+                           put_filled(samples_of(*model().spectrum, color), 3);
+                       });
+        for (std::size_t i = 0; effects_.spectral_groups == 0 && i < lights_.size(); ++i) {
+            const LightValues needed = values_of_light(effects_, form_, i);
+            for_each_color(material, varying,
+                           [&](LightValue value, const auto& light_color_of, const MaterialColor& color,
+                               PerVertexColor per_vertex) {
+                               if (!needed.contains(value)) return;
+                               start_value(i, value, name);
+                               for (const std::size_t planned : lights_[i]) {
+                                   const LightColor light_color = light_color_of(source(planned));
+                                   const double reach = reach_of(planned);
+                                   if (!per_vertex)
+                                       put(reach * product_of(model(), light_color, color));
+                                   else if (effects_.spectral_products)
+                                       put(reach * product_matrix(model(), light_color));
+                                   else
+                                       put(reach * light_color.rgb);
+                               }
+                           });
         }
     }
 
-    // The base colour e_cm + a_cm a_cs without the parts that come with each vertex, and the products with the lights.
-    void face(const std::string& name, const Material& material, const FaceEffects& varying) {
-        glm::dvec3 base(0);
-        if (!emission_of(varying)) base += rgb(material.emission);
-        const Material::Reflectances& reflectances = material.reflectances;
-        if (!ambient_of(varying))
-            base += product_of(model(), {plan_.constant_ambient, {}}, {rgb(material.ambient), reflectances.ambient});
-        vector("u_" + name + "_base", base);
-        number("u_" + name + "_alpha", material.diffuse.a);
-        number("u_" + name + "_shininess", normal_exponent(material.shininess));
-        for (std::size_t i = 0; i < lights_.size(); ++i) {
-            const LightValues needed = values_of_light(effects_, form_, i);
-            const auto product = [&](LightValue value, const auto& light_color_of, const MaterialColor& color,
-                                     PerVertexColor per_vertex) {
-                if (!needed.contains(value)) return;
-                start_value(i, value, name);
-                for (const std::size_t planned : lights_[i]) {
-                    const LightColor light_color = light_color_of(source(planned));
-                    const double reach = reach_of(planned);
-                    if (!per_vertex)
-                        put(reach * product_of(model(), light_color, color));
-                    else if (effects_.spectral_products)
-                        put(reach * product_matrix(model(), light_color));
-                    else
-                        put(reach * light_color.rgb);
-                }
-            };
-            product(LightValue::kAmbient, ambient_of_light, {rgb(material.ambient), reflectances.ambient},
-                    ambient_of(varying));
-            product(LightValue::kDiffuse, diffuse_of_light, {rgb(material.diffuse), reflectances.diffuse},
-                    diffuse_of(varying));
-            product(LightValue::kSpecular, specular_of_light, {rgb(material.specular), reflectances.specular},
-                    specular_of(varying));
+    void put(FaceValue value, const Material& material, const FaceEffects& varying) {
+        switch (value) {
+            case FaceValue::kBase: {  // without the parts that come with each vertex
+                glm::dvec3 base(0);
+                if (!emission_of(varying)) base += rgb(material.emission);
+                if (!ambient_of(varying))
+                    base += product_of(model(), {plan_.constant_ambient, {}},
+                                       {rgb(material.ambient), material.reflectances.ambient});
+                return put(base);
+            }
+            case FaceValue::kAlpha: return put(material.diffuse.a);
+            case FaceValue::kShininess: return put(normal_exponent(material.shininess));
         }
     }
 
@@ -509,10 +542,7 @@ class DrawUniforms {
             case LightValue::kHalfDir: return put(direction(unit(vp_dir() + glm::dvec3(0, 0, 1))));
             case LightValue::kToward: return put(toward(light));
             case LightValue::kPosition: return put(placed(light).place);
-            case LightValue::kNearVertex: {
-                const glm::dvec4 vertex = near_vertex(placed(light).nearest);
-                return form_.position_w ? put(vertex) : put(glm::dvec3(vertex));
-            }
+            case LightValue::kNearVertex: return put_near_vertex(placed(light).nearest);
             case LightValue::kWay: return put(placed(light).nearest.way_eye);
             case LightValue::kAttenuation: return put(attenuation(light));
             case LightValue::kSpotDir: return put(direction(unit(light.spot_direction_eye)));
@@ -598,7 +628,12 @@ class DrawUniforms {
     double unit_of_directions_ = 1;                       // the shader's unit of vertices with w = 0
     double scale_of_xyz_ = 1;        // of form_.wide_range: what the shader multiplies object coordinates by
     double unit_ = 1;                // the shader's unit of length, in eye coordinates
+    glm::dmat4 lit_from_object_{1};  // to the coordinates that the shader lights in, if these are eye coordinates
     glm::dmat4 object_from_eye_{1};  // used if form_.object_space
+    glm::dmat3 normals_{1};          // for normals, if the shader lights in eye coordinates
+    double normal_unit_ = 1;         // what normals_ was divided by
+    glm::dvec4 object_scale_{1};     // used if form_.wide_range
+    NearestVertex viewer_{};         // the same
     std::map<const LightSource*, NearestVertex> nearest_;  // used if form_.wide_range
     Uniforms uniforms_;
 };

@@ -2,7 +2,33 @@
 
 #include <fmt/format.h>
 
+#include <initializer_list>
+
 namespace twinlight::programmable {
+namespace {
+
+// Calls make(beginning of the name, {the rest}).
+template <class Make>
+void make_name(std::size_t i, const LightUniform& uniform, std::string_view face, const Make& make) {
+    make("u_light" + std::to_string(i) + "_", {face, face.empty() ? "" : "_", uniform.name, uniform.space});
+}
+template <class Make>
+void make_name(std::string_view face, FaceValue value, const EffectSet& effects, const Make& make) {
+    make("u_", {face, "_", declaration_of(value, effects).name});
+}
+
+using Rest = std::initializer_list<std::string_view>;
+auto adding_to(Uniforms& uniforms) {
+    return [&uniforms](std::string_view name, Rest rest) { uniforms.add(name, rest); };
+}
+auto appending_to(std::string& text) {
+    return [&text](std::string_view name, Rest rest) {
+        text += name;
+        for (const std::string_view part : rest) text += part;
+    };
+}
+
+}  // namespace
 
 bool needs_light_cosine(const EffectSet& effects, std::size_t i) {
     const LightEffects& light = effects.lights[i];
@@ -66,8 +92,85 @@ LightUniform declaration_of(LightValue value, const EffectSet& effects, const Fo
 }
 
 std::string name_of(std::size_t i, const LightUniform& uniform, std::string_view face) {
-    return fmt::format("u_light{}_{}{}{}{}", i, face, face.empty() ? "" : "_", uniform.name, uniform.space);
+    std::string name;
+    make_name(i, uniform, face, appending_to(name));
+    return name;
 }
+void add_to(Uniforms& uniforms, std::size_t i, const LightUniform& uniform, std::string_view face) {
+    make_name(i, uniform, face, adding_to(uniforms));
+}
+
+int loop_length(const EffectSet& effects, const Form& form, std::size_t i) {
+    const std::size_t written_out = effects.lights.size() - form.loops.size();
+    return i < written_out ? 0 : form.loops[i - written_out];
+}
+
+std::string name_of_count(std::size_t i) { return fmt::format("u_count_of_light{}", i); }
+
+// ---- Materials ----
+
+ValueSet<ModelValue> values_of_model(const EffectSet& effects) {
+    const bool has_ambient =
+        ambient_of(effects.front) || (effects.two_side && ambient_of(effects.back));  // with each vertex
+    ValueSet<ModelValue> values;
+    values.add(ModelValue::kConstantAmbient, has_ambient);
+    values.add(ModelValue::kRgbFromSamples, effects.spectral_groups > 0);
+    return values;
+}
+
+Declaration declaration_of(ModelValue value, const EffectSet& effects) {
+    switch (value) {
+        case ModelValue::kConstantAmbient:
+            return {effects.spectral_products ? "mat3" : "vec3", "u_constant_ambient",
+                    "a_cs, plus a_cli of the lights that nothing weakens"};
+        case ModelValue::kRgbFromSamples: return {"mat3", "u_rgb_from_samples"};
+    }
+    return {};
+}
+
+ValueSet<FaceValue> values_of_face(const EffectSet& effects, const FaceEffects& face) {
+    ValueSet<FaceValue> values;
+    values.add(FaceValue::kBase, !emission_of(face) || !ambient_of(face));
+    values.add(FaceValue::kAlpha, !diffuse_of(face));
+    values.add(FaceValue::kShininess, !face.varies_shininess && effects.shininess != Power::kZero);
+    return values;
+}
+
+Declaration declaration_of(FaceValue value, const EffectSet& effects) {
+    switch (value) {
+        case FaceValue::kBase: return {"vec3", "base", "the part of e_cm + a_cm a_cs that is the same at every vertex"};
+        case FaceValue::kAlpha: return {"float", "alpha", "the alpha of d_cm"};
+        case FaceValue::kShininess: return {effects.shininess == Power::kWhole ? "int" : "float", "shininess", "s_rm"};
+    }
+    return {};
+}
+
+std::string name_of(std::string_view face, FaceValue value, const EffectSet& effects) {
+    std::string name;
+    make_name(face, value, effects, appending_to(name));
+    return name;
+}
+void add_to(Uniforms& uniforms, std::string_view face, FaceValue value, const EffectSet& effects) {
+    make_name(face, value, effects, adding_to(uniforms));
+}
+
+LightValues sampled_colors(const EffectSet& effects) {
+    LightValues colors;
+    if (effects.spectral_groups == 0) return colors;
+    colors.add(LightValue::kAmbient, effects.any_light(&LightEffects::ambient));
+    colors.add(LightValue::kDiffuse, effects.any_light(&LightEffects::diffuse));
+    colors.add(LightValue::kSpecular, effects.any_light(&LightEffects::specular));
+    return colors;
+}
+
+std::string name_of_face_samples(std::string_view face, LightValue color) {
+    return fmt::format("u_{}_{}_samples", face, declaration_of(color, {}, {}, 0).name);
+}
+std::string name_of_light_samples(std::size_t i, LightValue color) {
+    return fmt::format("u_light{}_{}_samples", i, declaration_of(color, {}, {}, 0).name);
+}
+
+// ---- Shaders to keep ----
 
 std::string kept_cone_name(int number, LightValue value) {
     return name_of(static_cast<std::size_t>(number), declaration_of(value, {}, {}, 0));

@@ -1,5 +1,5 @@
-// The uniforms of a program's lights, in one list. The text declares those that the list has (LightingNames), and a Draw gives a
-// value for each of these and for no other (draw_values.cpp, precise.cpp).
+// The uniforms of a program's lights and materials, in one list. The text declares those that the list has (LightingNames), and a
+// Draw gives a value for each of these and for no other (draw_values.cpp, precise.cpp).
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,7 @@
 
 #include "render/effect/effect_set.h"
 #include "render/programmable/form.h"
+#include "render/programmable/uniforms.h"
 #include "render/programmable/value_set.h"
 
 namespace twinlight::programmable {
@@ -54,6 +55,51 @@ LightUniform declaration_of(LightValue value, const EffectSet& effects, const Fo
 
 // "u_light0_position_eye"; of a face's colours "u_light0_front_ambient".
 std::string name_of(std::size_t i, const LightUniform& uniform, std::string_view face = {});
+// Adds a uniform of this name, which is made in place: each Draw of each frame comes here.
+void add_to(Uniforms& uniforms, std::size_t i, const LightUniform& uniform, std::string_view face = {});
+
+// If the i-th light of the effects represents many lights (Form::loops): the length of its arrays, otherwise 0. Their number is a
+// uniform too.
+int loop_length(const EffectSet& effects, const Form& form, std::size_t i);
+std::string name_of_count(std::size_t i);
+
+// ---- Materials ----
+
+// What a program may need of the light model.
+enum class ModelValue : std::uint8_t {
+    kConstantAmbient,  // a_cs, to be multiplied with colours that come with each vertex
+    kRgbFromSamples,   // the weights from spectral samples to red, green and blue
+};
+ValueSet<ModelValue> values_of_model(const EffectSet& effects);
+Declaration declaration_of(ModelValue value, const EffectSet& effects);
+
+// What a program may need of a face's material: u_front_base.
+enum class FaceValue : std::uint8_t {
+    kBase,       // the part of e_cm + a_cm a_cs that is the same at every vertex
+    kAlpha,      // of d_cm
+    kShininess,  // s_rm
+};
+ValueSet<FaceValue> values_of_face(const EffectSet& effects, const FaceEffects& face);
+Declaration declaration_of(FaceValue value, const EffectSet& effects);  // its name is "base"
+std::string name_of(std::string_view face, FaceValue value, const EffectSet& effects);
+void add_to(Uniforms& uniforms, std::string_view face, FaceValue value, const EffectSet& effects);
+
+// Programs that light in spectral samples need samples of these colours, of each face (u_front_ambient_samples) and of each light
+// (u_light0_ambient_samples).
+LightValues sampled_colors(const EffectSet& effects);
+std::string name_of_face_samples(std::string_view face, LightValue color);
+std::string name_of_light_samples(std::size_t i, LightValue color);
+
+// A colour of the material that comes with each vertex: glColor's (2.14.3) or glMaterial's between glBegin and glEnd
+// (2.14.2).
+struct PerVertexColor {
+    bool tracks = false, varies = false;
+    explicit operator bool() const { return tracks || varies; }
+};
+inline PerVertexColor emission_of(const FaceEffects& face) { return {face.tracks_emission, face.varies_emission}; }
+inline PerVertexColor ambient_of(const FaceEffects& face) { return {face.tracks_ambient, face.varies_ambient}; }
+inline PerVertexColor diffuse_of(const FaceEffects& face) { return {face.tracks_diffuse, face.varies_diffuse}; }
+inline PerVertexColor specular_of(const FaceEffects& face) { return {face.tracks_specular, face.varies_specular}; }
 
 // The uniforms of shaders to keep that are not GL's: u_light3_cos_outer. The number is the light's in GL.
 std::string kept_cone_name(int number, LightValue value);

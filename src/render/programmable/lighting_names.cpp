@@ -24,7 +24,7 @@ std::vector<std::string> LightingNames::faces() const {
     return effects_.two_side ? std::vector<std::string>{"front", "back"} : std::vector<std::string>{"front"};
 }
 
-std::string LightingNames::uniform(const std::string& type, const std::string& name, const std::string& comment,
+std::string LightingNames::uniform(std::string_view type, const std::string& name, std::string_view comment,
                                    const std::string& array) {
     if (declared_.insert(name).second)
         declarations_ +=
@@ -41,18 +41,12 @@ std::string LightingNames::of_face(const std::string& face, const Name& name) {
 
 // ---- Lights ----
 
-int LightingNames::loop_length(std::size_t i) const {
-    const std::size_t written_out = effects_.lights.size() - form_.loops.size();
-    return i < written_out ? 0 : form_.loops[i - written_out];
-}
-
 // The uniform of a light, of a face's colours too.
 std::string LightingNames::light_uniform(std::size_t i, const LightUniform& one, const std::string& face) {
-    const int length = loop_length(i);
+    const int length = loop_length(effects_, form_, i);
     const std::string name = name_of(i, one, face);
-    return length == 0
-               ? uniform(std::string(one.type), name, std::string(one.comment))
-               : uniform(std::string(one.type), name, std::string(one.comment), fmt::format("[{}]", length)) + "[i]";
+    return length == 0 ? uniform(one.type, name, one.comment)
+                       : uniform(one.type, name, one.comment, fmt::format("[{}]", length)) + "[i]";
 }
 
 // No Draw gives a value that is not in the list.
@@ -97,8 +91,8 @@ std::string LightingNames::kept_light(std::size_t i, LightValue value) {
 
 std::string LightingNames::light_block(std::size_t i) {
     if (form_.kept) return fmt::format("    {{  // {}\n", light_name(form_.kept->lights.at(i)));
-    if (loop_length(i) == 0) return fmt::format("    {{  // light{}\n", i);
-    const std::string count = uniform("int", fmt::format("u_count_of_light{}", i), "the number of lights in this loop");
+    if (loop_length(effects_, form_, i) == 0) return fmt::format("    {{  // light{}\n", i);
+    const std::string count = uniform("int", name_of_count(i), "the number of lights in this loop");
     return fmt::format("    for (int i = 0; i < {}; ++i) {{  // light{}\n", count, i);
 }
 
@@ -114,7 +108,7 @@ std::string LightingNames::product(std::size_t i, const std::string& face, Light
         return fmt::format("{} * {}.rgb", color, kept_light(i, light_color));
     }
     if (per_vertex) {
-        one.type = product_type();
+        one.type = effects_.spectral_products ? "mat3" : "vec3";
         one.comment.remove_prefix(one.comment.find(' ') + 1);  // "a_cm a_cli"
     }
     const std::string color = of_face(face, [&](const std::string& name) { return light_uniform(i, one, name); });
@@ -122,17 +116,35 @@ std::string LightingNames::product(std::size_t i, const std::string& face, Light
 }
 
 std::string LightingNames::sample_product(std::size_t i, const std::string& face, LightValue light_color) {
-    const std::string term(listed(i, light_color).name);
-    const std::string array = fmt::format("[{}]", effects_.spectral_groups);
-    const auto samples = [&](const std::string& of, const char* letters) {
-        return uniform("vec3", fmt::format("u_{}_{}_samples", of, term), term.front() + std::string(letters), array) +
+    const char letter = listed(i, light_color).name.front();
+    if (!sampled_colors(effects_).contains(light_color))
+        throw std::logic_error("sampled_colors() lacks a colour of light " + std::to_string(i));
+    const auto samples = [&](const std::string& name, const char* whose) {
+        return uniform("vec3", name, letter + std::string(whose), fmt::format("[{}]", effects_.spectral_groups)) +
                "[g]";
     };
-    const std::string material = of_face(face, [&](const std::string& name) { return samples(name, "_cm"); });
-    return fmt::format("({} * {})", material, samples(fmt::format("light{}", i), "_cli"));
+    const std::string material =
+        of_face(face, [&](const std::string& name) { return samples(name_of_face_samples(name, light_color), "_cm"); });
+    return fmt::format("({} * {})", material, samples(name_of_light_samples(i, light_color), "_cli"));
 }
 
 // ---- Materials ----
+
+std::string LightingNames::model(ModelValue value) {
+    const Declaration one = declaration_of(value, effects_);
+    if (!values_of_model(effects_).contains(value))
+        throw std::logic_error(fmt::format("values_of_model() lacks {}", one.name));
+    const bool is_array = value == ModelValue::kRgbFromSamples;
+    return uniform(one.type, std::string(one.name), one.comment,
+                   is_array ? fmt::format("[{}]", effects_.spectral_groups) : "");
+}
+
+std::string LightingNames::material(const std::string& face, FaceValue value) {
+    const Declaration one = declaration_of(value, effects_);
+    if (!values_of_face(effects_, face == "back" ? effects_.back : effects_.front).contains(value))
+        throw std::logic_error(fmt::format("values_of_face() lacks {} of the {} face", one.name, face));
+    return uniform(one.type, name_of(face, value, effects_), one.comment);
+}
 
 std::string LightingNames::per_vertex_color(const std::string& face, const std::string& property,
                                             PerVertexColor per_vertex) {
@@ -154,14 +166,8 @@ std::string LightingNames::scene_color(const std::string& face, const FaceEffect
     const auto add = [&](const std::string& term) { sum += (sum.empty() ? "" : " + ") + term; };
     if (emission) add(per_vertex_color(face, "emission", emission) + ".rgb");
     if (!emission || !ambient)
-        add(of_face(face, [&](const std::string& name) {
-            return uniform("vec3", fmt::format("u_{}_base", name),
-                           "the part of e_cm + a_cm a_cs that is the same at every vertex");
-        }));
-    if (ambient)
-        add(uniform(std::string(product_type()), "u_constant_ambient",
-                    "a_cs, plus a_cli of the lights that nothing weakens") +
-            " * " + per_vertex_color(face, "ambient", ambient) + ".rgb");
+        add(of_face(face, [&](const std::string& name) { return material(name, FaceValue::kBase); }));
+    if (ambient) add(model(ModelValue::kConstantAmbient) + " * " + per_vertex_color(face, "ambient", ambient) + ".rgb");
     return sum;
 }
 
@@ -169,7 +175,7 @@ std::string LightingNames::alpha(const std::string& face, const FaceEffects& var
     if (const PerVertexColor diffuse = diffuse_of(varying)) return per_vertex_color(face, "diffuse", diffuse) + ".a";
     return of_face(face, [&](const std::string& name) {
         if (form_.kept) return kept_material(name) + ".diffuse.a";
-        return uniform("float", fmt::format("u_{}_alpha", name), "the alpha of d_cm");
+        return material(name, FaceValue::kAlpha);
     });
 }
 
@@ -188,7 +194,7 @@ std::string LightingNames::shininess(const std::string& face, const FaceEffects&
     // softpipe's compiler takes the wrong face in a choice between the integers 1 and 0.
     const bool is_chosen = whole && face == "shown";
     const std::string value = of_face(face, [&](const std::string& name) {
-        const std::string one = uniform(whole ? "int" : "float", fmt::format("u_{}_shininess", name), "s_rm");
+        const std::string one = material(name, FaceValue::kShininess);
         return is_chosen ? fmt::format("float({}) + 0.5", one) : one;
     });
     return is_chosen ? fmt::format("int({})", value) : value;

@@ -1,8 +1,8 @@
 // LightingNames: the names of the values in the GLSL that lights a vertex or a fragment. Naming a uniform declares it.
 //
-// Lights are light0, light1, ... Their uniforms (light_values.h) are u_light0_position_eye, u_light0_attenuation,
-// u_light0_front_diffuse and so on; those of faces are u_front_base, u_back_base and so on. In shaders to keep they are GL's:
-// LightSource[0].diffuse, FrontMaterial.ambient.
+// Only the uniforms of light_values.h have names here, because no Draw gives a value for others. Lights are light0, light1, ... Their
+// uniforms are u_light0_position_eye, u_light0_attenuation, u_light0_front_diffuse and so on; those of faces are u_front_base,
+// u_back_base and so on. In shaders to keep they are GL's: LightSource[0].diffuse, FrontMaterial.ambient.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,17 +16,6 @@
 #include "render/programmable/light_values.h"
 
 namespace twinlight::programmable {
-
-// A colour of the material that comes with each vertex: glColor's (2.14.3) or glMaterial's between glBegin and glEnd
-// (2.14.2).
-struct PerVertexColor {
-    bool tracks = false, varies = false;
-    explicit operator bool() const { return tracks || varies; }
-};
-inline PerVertexColor emission_of(const FaceEffects& face) { return {face.tracks_emission, face.varies_emission}; }
-inline PerVertexColor ambient_of(const FaceEffects& face) { return {face.tracks_ambient, face.varies_ambient}; }
-inline PerVertexColor diffuse_of(const FaceEffects& face) { return {face.tracks_diffuse, face.varies_diffuse}; }
-inline PerVertexColor specular_of(const FaceEffects& face) { return {face.tracks_specular, face.varies_specular}; }
 
 // Whether one function lights either face: in phong shading, where the fragment knows its face.
 bool shares_faces(const EffectSet& effects);
@@ -65,8 +54,8 @@ class LightingNames {
     std::string alpha(const std::string& face, const FaceEffects& varying);
     std::string shininess(const std::string& face, const FaceEffects& varying);
 
-    std::string uniform(const std::string& type, const std::string& name, const std::string& comment,
-                        const std::string& array = "");
+    std::string model(ModelValue value);  // not in shaders to keep
+
     const std::string& declarations() const { return declarations_; }
 
     // struct Surface and struct Lit.
@@ -78,14 +67,15 @@ class LightingNames {
     bool has_surface() const;
 
   private:
+    std::string uniform(std::string_view type, const std::string& name, std::string_view comment,
+                        const std::string& array = "");
     std::string kept_light(std::size_t i, LightValue value);
     LightUniform listed(std::size_t i, LightValue value) const;
     std::string light_uniform(std::size_t i, const LightUniform& uniform, const std::string& face = "");
     template <class Name>
     std::string of_face(const std::string& face, const Name& name);
     std::string per_vertex_color(const std::string& face, const std::string& property, PerVertexColor per_vertex);
-    std::string_view product_type() const { return effects_.spectral_products ? "mat3" : "vec3"; }
-    int loop_length(std::size_t i) const;
+    std::string material(const std::string& face, FaceValue value);
 
     const EffectSet& effects_;
     const Form& form_;

@@ -223,9 +223,9 @@ class Writer : LightingWriter {
     }
     void add_samples() {
         const int groups = effects_.spectral_groups;
-        names_.uniform("mat3", "u_rgb_from_samples", "", fmt::format("[{}]", groups));
+        const std::string weights = names_.model(ModelValue::kRgbFromSamples);
         for (const auto& [samples, sum] : sampled_sums())
-            add("    for (int g = 0; g < {}; ++g) {} += u_rgb_from_samples[g] * {}[g];\n", groups, sum, samples);
+            add("    for (int g = 0; g < {}; ++g) {} += {}[g] * {}[g];\n", groups, sum, weights, samples);
     }
 };
 

@@ -13,6 +13,7 @@
 #include "render/programmable/lighting_names.h"
 #include "render/programmable/lighting_text.h"
 #include "render/programmable/precise/precise.h"
+#include "render/programmable/program_uniforms.h"
 #include "render/programmable/rectangles_text.h"
 #include "render/programmable/shader_pieces.h"
 #include "render/programmable/vertex_attributes.h"
@@ -52,12 +53,14 @@ class Assembler {
             (definition.is_uniform ? uniforms : functions) += definition.text + (definition.is_uniform ? "" : "\n");
         if (lights_here) uniforms += lighting_.uniforms;
         for (int i = 0; !form_.kept && is_vertex != has_ray() && i < effects_.clip_plane_count; ++i)
-            uniforms += fmt::format(
-                "uniform vec4 u_clip_plane{}_object;  // glClipPlane (section 2.12), in object coordinates\n", i);
+            uniforms += fmt::format("uniform vec4 {};  // glClipPlane (section 2.12), in object coordinates\n",
+                                    clip_plane_name(i));
         if (!uniforms.empty()) uniforms += "\n";
-        return fmt::format("#version {}\n{}\n{}{}{}{}{}", version(), purpose(stage),
-                           is_vertex ? attributes_text(body) : inputs_text(), uniforms, is_vertex ? outputs_text() : "",
-                           functions, body);
+        std::string text = fmt::format("#version {}\n{}\n{}{}{}{}{}", version(), purpose(stage),
+                                       is_vertex ? attributes_text(body) : inputs_text(), uniforms,
+                                       is_vertex ? outputs_text() : "", functions, body);
+        check_uniforms_are_declared(text);
+        return text;
     }
 
   private:
@@ -224,7 +227,7 @@ class Assembler {
         if (form_.kept)
             return fmt::format("dot(ClipPlane[{}], ModelViewMatrix * position)",
                                form_.kept->clip_planes.at(static_cast<std::size_t>(i)));
-        return fmt::format("dot(u_clip_plane{}_object, position)", i);
+        return fmt::format("dot({}, position)", clip_plane_name(i));
     }
 
     // The eye coordinate z of an object position, and w if it may differ from 1.
@@ -724,8 +727,7 @@ class Assembler {
                                           i == 0 ? "  // clipped where negative (section 2.12)" : "");
             clip_discards += fmt::format("    if (v_clip_distance{} < 0.0) discard;{}\n", i,
                                          i == 0 ? "  // a clip plane (section 2.12)" : "");
-            within_clip_planes +=
-                fmt::format("    is_seen = is_seen && dot(u_clip_plane{}_object, place) >= 0.0;\n", i);
+            within_clip_planes += fmt::format("    is_seen = is_seen && dot({}, place) >= 0.0;\n", clip_plane_name(i));
         }
         Scope scope{
             .switches = {{"EFFECT_TEXTURE", effects_.has_texture()},
@@ -778,28 +780,47 @@ class Assembler {
         return scope;
     }
 
-    // All uniforms, and the functions for each kind of exponent in the effects.
+    // "uniform vec4 u_fog_color;  // ...", with the comment above it.
+    Definition definition(const Declaration& one, const std::string& suffix, const Words& words) const {
+        std::string text;
+        for (std::string_view rest = one.above; !rest.empty();) {
+            const std::size_t end = std::min(rest.find('\n'), rest.size());
+            text += fmt::format("// {}\n", rest.substr(0, end));
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+        }
+        text += fmt::format("uniform {} {}{}{};{}{}\n", with_words(one.type, words), one.name, suffix, one.array,
+                            one.comment.empty() ? "" : "  // ", one.comment);
+        std::string name = std::string(one.name) + suffix;
+        if (!form_.kept) return {std::move(name), std::move(text), true};
+        return {with_words(name, kept_names()), with_words(text, kept_names()), true};
+    }
+
+    // The uniforms that the program may use.
+    std::vector<Definition> uniforms(const Words& words) const {
+        std::vector<Definition> result;
+        const auto add = [&](const UniformList& list, const std::string& suffix, const Words& words_of_list) {
+            for_each_uniform([&](auto value) {
+                if (list.contains(value)) result.push_back(definition(declaration_of(value), suffix, words_of_list));
+            });
+        };
+        if (form_.kept)
+            result = definitions("kept_uniforms.glsl", words);
+        else
+            add(uniform_list(effects_, form_), "", words);
+        // There, Texture0 is the name of an only texture.
+        if (form_.kept && !effects_.units.empty())
+            std::erase_if(result, [](const Definition& one) { return one.name == "Texture0"; });
+        for (const UnitEffects& unit : effects_.units)
+            add(uniform_list(unit, form_), std::to_string(unit.number), texture_words(unit.texture, false));
+        return result;
+    }
+
+    // Those, and the functions for each kind of exponent in the effects.
     std::vector<Definition> library(const Words& words) const {
         bool has_whole = effects_.shininess == Power::kWhole, has_real = effects_.shininess == Power::kReal;
         for (const LightEffects& light : effects_.lights)
             if (light.spot) (light.spot_exponent == Power::kReal ? has_real : has_whole) = true;
-        std::vector<Definition> library = definitions(form_.kept ? "kept_uniforms.glsl" : "uniforms.glsl", words);
-        for (const UnitEffects& unit : effects_.units) {
-            // As the uniforms of one texture, with the unit's number.
-            for (Definition definition : definitions("uniforms.glsl", texture_words(unit.texture, false))) {
-                if (!definition.name.starts_with("u_texture") && !definition.name.starts_with("u_plane")) continue;
-                const std::string name = fmt::format("{}{}", definition.name, unit.number);
-                definition.text = with_words(definition.text, {{definition.name, name}});
-                definition.name = name;
-                if (form_.kept) {
-                    definition.text = with_words(definition.text, kept_names());
-                    definition.name = with_words(definition.name, kept_names());
-                    // Texture0 is also the name of an only texture.
-                    std::erase_if(library, [&](const Definition& one) { return one.name == definition.name; });
-                }
-                library.push_back(std::move(definition));
-            }
-        }
+        std::vector<Definition> library = uniforms(words);
         std::set<std::string> names;
         std::vector<const char*> files = lighting_.libraries;
         files.push_back("rectangles.glsl");

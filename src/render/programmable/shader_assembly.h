@@ -1,7 +1,8 @@
 // Assembly: makes the GLSL of an EffectSet. C++ writes the lighting (lighting_text.h) and the values passed between the
 // stages; the rest comes from the files in shaders/.
 //
-// Libraries are files of functions or uniforms: a program has those that its text uses, directly or through others.
+// Libraries are files of functions, and the list of uniforms (program_uniforms.h): a program has those that its text uses, directly or
+// through others. A uniform that is not listed throws std::logic_error, because no Draw gives it a value.
 // Files with a main() have directives at the start of a line:
 //
 //   #if EFFECT_A && !EFFECT_B || EFFECT_C  ... #elif ... #else ... #endif     lines for some effects only

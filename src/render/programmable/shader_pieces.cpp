@@ -25,6 +25,12 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
     return parts;
 }
 
+// Without the comments.
+template <class Visit>
+void for_each_line_of_code(std::string_view text, const Visit& visit) {
+    for (const std::string_view line : split(text, "\n")) visit(line.substr(0, line.find("//")));
+}
+
 // ---- Directives ----
 
 // "A && !B || C" over the scope's switches.
@@ -128,10 +134,11 @@ std::vector<Definition> definitions(std::string_view file, const Words& words) {
 std::vector<Definition> used_definitions(const std::vector<Definition>& library, std::string_view text) {
     std::set<std::string, std::less<>> named;
     const auto add = [&](std::string_view of) {
-        for (const std::string_view line : split(of, "\n"))
-            for_each_token(line.substr(0, line.find("//")), [&](std::string_view token, bool is_identifier) {
+        for_each_line_of_code(of, [&](std::string_view line) {
+            for_each_token(line, [&](std::string_view token, bool is_identifier) {
                 if (is_identifier) named.emplace(token);
             });
+        });
     };
     add(text);
     std::vector<Definition> result;
@@ -142,6 +149,20 @@ std::vector<Definition> used_definitions(const std::vector<Definition>& library,
     }
     std::ranges::reverse(result);
     return result;
+}
+
+void check_uniforms_are_declared(std::string_view shader) {
+    std::set<std::string_view> declared, used;
+    for_each_line_of_code(shader, [&](std::string_view line) {
+        for_each_token(line, [&](std::string_view token, bool is_identifier) {
+            if (is_identifier && token.starts_with("u_"))
+                (line.starts_with("uniform ") ? declared : used).insert(token);
+        });
+    });
+    for (const std::string_view name : used)
+        if (!declared.contains(name))
+            throw std::logic_error(fmt::format(
+                "a shader uses {}, but its effects and form do not list it; see program_uniforms.cpp", name));
 }
 
 }  // namespace twinlight::programmable

@@ -51,4 +51,7 @@ std::vector<Definition> definitions(std::string_view file, const Words& words);
 // a library uses only definitions above it.
 std::vector<Definition> used_definitions(const std::vector<Definition>& library, std::string_view text);
 
+// Throws std::logic_error if a shader uses a name "u_..." that none of its lines "uniform ..." declares.
+void check_uniforms_are_declared(std::string_view shader);
+
 }  // namespace twinlight::programmable

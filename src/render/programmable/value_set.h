@@ -1,12 +1,18 @@
-// What the lists of uniforms are made of (light_values.h).
+// The parts of the lists of uniforms (program_uniforms.h, light_values.h).
 #pragma once
 
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <string_view>
 
 namespace twinlight::programmable {
+
+// How a shader declares a uniform: "uniform TYPE NAME ARRAY;  // COMMENT". `above` is the text of comments in the lines before.
+struct Declaration {
+    std::string_view type, name, comment = "", array = "", above = "";
+};
 
 // A set of an enum's values.
 template <class Value>

@@ -11,8 +11,9 @@
 
 #include "base/math/normal_matrix.h"
 #include "render/programmable/form.h"
-#include "render/programmable/lighting_names.h"
+#include "render/programmable/light_values.h"
 #include "render/programmable/precise/mesa_floats.h"
+#include "render/programmable/program_uniforms.h"
 #include "render/programmable/wide_range.h"
 
 namespace twinlight::programmable {
@@ -96,14 +97,39 @@ std::vector<float> columns(const Matrix& m) {
 
 glm::vec3 rgb(const glm::dvec4& color) { return glm::vec3(color); }
 
-// The scene colour and the products of the lights' and a face's colours (program/prog_statevars.c,
-// STATE_LIGHTMODEL_SCENECOLOR and STATE_LIGHTPROD), without the parts that come with each vertex.
-void add_face(Uniforms& uniforms, const std::string& name, const Code& code, const LightingState& lighting,
+// These functions return nothing where other programs have the right value.
+
+// The scene colour (program/prog_statevars.c, STATE_LIGHTMODEL_SCENECOLOR), without the parts that come with each vertex.
+std::vector<float> value_of(FaceValue value, const LightingState& lighting, const Material& material,
+                            const FaceEffects& varying) {
+    switch (value) {
+        case FaceValue::kBase: {
+            glm::vec3 base(0);
+            if (!ambient_of(varying)) base = rgb(lighting.light_model.ambient) * rgb(material.ambient);
+            if (!emission_of(varying)) base = base + rgb(material.emission);
+            return floats(base);
+        }
+        case FaceValue::kAlpha:
+        case FaceValue::kShininess: break;
+    }
+    return {};
+}
+
+std::vector<float> value_of(ModelValue value, const LightingState& lighting) {
+    switch (value) {
+        case ModelValue::kConstantAmbient: return floats(rgb(lighting.light_model.ambient));
+        case ModelValue::kRgbFromSamples: break;
+    }
+    return {};
+}
+
+// Replaces the values of a face, and sets the products of its colours with the lights' (STATE_LIGHTPROD).
+void set_face(Uniforms& uniforms, const std::string& name, const Code& code, const LightingState& lighting,
               const Material& material, const FaceEffects& varying) {
-    glm::vec3 base(0);
-    if (!ambient_of(varying)) base = rgb(lighting.light_model.ambient) * rgb(material.ambient);
-    if (!emission_of(varying)) base = base + rgb(material.emission);
-    uniforms.set(fmt::format("u_{}_base", name), floats(base));
+    values_of_face(code.effects, varying).for_each([&](FaceValue value) {
+        const std::vector<float> own = value_of(value, lighting, material, varying);
+        if (!own.empty()) uniforms.set(name_of(name, value, code.effects), own);
+    });
     for_each_light(lighting, [&](std::size_t i, const LightSource& light) {
         const LightValues needed = values_of_light(code.effects, code.form, i);
         const auto product = [&](LightValue value, const glm::dvec4& color, const glm::dvec4& of,
@@ -131,7 +157,7 @@ std::vector<float> value_of(LightValue value, const LightSource& light, const Me
             return floats({light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation});
         case LightValue::kAmbient:
         case LightValue::kDiffuse:
-        case LightValue::kSpecular:  // add_face() has them
+        case LightValue::kSpecular:  // set_face() has them
         case LightValue::kToward:
         case LightValue::kNearVertex:
         case LightValue::kWay:
@@ -139,6 +165,43 @@ std::vector<float> value_of(LightValue value, const LightSource& light, const Me
         case LightValue::kConeSlope: break;  // set_all_effects() and floats_suffice() leave these out
     }
     throw std::logic_error("--precise has no such value of a light");
+}
+
+// The matrices that the driver computes with.
+struct DriverMatrices {
+    glm::mat4 eye_from_object, clip_from_object;
+    MesaMatrix modelview;
+};
+
+std::vector<float> value_of(DrawValue value, const DriverMatrices& matrices, const Plan& plan) {
+    switch (value) {
+        case DrawValue::kClipFromObject: {
+            const double scale = clip_scale(glm::dmat4(matrices.clip_from_object), plan.vertices.position_reach);
+            return columns(matrices.clip_from_object / static_cast<float>(scale));
+        }
+        case DrawValue::kEyeFromObject: return columns(matrices.eye_from_object);
+        case DrawValue::kEyeFromObjectNormal: return columns(glm::transpose(matrices.modelview.inverse));
+        case DrawValue::kNormalScale: return {mesa_normal_scale(matrices.modelview)};
+        case DrawValue::kEyeFromObjectTurned:
+        case DrawValue::kObjectScale:
+        case DrawValue::kNormalUnit:
+        case DrawValue::kViewerObject:
+        case DrawValue::kViewerNearObject:
+        case DrawValue::kViewerWayEye:
+        case DrawValue::kViewerDirObject:
+        case DrawValue::kGeneratedEyeFromObject:
+        case DrawValue::kGeneratedNormalFromObject:
+        case DrawValue::kPointEyeFromObject:
+        case DrawValue::kPointAttenuation:
+        case DrawValue::kPointSizes:
+        case DrawValue::kEyeZFromObject:
+        case DrawValue::kEyeWFromObject:
+        case DrawValue::kFogColor:
+        case DrawValue::kFogEnd:
+        case DrawValue::kFogScale:
+        case DrawValue::kFogDensity: break;
+    }
+    return {};
 }
 
 }  // namespace
@@ -218,23 +281,26 @@ Code precise_code(const Draw& draw, const Plan& plan) {
 Uniforms precise_uniforms(const Draw& draw, const Plan& plan, const Code& code) {
     Uniforms values = uniforms(draw, plan, code);
     const glm::mat4 eye_from_object(draw.eye_from_object);
-    const glm::mat4 clip_from_object = mesa_product(glm::mat4(draw.clip_from_eye), eye_from_object);
-    const double scale = clip_scale(glm::dmat4(clip_from_object), plan.vertices.position_reach);
-    values.set("u_clip_from_object", columns(clip_from_object / static_cast<float>(scale)));
+    const DriverMatrices matrices{.eye_from_object = eye_from_object,
+                                  .clip_from_object = mesa_product(glm::mat4(draw.clip_from_eye), eye_from_object),
+                                  .modelview = mesa_matrix(eye_from_object)};
+    values_of_draw(code.effects, code.form).for_each([&](DrawValue value) {
+        const std::vector<float> own = value_of(value, matrices, plan);
+        if (!own.empty()) values.set(declaration_of(value).name, own);
+    });
     if (!code.effects.lighting) return values;
 
     const LightingState& lighting = plan.lighting;
-    const MesaMatrix modelview = mesa_matrix(eye_from_object);
-    values.set("u_eye_from_object", columns(eye_from_object));
-    values.set("u_eye_from_object_normal", columns(glm::transpose(modelview.inverse)));
-    values.set("u_normal_scale", {mesa_normal_scale(modelview)});
-    values.set("u_constant_ambient", floats(rgb(lighting.light_model.ambient)));
-    add_face(values, "front", code, lighting, lighting.front, code.effects.front);
-    if (code.effects.two_side) add_face(values, "back", code, lighting, lighting.back, code.effects.back);
+    values_of_model(code.effects).for_each([&](ModelValue value) {
+        const std::vector<float> own = value_of(value, lighting);
+        if (!own.empty()) values.set(declaration_of(value, code.effects).name, own);
+    });
+    set_face(values, "front", code, lighting, lighting.front, code.effects.front);
+    if (code.effects.two_side) set_face(values, "back", code, lighting, lighting.back, code.effects.back);
     for_each_light(lighting, [&](std::size_t i, const LightSource& light) {
-        const MesaLight in_space = mesa_light(light, eye_from_object, modelview, !code.form.object_space);
+        const MesaLight in_space = mesa_light(light, eye_from_object, matrices.modelview, !code.form.object_space);
         values_of_light(code.effects, code.form, i).for_each([&](LightValue value) {
-            if (is_color(value)) return;  // add_face() has them
+            if (is_color(value)) return;  // set_face() has them
             values.set(name_of(i, declaration_of(value, code.effects, code.form, i)), value_of(value, light, in_space));
         });
     });
