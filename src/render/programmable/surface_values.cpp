@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "render/effect/surface_draw.h"
+#include "render/programmable/program_uniforms.h"
 
 namespace twinlight::programmable {
 namespace {
@@ -77,59 +78,50 @@ std::optional<Rectangle> window_rectangle(const Viewport& viewport, const std::v
 
 class SurfaceUniforms {
   public:
-    SurfaceUniforms(const SurfaceDraw& surface, Uniforms uniforms)
-        : surface_(surface.surface), draw_(surface.draw), uniforms_(std::move(uniforms)) {}
+    SurfaceUniforms(const SurfaceDraw& surface, const SurfaceForm& form, const Rectangle& rectangle, Uniforms uniforms)
+        : surface_(surface.surface),
+          draw_(surface.draw),
+          form_(form),
+          rectangle_(rectangle),
+          uniforms_(std::move(uniforms)) {}
 
-    Uniforms build(const Rectangle& rectangle) {
-        rays(rectangle);
-        clip_space();
-        equation();
+    Uniforms build() {
+        set_rays();
+        values_of_surface(form_).for_each([&](SurfaceValue value) {
+            uniforms_.add(declaration_of(value).name);
+            put(value);
+        });
         return std::move(uniforms_);
     }
 
   private:
-    void set(const char* name, std::initializer_list<double> values) {
-        uniforms_.add(name);
-        for (const double value : values) uniforms_.push_back(to_float(value));
+    // These append to the uniform that was added last.
+    void put(double value) { uniforms_.push_back(to_float(value)); }
+    template <int kLength>
+    void put(const glm::vec<kLength, double>& v) {
+        for (int i = 0; i < kLength; ++i) put(v[i]);
     }
-    void set(const char* name, const glm::dvec3& v) { set(name, {v.x, v.y, v.z}); }
-    void set(const char* name, const glm::dvec4& v) { set(name, {v.x, v.y, v.z, v.w}); }
 
     // The ray through a window position goes through two points: h, the point that projects to (x_ndc, y_ndc, z) for
     // some z, and the preimage of the depth direction: the eye, or a point at infinity.
-    void rays(const Rectangle& rectangle) {
-        const Viewport& viewport = draw_.raster.viewport;
-        const glm::dvec2 origin(viewport.x, viewport.y), size(viewport.width, viewport.height);
-        const auto ndc = [&](const glm::dvec2& window) { return (window - origin) / size * 2.0 - 1.0; };
-        const glm::dvec2 low = ndc(rectangle.low), high = ndc(rectangle.high);
-        set("u_rectangle_ndc", {low.x, low.y, high.x, high.y});
-        const glm::dvec2 middle_window = glm::floor((rectangle.low + rectangle.high) / 2.0) + 0.5;
-        set("u_middle_window", {middle_window.x, middle_window.y});
-
+    void set_rays() {
+        middle_window_ = glm::floor((rectangle_.low + rectangle_.high) / 2.0) + 0.5;
         // The z of the surface's middle, so that h is close to it.
         const glm::dvec4 middle_clip = clip_from_surface_[3];
         const double z = middle_clip.w > 0 ? std::clamp(middle_clip.z / middle_clip.w, -1.0, 1.0) : -1;
-        const glm::dvec4 h = surface_from_clip_ * glm::dvec4(ndc(middle_window), z, 1);
-        const glm::dvec4 depth = surface_from_clip_[2];
-        const glm::dvec4 per_x = surface_from_clip_[0] * (2 / size.x), per_y = surface_from_clip_[1] * (2 / size.y);
-        const auto direction = [&](const glm::dvec4& at) {
-            return glm::dvec3(depth) * at.w - glm::dvec3(at) * depth.w;
-        };
-        const auto moment = [&](const glm::dvec4& at) { return glm::cross(glm::dvec3(at), glm::dvec3(depth)); };
-        const double unit = 1 / glm::length(direction(h));
-        set("u_direction", unit * direction(h));
-        set("u_direction_per_x", unit * direction(per_x));
-        set("u_direction_per_y", unit * direction(per_y));
-        set("u_moment", unit * moment(h));
-        set("u_moment_per_x", unit * moment(per_x));
-        set("u_moment_per_y", unit * moment(per_y));
-
-        // How the point that projects to a window position moves with x, y and depth; homogeneous.
-        const double scale = 1 / clip_unit();
-        set("u_step_x", scale * per_x);
-        set("u_step_y", scale * per_y);
-        set("u_step_depth", scale * depth);
+        h_ = surface_from_clip_ * glm::dvec4(ndc(middle_window_), z, 1);
+        const glm::dvec2 size(draw_.raster.viewport.width, draw_.raster.viewport.height);
+        per_x_ = surface_from_clip_[0] * (2 / size.x);
+        per_y_ = surface_from_clip_[1] * (2 / size.y);
+        unit_ = 1 / glm::length(direction(h_));
     }
+    glm::dvec2 ndc(const glm::dvec2& window) const {
+        const Viewport& viewport = draw_.raster.viewport;
+        const glm::dvec2 origin(viewport.x, viewport.y), size(viewport.width, viewport.height);
+        return (window - origin) / size * 2.0 - 1.0;
+    }
+    glm::dvec3 direction(const glm::dvec4& at) const { return glm::dvec3(depth_) * at.w - glm::dvec3(at) * depth_.w; }
+    glm::dvec3 moment(const glm::dvec4& at) const { return glm::cross(glm::dvec3(at), glm::dvec3(depth_)); }
 
     // Clip coordinates have no unit; this one makes w about 1.
     double clip_unit() const {
@@ -137,53 +129,74 @@ class SurfaceUniforms {
         return 1 / std::max({w.x, w.y, w.z, w.w, std::numeric_limits<double>::min()});
     }
 
-    // w - z and w + z are 0 on the far and near plane. They are uniforms, because the difference of floats would be
-    // inexact.
-    void clip_space() {
-        const glm::dmat4 rows = clip_unit() * glm::transpose(clip_from_surface_);
-        set("u_clip_w", rows[3]);
-        set("u_to_near_plane", rows[3] + rows[2]);
-        set("u_to_far_plane", rows[3] - rows[2]);
-        const RasterState& raster = draw_.raster;
-        set("u_far_depth", {raster.depth_far});
-        set("u_half_depth_range", {(raster.depth_far - raster.depth_near) / 2});
-        // 2.14.1: seen with its outward normal towards the eye, a surface is counter-clockwise, unless a matrix mirrors
-        // it. Clip coordinates are left-handed.
+    glm::dvec4 clip_row(int i) const { return clip_unit() * glm::transpose(clip_from_surface_)[i]; }
+
+    // 2.14.1: seen with its outward normal towards the eye, a surface is counter-clockwise, unless a matrix mirrors it.
+    // Clip coordinates are left-handed.
+    double front_side() const {
         const double determinant = glm::determinant(draw_.eye_from_object) * glm::determinant(draw_.clip_from_eye);
-        const bool turned = (raster.front_face == kGL_CW) != surface_.inside;
-        const double front_side = (determinant > 0) != turned ? 1 : -1;
-        set("u_front_side", {front_side});
-        set("u_shown_side", {raster.cull_face == kGL_BACK ? front_side : -front_side});
-        constexpr double kDepthStep = 1.0 / (1 << 24);  // r of section 3.5.5, for a 24-bit depth buffer
-        set("u_offset_factor", {raster.polygon_offset.factor});
-        set("u_offset", {raster.polygon_offset.units * kDepthStep});
+        const bool turned = (draw_.raster.front_face == kGL_CW) != surface_.inside;
+        return (determinant > 0) != turned ? 1 : -1;
     }
 
-    void equation() {
-        if (const auto* sphere = std::get_if<SphereSurface>(&surface_.equation)) {
-            set("u_radius", {sphere->radius});
-        } else if (const auto* torus = std::get_if<TorusSurface>(&surface_.equation)) {
-            set("u_tube", {torus->tube});
-            set("u_ring", {torus->ring});
-        } else if (const auto* disk = std::get_if<DiskSurface>(&surface_.equation)) {
-            set("u_inner", {disk->inner});
-            set("u_outer", {disk->outer});
-            set("u_disk_side", {disk->faces_up ? 1.0 : -1.0});
-            const double half = std::min(std::abs(disk->sweep_deg) / 2, 180.0) * std::numbers::pi / 180;
-            const double middle = (disk->start_deg + disk->sweep_deg / 2) * std::numbers::pi / 180;
-            set("u_sector", {std::sin(middle), std::cos(middle), std::sin(half), std::cos(half)});
-        } else {
-            const auto& frustum = std::get<FrustumSurface>(surface_.equation);
-            set("u_radius", {(frustum.base + frustum.top) / 2});
-            set("u_slope", {(frustum.top - frustum.base) / frustum.height});
-            set("u_half_height", {frustum.height / 2});
+    void put(SurfaceValue value) {
+        const RasterState& raster = draw_.raster;
+        constexpr double kDepthStep = 1.0 / (1 << 24);  // r of section 3.5.5, for a 24-bit depth buffer
+        switch (value) {
+            case SurfaceValue::kRectangleNdc: return put(glm::dvec4(ndc(rectangle_.low), ndc(rectangle_.high)));
+            case SurfaceValue::kMiddleWindow: return put(middle_window_);
+            case SurfaceValue::kDirection: return put(unit_ * direction(h_));
+            case SurfaceValue::kDirectionPerX: return put(unit_ * direction(per_x_));
+            case SurfaceValue::kDirectionPerY: return put(unit_ * direction(per_y_));
+            case SurfaceValue::kMoment: return put(unit_ * moment(h_));
+            case SurfaceValue::kMomentPerX: return put(unit_ * moment(per_x_));
+            case SurfaceValue::kMomentPerY: return put(unit_ * moment(per_y_));
+            // w - z and w + z are 0 on the far and near plane. They are uniforms, because the difference of floats would
+            // be inexact.
+            case SurfaceValue::kClipW: return put(clip_row(3));
+            case SurfaceValue::kToNearPlane: return put(clip_row(3) + clip_row(2));
+            case SurfaceValue::kToFarPlane: return put(clip_row(3) - clip_row(2));
+            case SurfaceValue::kFarDepth: return put(raster.depth_far);
+            case SurfaceValue::kHalfDepthRange: return put((raster.depth_far - raster.depth_near) / 2);
+            case SurfaceValue::kStepX: return put(1 / clip_unit() * per_x_);
+            case SurfaceValue::kStepY: return put(1 / clip_unit() * per_y_);
+            case SurfaceValue::kStepDepth: return put(1 / clip_unit() * depth_);
+            case SurfaceValue::kOffsetFactor: return put(raster.polygon_offset.factor);
+            case SurfaceValue::kOffset: return put(raster.polygon_offset.units * kDepthStep);
+            case SurfaceValue::kFrontSide: return put(front_side());
+            case SurfaceValue::kShownSide: return put(raster.cull_face == kGL_BACK ? front_side() : -front_side());
+            case SurfaceValue::kPointNumber: return put(0);  // of the first pass
+            case SurfaceValue::kRadius:
+                if (const auto* sphere = std::get_if<SphereSurface>(&surface_.equation)) return put(sphere->radius);
+                return put((frustum().base + frustum().top) / 2);
+            case SurfaceValue::kSlope: return put((frustum().top - frustum().base) / frustum().height);
+            case SurfaceValue::kHalfHeight: return put(frustum().height / 2);
+            case SurfaceValue::kInner: return put(disk().inner);
+            case SurfaceValue::kOuter: return put(disk().outer);
+            case SurfaceValue::kDiskSide: return put(disk().faces_up ? 1 : -1);
+            case SurfaceValue::kTube: return put(std::get<TorusSurface>(surface_.equation).tube);
+            case SurfaceValue::kRing: return put(std::get<TorusSurface>(surface_.equation).ring);
+            case SurfaceValue::kSector: {
+                const double half = std::min(std::abs(disk().sweep_deg) / 2, 180.0) * std::numbers::pi / 180;
+                const double middle = (disk().start_deg + disk().sweep_deg / 2) * std::numbers::pi / 180;
+                return put(glm::dvec4(std::sin(middle), std::cos(middle), std::sin(half), std::cos(half)));
+            }
         }
     }
+    const DiskSurface& disk() const { return std::get<DiskSurface>(surface_.equation); }
+    const FrustumSurface& frustum() const { return std::get<FrustumSurface>(surface_.equation); }
 
     const Surface& surface_;
     const Draw& draw_;
+    const SurfaceForm& form_;
+    const Rectangle rectangle_;
     const glm::dmat4 clip_from_surface_ = draw_.clip_from_eye * draw_.eye_from_object;
     const glm::dmat4 surface_from_clip_ = glm::inverse(draw_.eye_from_object) * glm::inverse(draw_.clip_from_eye);
+    const glm::dvec4 depth_ = surface_from_clip_[2];
+    glm::dvec2 middle_window_{0};
+    glm::dvec4 h_{0};                 // of the middle of the rectangle
+    glm::dvec4 per_x_{0}, per_y_{0};  // how it changes per pixel
+    double unit_ = 1;                 // makes the direction through h_ a vector of length 1
     Uniforms uniforms_;
 };
 
@@ -226,13 +239,13 @@ std::vector<SurfaceProgram> surface_programs(const Draw& draw, const PlanOptions
         program.code = code_for(surface.draw, program.plan, form_of(surface, program.plan, corners));
         // The normals of fragments are scaled to length 1 anyway.
         if (program.code.effects.shading == Shading::kPhong) program.code.effects.normalize = false;
+        const SurfaceForm& form = program.code.form.surface;
         Uniforms numbers =
-            SurfaceUniforms(surface, uniforms(surface.draw, program.plan, program.code)).build(*rectangle);
-        const int passes = program.code.form.surface.nearest || points_of(draw) == Points::kFarthest
-                               ? 1
-                               : most_points(surface.surface);
+            SurfaceUniforms(surface, form, *rectangle, uniforms(surface.draw, program.plan, program.code)).build();
+        const int passes = form.nearest || points_of(draw) == Points::kFarthest ? 1 : most_points(surface.surface);
         for (int point = 0; point < passes; ++point) {
-            numbers.set("u_point_number", {static_cast<float>(point)});
+            if (!form.nearest)
+                numbers.set(declaration_of(SurfaceValue::kPointNumber).name, {static_cast<float>(point)});
             program.passes.push_back(numbers);
         }
         RasterState& raster = surface.draw.raster;

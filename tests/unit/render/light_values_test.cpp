@@ -1,4 +1,5 @@
-// A program and its Draw meet in one list: each uniform that the text declares has a value, whatever is drawn and planned.
+// A program and its Draw meet in one list: each uniform that the text declares has a value, whatever is drawn and planned, and no
+// other uniform has one.
 #include "render/programmable/light_values.h"
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -21,6 +23,7 @@
 #include "judge/study/lighting_change.h"
 #include "render/programmable/bake.h"
 #include "render/programmable/precise/precise.h"
+#include "render/programmable/program_uniforms.h"
 #include "render/programmable/surface_values.h"
 #include "scene/scenes/load.h"
 #include "scene/state/frame.h"
@@ -48,9 +51,49 @@ std::vector<PlanOptions> plan_options() {
     return all;
 }
 
+// The names that the lists give to a program. Samplers have no numbers.
+std::set<std::string> listed_names(const Code& code) {
+    const EffectSet& effects = code.effects;
+    std::set<std::string> names;
+    const auto add_all = [&](const UniformList& list, const std::string& suffix) {
+        for_each_uniform([&](auto value) {
+            if (list.contains(value)) names.insert(name_of(value, suffix));
+        });
+        names.erase(name_of(TextureValue::kSampler, suffix));
+    };
+    add_all(uniform_list(effects, code.form), "");
+    for (const UnitEffects& unit : effects.units) add_all(uniform_list(unit, code.form), std::to_string(unit.number));
+    for (int i = 0; i < effects.clip_plane_count; ++i) names.insert(clip_plane_name(i));
+    if (!effects.lighting) return names;
+
+    values_of_model(effects).for_each(
+        [&](ModelValue value) { names.insert(std::string(declaration_of(value, effects).name)); });
+    std::vector<std::string> faces = {"front"};
+    if (effects.two_side) faces.emplace_back("back");
+    for (const std::string& face : faces) {
+        const FaceEffects& varying = face == "back" ? effects.back : effects.front;
+        values_of_face(effects, varying).for_each([&](FaceValue value) {
+            names.insert(name_of(face, value, effects));
+        });
+        sampled_colors(effects).for_each([&](LightValue color) { names.insert(name_of_face_samples(face, color)); });
+    }
+    for (std::size_t i = 0; i < effects.lights.size(); ++i) {
+        sampled_colors(effects).for_each([&](LightValue color) { names.insert(name_of_light_samples(i, color)); });
+        if (loop_length(effects, code.form, i) > 0) names.insert(name_of_count(i));
+        values_of_light(effects, code.form, i).for_each([&](LightValue value) {
+            const LightUniform uniform = declaration_of(value, effects, code.form, i);
+            if (!is_color(value)) names.insert(name_of(i, uniform));
+            for (const std::string& face : faces)
+                if (is_color(value) && effects.spectral_groups == 0) names.insert(name_of(i, uniform, face));
+        });
+    }
+    return names;
+}
+
 class Checker {
   public:
-    // The uniforms that the program's text declares and that have no value are added to `missing`.
+    // The uniforms that the program's text declares and that have no value are added to `missing`, values that are not listed to
+    // `unlisted`.
     void check(const Code& code, const Uniforms& numbers, const std::string& where) {
         const auto [declared, is_new] = declared_.try_emplace({code.effects, code.form});
         if (is_new) declared->second = uniform_names(assemble(code.effects, code.form));
@@ -58,6 +101,13 @@ class Checker {
             const std::string name = name_and_length.substr(0, name_and_length.find('['));  // of an array
             if (!is_sampler(name) && !numbers.contains(name)) missing_.insert(name + " of " + where);
         }
+        const std::set<std::string> listed = listed_names(code);
+        for (const std::string& name : listed)
+            if (!numbers.contains(name)) missing_.insert(name + " of the list of " + where);
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            if (!listed.contains(std::string(numbers[i].name)))
+                unlisted_.insert(fmt::format("{} of {}", numbers[i].name, where));
+        met_names_.insert(listed.begin(), listed.end());
         for (std::size_t i = 0; i < code.effects.lights.size(); ++i)
             values_of_light(code.effects, code.form, i).for_each([&](LightValue value) { ++met_[value]; });
     }
@@ -89,7 +139,9 @@ class Checker {
     }
 
     const std::set<std::string>& missing() const { return missing_; }
+    const std::set<std::string>& unlisted() const { return unlisted_; }
     const std::map<LightValue, int>& met() const { return met_; }
+    const std::set<std::string>& met_names() const { return met_names_; }
     std::size_t programs() const { return declared_.size(); }
 
   private:
@@ -99,9 +151,30 @@ class Checker {
         return base == "u_texture" || base == "u_framebuffer";
     }
     std::map<std::pair<EffectSet, Form>, std::set<std::string, std::less<>>> declared_;
-    std::set<std::string> missing_;
+    std::set<std::string> missing_, unlisted_, met_names_;
     std::map<LightValue, int> met_;
 };
+
+// Samplers have no numbers, and planes in eye coordinates are only in shaders to keep.
+template <class Value>
+bool has_numbers(Value value) {
+    if constexpr (std::is_same_v<Value, TextureValue>)
+        return value != TextureValue::kSampler && !name_of(value).ends_with("_eye");
+    else
+        return true;
+}
+
+// Some program needs each value of the enum.
+template <class Value>
+void expect_all_are_met(const Checker& checker) {
+    for_each_uniform([&](auto value) {
+        if constexpr (std::is_same_v<decltype(value), Value>) {
+            const std::string name = name_of(value);
+            const bool is_met = checker.met_names().contains(name) || checker.met_names().contains(name + "0");
+            EXPECT_TRUE(is_met || !has_numbers(value)) << "no program here needs " << name;
+        }
+    });
+}
 
 constexpr StateOptions kSmall = {.width = 64, .height = 64};
 
@@ -129,7 +202,9 @@ TEST(LightValues, AreGivenToEveryProgramOfScenesAndRecordings) {
         checker.check(recorded.scene.frame, folder.path().filename());
     }
     EXPECT_TRUE(checker.missing().empty()) << listed(checker.missing());
+    EXPECT_TRUE(checker.unlisted().empty()) << listed(checker.unlisted());
     EXPECT_GT(checker.programs(), 500u);
+    expect_all_are_met<SurfaceValue>(checker);
 }
 
 TEST(LightValues, AreGivenToEveryProgramOfRandomStates) {
@@ -143,11 +218,14 @@ TEST(LightValues, AreGivenToEveryProgramOfRandomStates) {
             checker.check(make_frame(make(seed), kSmall), fmt::format("{} state {}", name, i));
     }
     EXPECT_TRUE(checker.missing().empty()) << listed(checker.missing());
+    EXPECT_TRUE(checker.unlisted().empty()) << listed(checker.unlisted());
     for (std::size_t i = 0; i < kLightValueCount; ++i) {
         const auto value = static_cast<LightValue>(i);
         if (value == LightValue::kCosOuter || value == LightValue::kConeSlope) continue;  // only pragmas make these
         EXPECT_TRUE(checker.met().contains(value)) << "no random state needs light value " << i;
     }
+    expect_all_are_met<DrawValue>(checker);
+    expect_all_are_met<TextureValue>(checker);
 }
 
 }  // namespace
