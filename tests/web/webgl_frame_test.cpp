@@ -6,11 +6,18 @@
 
 #include <algorithm>
 #include <cstring>
+#include <regex>
+#include <set>
 #include <string>
+#include <type_traits>
 
 #include "app/web/page_scene.h"
 #include "base/text/json.h"
 #include "judge/compare/tolerance.h"
+#include "judge/fuzz/random_states.h"
+#include "render/programmable/program_uniforms.h"
+#include "scene/scenes/load.h"
+#include "scene/state/state.h"
 
 namespace twinlight::web::webgl_frame_test {
 
@@ -51,6 +58,57 @@ TEST(WebglFrame, WritesNumbersThatDrawsShareOnce) {
     ASSERT_EQ(header["items"].size(), 2u);
     EXPECT_EQ(header["items"][0]["passes"], header["items"][1]["passes"]);
     EXPECT_EQ(header["uniforms"].size(), 1u);
+}
+
+// The names that a program declares, except samplers. Of a struct's members, the struct.
+std::set<std::string> names_of_numbers(const Json& program) {
+    static const std::regex kUniform("uniform (\\w+) (\\w+)");
+    std::set<std::string> names;
+    for (const char* stage : {"vertex", "fragment"}) {
+        const std::string text = program[stage];
+        for (std::sregex_iterator at(text.begin(), text.end(), kUniform), end; at != end; ++at)
+            if (!(*at)[1].str().starts_with("sampler")) names.insert((*at)[2]);
+    }
+    return names;
+}
+
+// What OpenGL ES lacks is in numbers of each part of a draw: exactly those that its program declares.
+TEST(WebglFrame, HasANumberForEachUniform) {
+    std::set<std::string> met;
+    const auto check = [&](const Json& header, const std::string& where) {
+        for (const Json& item : header["items"]) {
+            if (!item.contains("program")) continue;
+            const std::set<std::string> declared = names_of_numbers(header["programs"][item["program"].get<int>()]);
+            const Json numbers = uniforms_of(item, header);
+            for (const std::string& name : declared) EXPECT_TRUE(numbers.contains(name)) << name << " of " << where;
+            programmable::for_each_uniform([&]<class Value>(Value value) {
+                if constexpr (std::is_same_v<Value, programmable::EsValue> ||
+                              std::is_same_v<Value, programmable::EsTextureValue>) {
+                    const std::string name = programmable::name_of(value);
+                    if (declared.contains(name) || declared.contains(name + "0")) met.insert(name);
+                    if (numbers.contains(name)) {
+                        EXPECT_TRUE(declared.contains(name)) << name << " of " << where;
+                    }
+                }
+            });
+        }
+    };
+    for (int i = 0; i < 300; ++i) {
+        const fuzz::Seed seed{.structure = static_cast<std::uint64_t>(i), .values = 1};
+        check(webgl::webgl_frame(make_frame(fuzz::fragment_state(seed), {.width = 64, .height = 64}), {}).header,
+              fmt::format("state {}", i));
+    }
+    for (const EmbeddedFile& file : kSceneFiles)
+        check(webgl::webgl_frame(make_frame(read_built_in(file), {.width = 64, .height = 64}), {}).header,
+              std::string(file.name));
+    check(header_of("glEnable(GL_POLYGON_STIPPLE); glRectf(-1, -1, 1, 1);"), "a stippled polygon");
+    programmable::for_each_uniform([&]<class Value>(Value value) {
+        if constexpr (std::is_same_v<Value, programmable::EsValue>) {
+            const std::string name = programmable::name_of(value);
+            EXPECT_TRUE(value == programmable::EsValue::kFramebuffer || met.contains(name))
+                << "no state needs " << name;
+        }
+    });
 }
 
 // GL's state: what a viewer changes when it turns the camera or switches a light off.

@@ -15,6 +15,7 @@
 #include "render/programmable/kept/core_elements.h"
 #include "render/programmable/kept/kept_code.h"
 #include "render/programmable/kept/kept_text.h"
+#include "render/programmable/program_uniforms.h"
 #include "render/programmable/shader_assembly.h"
 #include "render/programmable/surface_values.h"
 #include "render/programmable/vertex_attributes.h"
@@ -30,6 +31,7 @@ namespace twinlight::webgl {
 
 namespace {
 
+using programmable::EsTextureValue, programmable::EsValue;
 using programmable::Form, programmable::Uniforms;
 
 // The numbers of one pass over a Draw's primitives, in groups.
@@ -50,6 +52,41 @@ bool is_reversed(const Draw& draw) { return draw.raster.depth_near > draw.raster
 void reverse(Draw& draw) {
     std::swap(draw.raster.depth_near, draw.raster.depth_far);
     for (int column = 0; column < 4; ++column) draw.clip_from_eye[column].z *= -1;
+}
+
+// ---- The values of what OpenGL ES lacks ----
+
+Json value_of(EsValue value, const Draw& draw) {
+    const RasterState& raster = draw.raster;
+    // Sizes of smooth points, of sprites, and smooth lines' widths need not be whole.
+    const auto size_of = [](double size, bool is_any) { return is_any ? size : reference::whole_pixels(size); };
+    switch (value) {
+        case EsValue::kPointSize:
+            return {size_of(programmable::point_size(draw), raster.point_smooth || draw.draws_sprites())};
+        case EsValue::kViewport: return box(raster.viewport);
+        case EsValue::kLineWidth: return {size_of(raster.line_width, raster.line_smooth)};
+        case EsValue::kLineStippleFactor: return {raster.line_stipple->factor};
+        case EsValue::kLineStipplePattern: return {raster.line_stipple->pattern};
+        case EsValue::kPolygonStipple: return *raster.polygon_stipple;
+        case EsValue::kBlendSource: {
+            const glm::dvec3 factor = constant_factor(draw.fragment);
+            return {factor.r, factor.g, factor.b};
+        }
+        case EsValue::kAlphaRef: return {static_cast<float>(draw.fragment.alpha_ref)};
+        case EsValue::kFramebuffer: break;  // the page copies it
+    }
+    return {};
+}
+
+Json value_of(EsTextureValue value, const TextureUnit& unit) {
+    switch (value) {
+        case EsTextureValue::kLodBias: return {unit.lod_bias};
+        case EsTextureValue::kInside: {
+            const glm::dvec3 inside = part_inside(*unit.texture);
+            return {inside.s, inside.t, inside.p};
+        }
+    }
+    return {};
 }
 
 class Writer {
@@ -210,58 +247,49 @@ class Writer {
         form.logic_op = draw.fragment.logic_op.value_or(kGL_COPY);
         form.scales_source = mixes_constants(draw.fragment);
         Json item = Json::object();
-        const auto name_of = [&](const std::string& name) { return name_in(form, name); };
-        Json own = Json::object();
-        if (form.alpha_func != kGL_ALWAYS) own[name_of("u_alpha_ref")] = {static_cast<float>(draw.fragment.alpha_ref)};
-        if (form.scales_source) {
-            const glm::dvec3 factor = constant_factor(draw.fragment);
-            own[name_of("u_blend_source")] = {factor.r, factor.g, factor.b};
-        }
-        const RasterState& raster = draw.raster;
-        // Sizes of smooth points, of sprites, and smooth lines' widths need not be whole.
-        const auto size_of = [](double size, bool is_any) { return is_any ? size : reference::whole_pixels(size); };
-        if (form.sizes_points)
-            own[name_of("u_point_size")] = {
-                size_of(programmable::point_size(draw), raster.point_smooth || draw.draws_sprites())};
-        if (draw.draws_lines()) own[name_of("u_line_width")] = {size_of(raster.line_width, raster.line_smooth)};
-        if (draw.draws_lines() || raster.point_smooth) own[name_of("u_viewport")] = box(raster.viewport);
-        if (raster.line_stipple) {
-            own[name_of("u_line_stipple_factor")] = {raster.line_stipple->factor};
-            own[name_of("u_line_stipple_pattern")] = {raster.line_stipple->pattern};
-        }
-        if (raster.polygon_stipple) own[name_of("u_polygon_stipple")] = *raster.polygon_stipple;
-        draw.for_each_unit([&](std::size_t number, const TextureUnit& unit) {
-            const std::string suffix = effects.has_texture() ? "" : std::to_string(number);
-            if (form.lod_bias) own[name_of("u_texture_lod_bias") + suffix] = {unit.lod_bias};
-            if (!form.texture_rims) return;
-            const glm::dvec3 inside = part_inside(*unit.texture);
-            own[name_of("u_texture_inside") + suffix] = {inside.s, inside.t, inside.p};
-        });
         for (const Pass& pass : passes) {
             Json numbers = Json::array();
             for (const Json& group : pass) numbers.push_back(number_of(group));
-            if (!own.empty()) numbers.push_back(number_of(own));
             item["passes"].push_back(std::move(numbers));
         }
         item["textures"] = Json::array();
-        if (effects.has_texture()) {
-            item["textures"].push_back({0, name_of("u_texture"), texture_of(draw.texture.texture)});
-            miss_of_texture(draw, draw.texture);
-        }
-        for (const UnitEffects& unit : effects.units)
-            draw.for_each_unit([&](std::size_t number, const TextureUnit& state) {
-                if (number != unit.number) return;
-                item["textures"].push_back(
-                    {number, name_of("u_texture" + std::to_string(number)), texture_of(state.texture)});
-                miss_of_texture(draw, state);
-            });
+        for_each_texture(draw, effects, [&](std::size_t number, const TextureUnit& unit, const std::string& suffix) {
+            item["textures"].push_back(
+                {number, name_in(form, programmable::TextureValue::kSampler, suffix), texture_of(unit.texture)});
+            miss_of_texture(draw, unit);
+        });
         add_raster(item, draw);
         add_fragment(item, draw);
         add_parts(item, draw, effects, form, code.origin_object.value_or(glm::dvec3(0)));
     }
 
-    static std::string name_in(const Form& form, const std::string& name) {
+    // Visits the textures that the program reads: visit(number, unit, what their names end in).
+    template <class Visit>
+    static void for_each_texture(const Draw& draw, const EffectSet& effects, const Visit& visit) {
+        if (effects.has_texture()) visit(0, draw.texture, "");
+        for (const UnitEffects& unit : effects.units)
+            draw.for_each_unit([&](std::size_t number, const TextureUnit& state) {
+                if (number == unit.number) visit(number, state, std::to_string(number));
+            });
+    }
+
+    template <class Value>
+    static std::string name_in(const Form& form, Value value, const std::string& suffix = "") {
+        const std::string name = programmable::name_of(value, suffix);
         return form.kept ? programmable::with_words(name, programmable::kept_names()) : name;
+    }
+
+    // What the program of a part needs in addition to the numbers of the passes.
+    static Json own_numbers(const Draw& draw, const EffectSet& effects, const Form& form) {
+        Json own = Json::object();
+        programmable::es_values(form).for_each([&](EsValue value) {
+            if (value != EsValue::kFramebuffer) own[name_in(form, value)] = value_of(value, draw);
+        });
+        for_each_texture(draw, effects, [&](std::size_t, const TextureUnit& unit, const std::string& suffix) {
+            programmable::es_values_of_texture(form).for_each(
+                [&](EsTextureValue value) { own[name_in(form, value, suffix)] = value_of(value, unit); });
+        });
+        return own;
     }
 
     void miss_of_turned(const Draw& draw, const Part& part) {
@@ -305,6 +333,10 @@ class Writer {
                 draw.raster.polygon_stipple && draws_polygons(part.mode) && !part.has_rectangles();
             Json item = state;
             item["program"] = program_of(effects, form_of_part);
+            if (const Json own = own_numbers(draw, effects, form_of_part); !own.empty()) {
+                const std::size_t number = number_of(own);
+                for (Json& pass : item["passes"]) pass.push_back(number);
+            }
             if (part.has_rectangles()) {
                 // Lines and points are not culled, and polygons' offsets are in their corners.
                 item.erase("cull");
@@ -343,7 +375,7 @@ class Writer {
             item["parts"].push_back({list.mode, first + begin, end - begin});
             begin = end;
         }
-        if (reads_picture) item["framebuffer"] = name_in(form, "u_framebuffer");
+        if (reads_picture) item["framebuffer"] = name_in(form, EsValue::kFramebuffer);
         item["sides"] = has_sides;
     }
 
