@@ -285,7 +285,8 @@ TEST_F(FramebufferObjectsTest, AllowWhatTheirPictureAllows) {
     const Scene made = make_scene(list_of(text), {.width = 128, .height = 128});
     EXPECT_TRUE(made.frame.unsupported.empty());
     const compare::Comparison comparison = compare_three_ways(made);
-    EXPECT_EQ(comparison.verdict(), compare::Verdict::kWithin);
+    EXPECT_TRUE(comparison.within_tolerance());
+    EXPECT_LT(comparison.pairs[0].judged.open_share(), 0.03) << "texels at the cube's border have a range";
     EXPECT_LT(comparison.pairs[0].difference.edge.pixels, 128 * 128 / 8);
 }
 

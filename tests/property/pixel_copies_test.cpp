@@ -300,7 +300,7 @@ TEST_F(PixelCopiesTest, AllowWhatTheCopiedPictureAllows) {
     const compare::Comparison comparison = compare_three_ways(made);
     EXPECT_EQ(comparison.verdict(), compare::Verdict::kWithin);
     EXPECT_LT(comparison.pairs[0].difference.edge.pixels, 128 * 128 / 8);
-    EXPECT_GT(comparison.pairs[0].difference.edge.pixels, 128 * 128 / 100);
+    EXPECT_GT(comparison.pairs[0].difference.edge.pixels, 0U);
 }
 
 }  // namespace

@@ -249,7 +249,7 @@ TEST(DropHidden, KeepsWhatTheBuffersHoldOfEarlierPictures) {
 TEST(AllowedDifference, OpensPixelsWhoseStencilValueIsOpen) {
     const auto list = std::make_shared<const CommandList>(read_scene(
         "glEnable(GL_STENCIL_TEST); glStencilFunc(GL_ALWAYS, 1, 255); glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);\n"
-        "glColorMask(0, 0, 0, 0); glRectf(-0.5, -0.5, 0.5, 0.5); glColorMask(1, 1, 1, 1);\n"
+        "glColorMask(0, 0, 0, 0); glRectf(-0.4375, -0.5, 0.5, 0.5); glColorMask(1, 1, 1, 1);\n"
         "glStencilFunc(GL_EQUAL, 1, 255); glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP); glRectf(-1, -1, 1, 1);\n"
         "glAccum(GL_LOAD, 0.5); glClear(GL_COLOR_BUFFER_BIT); glAccum(GL_RETURN, 1);",
         "scene.gl", "scene"));

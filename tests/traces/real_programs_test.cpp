@@ -57,7 +57,12 @@ TEST_P(RealPrograms, LookAlikeThreeWays) {
     for (const Unsupported& item : comparison.unsupported) unsupported.insert(item.name);
     const auto expected = expected_unsupported().find(GetParam());
     EXPECT_EQ(unsupported, expected == expected_unsupported().end() ? std::set<std::string>() : expected->second);
-    EXPECT_EQ(comparison.verdict(), unsupported.empty() ? compare::Verdict::kWithin : compare::Verdict::kPartial);
+    const auto unchecked = {"blinkbox", "stonerview",
+                            "sundancer2"};  // OpenGL leaves much of these open (docs/real-programs.md)
+    const bool is_unchecked = std::ranges::find(unchecked, GetParam()) != unchecked.end();
+    EXPECT_EQ(comparison.verdict(), !unsupported.empty() ? compare::Verdict::kPartial
+                                    : is_unchecked       ? compare::Verdict::kUnjudged
+                                                         : compare::Verdict::kWithin);
     std::string told;
     for (const std::string& sentence : report::answer(comparison).sentences()) told += sentence + "\n";
     SCOPED_TRACE(told);

@@ -39,6 +39,7 @@ std::string colored(const std::string& text, compare::Verdict verdict) {
     switch (verdict) {
         case compare::Verdict::kWithin: return "\x1b[32m" + text + "\x1b[0m";
         case compare::Verdict::kBeyond: return "\x1b[1;31m" + text + "\x1b[0m";
+        case compare::Verdict::kUnjudged:
         case compare::Verdict::kPartial: return "\x1b[33m" + text + "\x1b[0m";
         case compare::Verdict::kInformative: return text;
     }
@@ -53,6 +54,21 @@ std::string line(std::string_view name, std::string_view part, const RegionDiffe
                        any ? fmt::format("{},{}", region.worst_x, region.worst_y) : "-");
 }
 
+std::string judged_lines(const compare::Judged& judged) {
+    std::string text = fmt::format("{} pixels are away from edges, and held to their allowed difference.\n",
+                                   report::grouped(judged.to_allowed));
+    if (judged.to_one_of > 0)
+        text += fmt::format(
+            "{} are at edges, and held to one of several colours: in the median {:.0f} with ranges up to {} wide, in "
+            "95% at most {:.0f} and {}.\n",
+            report::grouped(judged.to_one_of), judged.colors.median, report::in_255ths(judged.width.median),
+            judged.colors.most, report::in_255ths(judged.width.most));
+    if (judged.not_judged > 0)
+        text += fmt::format("{} are at edges where OpenGL leaves the colour open, and not checked.\n",
+                            report::grouped(judged.not_judged));
+    return text;
+}
+
 // Two lines for each pair: pixels away from edges, and edge pixels. A third line if a part of the difference is allowed: the rest.
 std::string table(const compare::Comparison& comparison) {
     std::string text = fmt::format("{:<20}  {:<15}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}  {}\n", "pair", "pixels",
@@ -64,9 +80,7 @@ std::string table(const compare::Comparison& comparison) {
         if (report::has_allowed_difference(pair))
             text += line("", "not allowed", pair.difference.beyond_allowed) + "\n";
     }
-    const ImageDifference& any = comparison.pairs.front().difference;  // all pairs share one mask
-    return text + fmt::format("{} pixels are away from edges; {} are at edges, where correct renderers may differ.\n",
-                              report::grouped(any.interior.pixels), report::grouped(any.edge.pixels));
+    return text + judged_lines(comparison.pairs.front().judged);
 }
 
 // What some renderer does not draw, and what queries returned.

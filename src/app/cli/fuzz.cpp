@@ -83,8 +83,9 @@ std::string summary_text(const FuzzArguments& arguments, const Summary& summary,
     }
     text +=
         "Vertices: the worst difference is relative to the sum of the magnitudes of a colour's terms.\n"
-        "Pixels: only those away from edges. They count as differing, and the worst is given in 1/255, where the "
-        "difference is larger\nthan filters and blending allow.\n";
+        "Pixels: all that can be checked. They count as differing, and the worst is given in 1/255, where the "
+        "difference is "
+        "larger\nthan filters and blending allow; at edges, where a pixel has none of the colours that may be there.\n";
     if (!summary.vertices_left_out.empty() || !summary.pictures_left_out.empty()) {
         text += "\nSkipped for known bugs, or because rounding decides; and how many of them differ:\n";
         append_left_out(text, "vertices", summary.vertices_left_out);

@@ -40,6 +40,28 @@ void check_sizes(const Image& a, const Image& b) {
     }
 }
 
+// How far the colour is from the nearest of the ranges, which may be wider by `allowed`.
+Codes distance(const Rgba& color, const std::vector<AllowedRange>& ranges, const Rgba& allowed) {
+    Codes nearest{};
+    int least = -1;
+    for (const AllowedRange& range : ranges) {
+        Codes codes{};
+        for (std::size_t c = 0; c < kChannels; ++c) {
+            const int code = channel_code(color[c]);
+            codes[c] = std::max(
+                {channel_code(range.low[c] - allowed[c]) - code, code - channel_code(range.high[c] + allowed[c]), 0});
+        }
+        const int largest = std::ranges::max(codes);
+        if (least >= 0 && largest >= least) continue;
+        least = largest;
+        nearest = codes;
+    }
+    return nearest;
+}
+
+Codes farther(const Codes& a, const Codes& b) { return std::ranges::max(a) < std::ranges::max(b) ? b : a; }
+Codes nearer(const Codes& a, const Codes& b) { return std::ranges::max(b) < std::ranges::max(a) ? b : a; }
+
 struct Region {
     std::size_t pixels = 0, differing = 0;
     int max = -1;
@@ -86,7 +108,13 @@ ImageDifference difference(const Image& a, const Image& b, const AllowedDifferen
             const std::size_t i = a.index(x, y);
             const Codes codes = absolute_difference(a.pixels[i], b.pixels[i]);
             (allowed.edge[i] ? edge : interior).add(codes, x, y);
-            if (!allowed.edge[i]) beyond.add(excess(codes, allowed.channels.pixels[i]), x, y);
+            if (!allowed.is_judged(i)) continue;
+            const Rgba& channels = allowed.channels.pixels[i];
+            Codes left = excess(codes, channels);
+            if (allowed.edge[i] && std::ranges::max(left) > 0)
+                left = nearer(left, farther(distance(a.pixels[i], allowed.ranges.at(i), channels),
+                                            distance(b.pixels[i], allowed.ranges.at(i), channels)));
+            beyond.add(left, x, y);
         }
     }
     return {.interior = interior.result(), .edge = edge.result(), .beyond_allowed = beyond.result()};

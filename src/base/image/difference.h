@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <vector>
 
 #include "base/image/image.h"
 
@@ -26,6 +28,12 @@ struct RegionDifference {
     }
 };
 
+// The colours from `low` to `high`, channel by channel.
+struct AllowedRange {
+    Rgba low{}, high{};
+    friend bool operator==(const AllowedRange&, const AllowedRange&) = default;
+};
+
 // How much two correct pictures of one scene may differ, pixel by pixel.
 struct AllowedDifference {
     // Edge pixels: a primitive's border passes through the pixel, two surfaces intersect there, or the last bits decide
@@ -34,13 +42,21 @@ struct AllowedDifference {
     // Interior pixels: how much a channel may differ because of the precision of filters and blending, in addition to
     // the rounding to 8 bits. 0 where nothing is textured or blended.
     Image channels;
+    // Of edge pixels, by their index: the colours of which they may have one. Those that are not listed may have any colour, so they
+    // cannot be judged.
+    std::map<std::size_t, std::vector<AllowedRange>> ranges{};
+    // The pixels that a fragment covers, or may cover; may be empty.
+    PixelMask drawn{};
+
+    bool is_judged(std::size_t i) const { return !edge[i] || ranges.contains(i); }
 };
 
 struct ImageDifference {
     RegionDifference interior;
     RegionDifference edge;
-    // The interior again, after the allowed difference is subtracted from each channel's difference, in whole codes.
-    // Where it is above 0, one more code is subtracted: rounding may move two correct values apart.
+    // All judged pixels, after the allowed difference is subtracted from each channel's difference, in whole codes.
+    // Where it is above 0, one more code is subtracted: rounding may move two correct values apart. At an edge what is left is how far
+    // the picture that is farther from all of the pixel's colours is from the nearest.
     RegionDifference beyond_allowed;
 };
 

@@ -35,9 +35,9 @@ constexpr std::array kRenders = {
         Path::kReference, false, "reference",
         "The reference lights each vertex in double precision, with the specification's equation and no driver."},
     PlannedRender{Path::kProgrammable, true, "programmable-phong",
-                  "Shaders light each pixel and follow the scene's pragmas."},
+                  "Shaders light each pixel, with the scene's variants."},
     PlannedRender{Path::kReference, true, "reference-phong",
-                  "The reference lights each pixel and follows the scene's pragmas."},
+                  "The reference lights each pixel, with the scene's variants."},
 };
 // With exact surfaces: these instead of the phong pictures.
 constexpr std::array kExactRenders = {
@@ -194,22 +194,24 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     const auto allowed_of = [&](bool per_pixel) {
         reference::Options of_driver{look_of(per_pixel, options)};
         of_driver.approximates_rho = renderers.precision.approximates_rho;
+        of_driver.border = std::max(of_driver.border, 2 * renderers.precision.position);
         return renderers.allowed_difference(frame, of_driver);
     };
     result.allowed = allowed_of(false);
     AllowedDifference of_phong = all ? allowed_of(true) : result.allowed;
-    for (std::size_t i = 0; i < result.allowed.edge.size(); ++i) {  // all pairs share one mask
-        result.allowed.edge[i] = of_phong.edge[i] = result.allowed.edge[i] || of_phong.edge[i];
-    }
 
     const auto allow_precision = [&](AllowedDifference& allowed, const Render& right) {
-        allow_drawing(allowed, right.image, right.other_cut ? &*right.other_cut : nullptr, renderers.precision);
+        const Image* other_cut = right.other_cut ? &*right.other_cut : nullptr;
+        allow_reference(allowed, right.image, other_cut);
+        allow_drawing(allowed, right.image, other_cut, renderers.precision);
     };
     allow_precision(result.allowed, result.renders[kReference]);
     if (all) allow_precision(of_phong, result.renders[kReferencePhong]);
 
     begin_step("differences");
     const AllowedDifference of_drivers = allowed_of_drivers(result.allowed, result.renders[kReference]);
+    // Each of two drivers is held to the reference, so what may lie between the two is not counted.
+    const Judged judged_per_vertex = judged(result.allowed), judged_per_pixel = judged(of_phong);
     for (const PlannedPair& planned : kPairs) {
         if (kRenders[planned.b].per_pixel && !all) continue;
         Pair pair;
@@ -222,11 +224,15 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
                                                result.renders[planned.phong ? kReferencePhong : kReference]);
         pair.difference = difference(result.a(pair).image, result.counterpart(pair), of_pair);
         if (planned.judged && !result.changed_by_missing.empty() && differ_in_missing(result, pair)) {
-            std::transform(of_pair.edge.begin(), of_pair.edge.end(), result.changed_by_missing.begin(),
-                           of_pair.edge.begin(), std::logical_or<bool>());
+            for (std::size_t i = 0; i < of_pair.edge.size(); ++i) {
+                if (!result.changed_by_missing[i]) continue;
+                of_pair.edge[i] = true;
+                of_pair.ranges.erase(i);
+            }
             pair.difference.beyond_allowed =
                 difference(result.a(pair).image, result.counterpart(pair), of_pair).beyond_allowed;
         }
+        pair.judged = planned.phong ? judged_per_pixel : judged_per_vertex;
         if (planned.judged) pair.verdict = judge(result, pair);
         // A large difference in an edge pixel must not make the differences away from edges invisible.
         pair.factor = amplification_for(pair.difference.interior.max);

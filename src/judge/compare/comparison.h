@@ -9,6 +9,7 @@
 
 #include "base/image/difference.h"
 #include "base/image/image.h"
+#include "judge/compare/judged.h"
 #include "judge/compare/queries.h"
 #include "judge/compare/tolerance.h"
 #include "render/effect/explanation.h"
@@ -44,17 +45,20 @@ struct Render {
     std::vector<ExplainedDraw> plan{};
 };
 
+// From the best to the worst.
 enum class Verdict : std::uint8_t {
-    kWithin,       // within the tolerance
-    kBeyond,       // beyond the tolerance
-    kPartial,      // a picture lacks part of the scene; where this changes nothing, they are within the tolerance
     kInformative,  // the pictures show different models and are meant to differ, so there is no tolerance
+    kWithin,       // within the tolerance
+    kUnjudged,     // the same, but too many pixels could not be judged (Judged::is_enough())
+    kPartial,      // a picture lacks part of the scene; where this changes nothing, they are within the tolerance
+    kBeyond,       // beyond the tolerance
 };
 
 struct Pair {
     std::size_t a = 0, b = 0;  // into Comparison::renders
     // If a part of the scene is missing from one picture only, beyond_allowed is of the pixels that it does not change.
     ImageDifference difference;
+    Judged judged;
     Verdict verdict = Verdict::kInformative;
     int factor = 1;  // amplification of the difference picture
 };
@@ -71,7 +75,7 @@ struct Comparison {
     int width = 0, height = 0;
     std::vector<Render> renders;
     std::vector<Pair> pairs;
-    AllowedDifference allowed;  // for the per-vertex pictures; the edge mask is shared by all
+    AllowedDifference allowed;  // for the per-vertex pictures
     std::vector<Unsupported> unsupported;
     // The pixels that change if the fixed function leaves out what only it draws; empty if this is unknown, or if there
     // is no such command.
@@ -88,7 +92,7 @@ struct Comparison {
     const Render& b(const Pair& pair) const { return renders[pair.b]; }
     // The picture of b that a is compared with. If the reference has two cuts, takes the nearer one at each pixel.
     Image counterpart(const Pair& pair) const;
-    Verdict verdict() const;        // kBeyond if any pair is; else kPartial if any pair is; else kWithin
+    Verdict verdict() const;        // the worst of the pairs; at least kWithin
     bool within_tolerance() const;  // no pair is beyond it
     // Whether leaving out what only the fixed function draws changes no pixel; false if this is unknown.
     bool missing_changes_nothing() const;

@@ -11,6 +11,12 @@ bool is_within(const ImageDifference& difference, const Tolerance& tolerance) {
            (judged.differing == 0 || judged.differing_share() < tolerance.differing_share);
 }
 
+void allow_reference(AllowedDifference& allowed, const Image& reference, const Image* other_cut) {
+    for (auto& [i, ranges] : allowed.ranges)
+        for (const Image* image : {&reference, other_cut})
+            if (image) ranges.push_back({image->pixels[i], image->pixels[i]});
+}
+
 bool may_cross(float channel, double error) {
     const double codes = 255 * std::clamp(static_cast<double>(channel), 0.0, 1.0);
     return std::abs(codes - std::floor(codes) - 0.5) <= 255 * error;
@@ -50,7 +56,7 @@ void allow_drawing(AllowedDifference& allowed, const Image& reference, const Ima
                 if (way > 0) more += static_cast<double>(change_on(way, x, y, c, allowed.edge, reference));
                 const double error = kArithmetic + more;
                 float& channel = allowed.channels.pixels[i][c];
-                if (may_cross(reference.pixels[i][c], error) ||
+                if (allowed.edge[i] || may_cross(reference.pixels[i][c], error) ||
                     (more > 0 && (channel > 0 || (other_cut && may_cross(other_cut->pixels[i][c], error)))))
                     channel += static_cast<float>(error);
             }

@@ -10,7 +10,8 @@ Verdict judge(const ImageDifference& difference, const Tolerance& tolerance) {
 }
 
 Verdict judge(const Comparison& comparison, const Pair& pair) {
-    const Verdict verdict = judge(pair.difference, comparison.tolerance);
+    Verdict verdict = judge(pair.difference, comparison.tolerance);
+    if (verdict == Verdict::kWithin && !pair.judged.is_enough()) verdict = Verdict::kUnjudged;
     const Render &a = comparison.a(pair), &b = comparison.b(pair);
     bool partial = false;
     for (const Unsupported& item : comparison.unsupported) {
@@ -20,7 +21,7 @@ Verdict judge(const Comparison& comparison, const Pair& pair) {
         if (lacks(a.path, item) != lacks(b.path, item) && !is_known) return Verdict::kPartial;
         partial = partial || lacks(a.path, item) || lacks(b.path, item);
     }
-    return partial && verdict == Verdict::kWithin ? Verdict::kPartial : verdict;
+    return partial && verdict != Verdict::kBeyond ? Verdict::kPartial : verdict;
 }
 
 bool Comparison::missing_changes_nothing() const {
@@ -28,11 +29,9 @@ bool Comparison::missing_changes_nothing() const {
 }
 
 Verdict Comparison::verdict() const {
-    const auto any = [&](Verdict verdict) {
-        return std::ranges::any_of(pairs, [verdict](const Pair& pair) { return pair.verdict == verdict; });
-    };
-    if (any(Verdict::kBeyond)) return Verdict::kBeyond;
-    return any(Verdict::kPartial) ? Verdict::kPartial : Verdict::kWithin;
+    Verdict worst = Verdict::kWithin;
+    for (const Pair& pair : pairs) worst = std::max(worst, pair.verdict);
+    return worst;
 }
 
 bool Comparison::within_tolerance() const { return verdict() != Verdict::kBeyond; }

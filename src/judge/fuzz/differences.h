@@ -19,7 +19,7 @@ inline bool has_fixed(std::size_t pair) {
     return pair != static_cast<std::size_t>(RendererPair::kProgrammableReference);
 }
 
-// One pair of renderers: vertices, or pixels away from edges.
+// One pair of renderers: vertices, or judged pixels.
 struct PairDifferences {
     long compared = 0;
     long differing = 0;  // pixels that differ by more than the allowed difference

@@ -21,12 +21,24 @@ Json json_of(const RegionDifference& region) {
             {"worst", {region.worst_x, region.worst_y}}};
 }
 
+Json json_of(const compare::Judged& judged) {
+    return {{"to_allowed_difference", judged.to_allowed},
+            {"to_one_of_several_colors", judged.to_one_of},
+            {"not_checked", judged.not_judged},
+            {"drawn", judged.drawn},
+            {"drawn_not_checked", judged.drawn_not_judged},
+            {"drawn_widely_checked", judged.drawn_widely},
+            {"colors", {{"median", judged.colors.median}, {"95%", judged.colors.most}}},
+            {"width", {{"median", judged.width.median}, {"95%", judged.width.most}}}};
+}
+
 Json json_of(const Comparison& comparison, const Pair& pair) {
     Json json = {{"a", comparison.a(pair).name},
                  {"b", comparison.b(pair).name},
                  {"interior", json_of(pair.difference.interior)},
                  {"beyond_slack", json_of(pair.difference.beyond_allowed)},
                  {"edge", json_of(pair.difference.edge)},
+                 {"checked", json_of(pair.judged)},
                  {"verdict", word_of(pair.verdict)}};
     if (pair.verdict != Verdict::kInformative) {
         json["tolerance"] = {{"max", comparison.tolerance.max},
@@ -84,8 +96,7 @@ std::string comparison_json(const Comparison& comparison) { return dumped(json_o
 compare::Verdict verdict_of(const std::vector<ComparedStep>& steps) {
     Verdict worst = Verdict::kWithin;
     for (const ComparedStep& step : steps) {
-        const Verdict verdict = step.comparison.verdict();
-        if (worst != Verdict::kBeyond && verdict != Verdict::kWithin) worst = verdict;
+        worst = std::max(worst, step.comparison.verdict());
     }
     return worst;
 }

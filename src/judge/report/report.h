@@ -17,13 +17,18 @@ std::string difference_file(const compare::Comparison& comparison, const compare
 std::string step_folder(std::size_t step);
 
 // One JSON object, indented, with a newline at the end:
-//   {"scene", "driver", "size": [w, h], "verdict": "within" | "beyond" (the tolerance) | "partial",
+//   {"scene", "driver", "size": [w, h], "verdict": "within" | "beyond" (the tolerance) | "partial" | "unchecked",
 //    "renders": [{"name", "file", "ms", "error_bound"}],   error_bound: only for pictures drawn from plans
 //    "pairs": [{"a", "b",                        names of renders
 //               "interior": {"pixels", "differing", "max", "rms", "worst": [x, y]},   pixels away from edges
-//               "beyond_slack": {the same},     the part of these differences that is not allowed; the verdict follows from it
-//               "edge": {the same},             pixels at edges, which have no tolerance
-//               "verdict": "within" | "beyond" | "partial" | "informative" (meant to differ),
+//               "beyond_slack": {the same},     of all checked pixels: the part of the differences that is not allowed; the verdict
+//                                               follows from it
+//               "edge": {the same},             pixels at edges
+//               "checked": {"to_allowed_difference", "to_one_of_several_colors", "not_checked",   numbers of pixels
+//                          "drawn": those that a fragment covers, "drawn_not_checked", "drawn_widely_checked": in a range of over 32/255,
+//                          "colors", "width": {"median", "95%"}},   of to_one_of_several_colors: how many, and the widest range
+//               "verdict": "within" | "beyond" | "partial" | "unchecked": no difference found, but over 2% of the drawn pixels are
+//                          not checked, or widely | "informative" (meant to differ),
 //               "tolerance": {"max", "differing_share"},   for beyond_slack; missing for "informative"
 //               "file", "factor"}],             the difference picture and its amplification
 //    "driver_precision": {"position", "conversion", "approximates_rho"},   DrawingPrecision

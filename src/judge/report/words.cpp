@@ -39,6 +39,7 @@ std::string word_of(Verdict verdict) {
     switch (verdict) {
         case Verdict::kWithin: return "within";
         case Verdict::kBeyond: return "beyond";
+        case Verdict::kUnjudged: return "unchecked";
         case Verdict::kPartial: return "partial";
         case Verdict::kInformative: return "informative";
     }
@@ -49,6 +50,7 @@ std::string words_of(Verdict verdict) {
     switch (verdict) {
         case Verdict::kWithin: return "agree";
         case Verdict::kBeyond: return "differ";
+        case Verdict::kUnjudged: return "not checked";
         case Verdict::kPartial: return "partial";
         case Verdict::kInformative: return "meant to differ";
     }
@@ -56,7 +58,9 @@ std::string words_of(Verdict verdict) {
 }
 
 bool has_allowed_difference(const Pair& pair) {
-    return pair.verdict != Verdict::kInformative && pair.difference.beyond_allowed.rms < pair.difference.interior.rms;
+    const RegionDifference &interior = pair.difference.interior, &beyond = pair.difference.beyond_allowed;
+    return pair.verdict != Verdict::kInformative &&
+           (beyond.differing != interior.differing || beyond.max != interior.max);
 }
 
 std::string words_of(const Tolerance& tolerance) {
@@ -66,10 +70,10 @@ std::string words_of(const Tolerance& tolerance) {
 
 namespace {
 
-// "fixed ~ reference: 5 of 299,091 pixels away from edges differ (< 0.01%)"
+// "fixed ~ reference: 5 of 299,091 checked pixels differ (< 0.01%)"
 std::string count_of(const Comparison& comparison, const Pair& pair, const RegionDifference& region) {
-    return fmt::format("{}: {} of {} pixels away from edges differ ({})", name_of(comparison, pair),
-                       grouped(region.differing), grouped(region.pixels), share_of(region));
+    return fmt::format("{}: {} of {} checked pixels differ ({})", name_of(comparison, pair), grouped(region.differing),
+                       grouped(region.pixels), share_of(region));
 }
 
 // The pair with this verdict that differs most in one of its regions; null if there is none.
@@ -158,12 +162,37 @@ Answer agreeing_answer(const Comparison& comparison) {
             details};
 }
 
+// The pair of which the most could not be checked.
+const Pair& least_judged(const Comparison& comparison) {
+    const Pair* least = nullptr;
+    for (const Pair& pair : comparison.pairs)
+        if (pair.verdict == Verdict::kUnjudged && (!least || pair.judged.open_share() > least->judged.open_share()))
+            least = &pair;
+    return *least;
+}
+
+Answer unjudged_answer(const Comparison& comparison) {
+    const Pair& pair = least_judged(comparison);
+    const compare::Judged& judged = pair.judged;
+    Answer answer{
+        .headline = fmt::format("No difference found; {:.{}f}% of the drawn pixels could not be checked.",
+                                100 * judged.open_share(), judged.open_share() < 0.1 ? 1 : 0),
+        .where = fmt::format(
+            "{}: of {} drawn pixels, OpenGL leaves {} open, and {} may have any colour in a range of over {}.",
+            name_of(comparison, pair), grouped(judged.drawn), grouped(judged.drawn_not_judged),
+            grouped(judged.drawn_widely), in_255ths(compare::Judged::kWide)),
+        .details = {"A larger --size may help: fewer pixels are then at edges."}};
+    add_known_departures(comparison, answer);
+    add_precision(comparison, answer.details);
+    return answer;
+}
+
 Answer differing_answer(const Comparison& comparison) {
     const Pair& worst = *worst_pair(comparison, Verdict::kBeyond, &ImageDifference::beyond_allowed);
     const RegionDifference& region = worst.difference.beyond_allowed;
     Answer answer{
-        .headline = fmt::format("Not all agree: {} and {} differ by up to {} away from edges{}.",
-                                comparison.a(worst).name, comparison.b(worst).name, in_255ths(region.max),
+        .headline = fmt::format("Not all agree: {} and {} differ by up to {}{}.", comparison.a(worst).name,
+                                comparison.b(worst).name, in_255ths(region.max),
                                 has_allowed_difference(worst) ? ", more than OpenGL leaves open" : ""),
         .where = fmt::format("{}; the worst is at ({}, {}). Allowed: {}.", count_of(comparison, worst, region),
                              region.worst_x, region.worst_y, words_of(comparison.tolerance)),
@@ -203,13 +232,10 @@ std::vector<std::string> Answer::sentences() const {
 }
 
 Answer answer(const Comparison& comparison) {
-    if (comparison.pairs.front().difference.interior.pixels == 0)  // all pairs share one mask
-        return {"Unknown: every pixel is at an edge, where correct renderers may differ.",
-                "No pixel can be compared; try a larger --size.",
-                {}};
     switch (comparison.verdict()) {
         case Verdict::kPartial: return partial_answer(comparison);
         case Verdict::kBeyond: return differing_answer(comparison);
+        case Verdict::kUnjudged: return unjudged_answer(comparison);
         case Verdict::kWithin:
         case Verdict::kInformative: break;
     }

@@ -1,11 +1,11 @@
 // The pixels where correct implementations may differ, and by how much (docs/edges.md).
 //
-// Draws the fragments of the picture again, but with all values that they may have anywhere in a pixel's square:
-//   - coverage: a piece fills the square, or its border passes through it;
+// Draws the fragments of the picture again, but with all values that they may have where a rasteriser rounds positions:
+//   - coverage: a polygon certainly covers the pixel's centre, or its border passes beside it;
 //   - depth: an interval; if it overlaps the stored one, the outcome of the depth test is open;
 //   - colour: an interval per channel.
-// A pixel becomes open if a fragment may or may not change its colour, and certain again if a fragment certainly
-// overwrites it. Pixels that are open at the end are edge pixels.
+// A pixel becomes open if a fragment may or may not change its colour, and then has several colours. It becomes certain again if a
+// fragment certainly overwrites it. Pixels that are open at the end are edge pixels.
 #include "render/reference/allowed_difference.h"
 
 #include <climits>
@@ -13,6 +13,7 @@
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <limits>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -24,8 +25,6 @@ namespace twinlight::reference {
 
 namespace {
 
-// The square is enlarged by the distance that snapping may move a border.
-constexpr double kHalfSquare = 0.5 + kSnap;
 // Lines and points may cover the neighbouring pixel instead (3.4.1 allows lines to be off by one).
 constexpr double kHalfLineSquare = 1.5;
 
@@ -37,22 +36,45 @@ bool same_triangle(const Piece& a, const Piece& b) {
            p.depth.y == q.depth.y;
 }
 
-// Whether a polygon covers the square about `centre`: certainly, perhaps, or not. The square must meet the polygon's
-// bounding box. Edges along the sides of the view volume do not count: all rasterisers have them at the viewport's
-// border.
-Outcome covers(const std::vector<Edge>& edges, const glm::dvec2& centre) {
+// Whether a polygon covers the centre of a pixel, wherever the borders are that may be off by this much: certainly, perhaps, or not. The
+// square of that size about the centre must meet the polygon's bounding box. Edges along the sides of the view volume do not count:
+// all rasterisers have them at the viewport's border.
+Outcome covers(const std::vector<Edge>& edges, const glm::dvec2& centre, double border) {
     Outcome result = Outcome::kPasses;
     for (const Edge& edge : edges) {
-        const double side = edge.side(centre), reach = edge.reach(kHalfSquare);
+        const double side = edge.side(centre), reach = edge.reach(border);
         if (side < -reach) return Outcome::kFails;
         if (side <= reach && edge.origin() != EdgeOrigin::kSide) result = Outcome::kOpen;
     }
     return result;
 }
 
+// The place on the line from a to b that is nearest to p.
+glm::dvec2 nearest_on(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& p) {
+    const glm::dvec2 way = b - a;
+    const double square = glm::dot(way, way);
+    return square > 0 ? a + std::clamp(glm::dot(p - a, way) / square, 0.0, 1.0) * way : a;
+}
+
+// The place in the polygon that is nearest to p. The polygon has three corners or more.
+glm::dvec2 nearest_in(const Corners& polygon, const glm::dvec2& p) {
+    bool is_inside = true;
+    glm::dvec2 nearest = polygon.position_window(0);
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec2 from = polygon.position_window(i),
+                         to = polygon.position_window(i + 1 < polygon.size() ? i + 1 : 0);
+        const glm::dvec2 way = to - from, to_p = p - from, on = nearest_on(from, to, p);
+        is_inside = is_inside && way.x * to_p.y - way.y * to_p.x >= 0;
+        if (glm::distance(on, p) < glm::distance(nearest, p)) nearest = on;
+    }
+    return is_inside ? p : nearest;
+}
+
+bool has_texture(const Draw& draw) { return draw.texture.texture || !draw.further_units.empty(); }
+
 // Whether the values of a line's fragments differ from one end to the other.
 bool changes_along(const Piece& line, const Draw& draw) {
-    if (draw.texture.texture || !draw.further_units.empty() || draw.fog.enabled) return true;
+    if (has_texture(draw) || draw.fog.enabled) return true;
     if (draw.raster.depth_test && line.ends().from.position_window.z != line.ends().to.position_window.z) return true;
     if (draw.lighting.shade_model == kGL_FLAT) return false;
     const glm::dvec4& color = draw.vertices[line.primitive.vertices[0]].color;
@@ -60,6 +82,48 @@ bool changes_along(const Piece& line, const Draw& draw) {
     for (std::size_t i = 1; i < corners; ++i)
         if (draw.vertices[line.primitive.vertices[i]].color != color) return true;
     return draw.lighting.enabled;
+}
+
+// 3.4.1 interpolates at the fragment's centre, which may lie beyond the line's ends: the line with more of it at both. Nothing where
+// that reaches the eye, or if the line is so short that rounding decides what lies beyond.
+std::optional<Piece> longer(const Piece& line, double reach) {
+    constexpr double kShortest = 1e-3, kNearest = 1e-3;
+    const Ends& ends = line.ends();
+    const glm::dvec3 way = ends.to.position_window - ends.from.position_window;
+    const double length = std::max(std::abs(way.x), std::abs(way.y));
+    if (length < kShortest) return std::nullopt;
+    const auto beyond = [&](const WindowVertex& end, const WindowVertex& other) {
+        const double share = reach / length;
+        return WindowVertex{end.position_window + share * (end.position_window - other.position_window),
+                            end.weights_over_w + share * (end.weights_over_w - other.weights_over_w)};
+    };
+    const auto one_over_w = [](const WindowVertex& end) {
+        return end.weights_over_w.x + end.weights_over_w.y + end.weights_over_w.z;
+    };
+    const Ends extended{beyond(ends.from, ends.to), beyond(ends.to, ends.from)};
+    const double least = kNearest * std::min(one_over_w(ends.from), one_over_w(ends.to));
+    if (!(std::min(one_over_w(extended.from), one_over_w(extended.to)) > least)) return std::nullopt;
+    Piece result = line;
+    result.place = extended;
+    return result;
+}
+
+// How far from the centre a line's colour may be taken, along its longer axis: 3.4.1 takes the place on the line that is nearest to the
+// centre, and drivers measure along that axis.
+double reach_along(const Ends& ends, const glm::dvec2& centre) {
+    constexpr double kRounding = 0.5;
+    const glm::dvec2 from(ends.from.position_window), way = glm::dvec2(ends.to.position_window) - from;
+    const double square = glm::dot(way, way);
+    const int axis = std::abs(way.x) >= std::abs(way.y) ? 0 : 1;
+    const glm::dvec2 nearest = square > 0 ? from + glm::dot(centre - from, way) / square * way : from;
+    return kRounding + std::abs(nearest[axis] - centre[axis]);
+}
+
+// Calls visit(way) for the corners of a square.
+template <class Visit>
+void for_each_around(double half, const Visit& visit) {
+    for (const double x : {-half, half})
+        for (const double y : {-half, half}) visit(glm::dvec2(x, y));
 }
 
 // The state of a pixel besides its colour: an interval of depths, a stencil value, and whether it is open. Only for meshes.
@@ -71,24 +135,63 @@ class OpenPixels {
         : stages_(stages),
           window_(window),
           open_(window.count()),
+          drawn_(window.count()),
           depth_(window.count()),
           depth_of_(window.count()),
           thin_(window.count(), kNobody) {}
 
-    bool is_open(std::size_t at) const { return open_[at] != 0; }
-    void open(std::size_t at) { open_[at] = 1; }
-    void settle(std::size_t at) { open_[at] = 0; }
+    bool is_open(std::size_t at) const { return open_[at] != kSettled; }
+    bool is_unknown(std::size_t at) const { return open_[at] == kUnknown; }
+    void open(std::size_t at) { open_[at] = std::max(open_[at], kOpen); }
+    void open_to_any(std::size_t at) { open_[at] = kUnknown; }
+    void settle(std::size_t at) { open_[at] = kSettled; }
+    // Whether any piece certainly or perhaps covers the pixel.
+    bool is_drawn(std::size_t at) const { return drawn_[at] != 0; }
+
+    // A facet smaller than a pixel has the colours between its own vertices, not those of its plane beyond them.
+    Nearby nearby(const Piece& piece, int x, int y) const {
+        const glm::dvec2 centre = pixel_centre(x, y);
+        const Draw& draw = stages_.draw_of(piece);
+        Nearby result;
+        const auto add = [&](const glm::dvec2& place) { result.places.push_back(place); };
+        if (piece.shape == Shape::kTriangle) {
+            const double border = stages_.border;
+            for_each_around(border, [&](const glm::dvec2& way) { add(nearest_in(piece.corners, centre + way)); });
+            for (std::size_t i = 0; i < piece.corners.size(); ++i) {
+                const glm::dvec2 corner = piece.corners.position_window(i), way = glm::abs(corner - centre);
+                if (std::max(way.x, way.y) < border) add(corner);
+            }
+        } else if (draw.pixels) {
+            // It may be another one of its pixels.
+            result.has_any_color = piece.is_perhaps_clipped && (has_texture(draw) || !has_one_color(piece.draw));
+        } else if (piece.shape == Shape::kLine && changes_along(piece, draw)) {
+            const double reach =
+                piece.is_smooth ? kHalfLineSquare + 1 + piece.size / 2.0 : reach_along(piece.ends(), centre);
+            result.piece = longer(piece, reach);
+            result.has_any_color = !result.piece || has_texture(draw);
+            constexpr int kSteps = 4;  // to each side: fog grows to both sides of the eye's plane
+            if (!result.has_any_color)
+                for (int i = -kSteps; i <= kSteps; ++i) add(centre + reach * i / kSteps);
+        } else if (piece.sprite_size > 0) {
+            result.has_any_color = has_texture(draw);
+        }
+        return result;
+    }
 
     template <class Visit>
-    void for_each_fragment(StepId id, const PixelRect& within, const Visit& visit) {
+    void for_each_fragment(StepId id, const PixelRect& within, const Visit& visit_drawn) {
         const Piece& piece = stages_.piece(id);
+        const auto visit = [&](StepId step, int x, int y, Outcome how, const RayPoint* point) {
+            drawn_[window_.index(x, y)] = 1;
+            visit_drawn(step, x, y, how, point);
+        };
         if (piece.shape == Shape::kTriangle) return polygon(id, within, visit);
         if (!stages_.draw_of(piece).pixels) return thin(id, within, visit);
         const Outcome how = piece.is_perhaps_clipped ? Outcome::kOpen : Outcome::kPasses;
         for_each_pixel(piece, within, [&](int x, int y) { visit(id, x, y, how, nullptr); });
     }
 
-    // The depths over the pixel's square. For lines and points the slope widens the interval.
+    // The depths beside the pixel's centre. For lines and points the slope widens the interval.
     Interval depth(const Fragment& fragment) const {
         const Piece& piece = *fragment.piece;
         if (piece.shape == Shape::kPoint)
@@ -99,7 +202,7 @@ class OpenPixels {
             }
         double change = 0;
         if (piece.shape == Shape::kTriangle)
-            change = kHalfSquare * (std::abs(piece.planes().depth.x) + std::abs(piece.planes().depth.y));
+            change = stages_.border * (std::abs(piece.planes().depth.x) + std::abs(piece.planes().depth.y));
         if (piece.shape == Shape::kLine) {
             const glm::dvec3 d = glm::abs(piece.ends().to.position_window - piece.ends().from.position_window);
             change = 2 * kHalfLineSquare * d.z / std::max({d.x, d.y, 1.0});
@@ -117,7 +220,7 @@ class OpenPixels {
                 // a driver may cut a quadrilateral differently depending on flat shading or display lists.
                 if (same_triangle(piece, other) && !is_quadrilaterals(stages_.draw_of(piece)))
                     return compares(depth_func, between.z, 0) ? Outcome::kPasses : Outcome::kFails;
-                const double change = kHalfSquare * (std::abs(between.x) + std::abs(between.y));
+                const double change = stages_.border * (std::abs(between.x) + std::abs(between.y));
                 const glm::dvec2& centre = fragment.position_window;
                 const double difference = depth_at(piece, centre) - depth_at(other, centre);
                 return reference::depth_outcome(depth_func, widened(difference, change));
@@ -171,6 +274,18 @@ class OpenPixels {
     const StagedFrame& stages() const { return stages_; }
 
   private:
+    static constexpr char kSettled = 0, kOpen = 1, kUnknown = 2;
+    // Whether all vertices of the Draw have one colour, as a bitmap's have.
+    bool has_one_color(std::uint32_t number) const {
+        if (one_color_.empty()) one_color_.resize(stages_.draws.size());
+        std::optional<bool>& known = one_color_[number];
+        const Draw& draw = *stages_.draws[number].draw;
+        if (!known)
+            known = !draw.pixels->copied && std::ranges::all_of(draw.vertices, [&](const Vertex& vertex) {
+                return vertex.color == draw.vertices[0].color;
+            });
+        return *known;
+    }
     static constexpr StepId kNobody = std::numeric_limits<StepId>::min();
     static constexpr int kAnyValue = -1;
 
@@ -182,12 +297,12 @@ class OpenPixels {
     template <class Visit>
     void polygon(StepId id, const PixelRect& within, const Visit& visit) const {
         const Piece& piece = stages_.piece(id);
-        const PixelRect box = bounds(piece.corners, within, kSnap);
+        const PixelRect box = bounds(piece.corners, within, stages_.border);
         if (box.is_empty()) return;
         const std::vector<Edge> edges = edges_of(piece.corners);
         if (edges.size() < 2) return;
         for_each(box, [&](int x, int y) {
-            Outcome how = covers(edges, pixel_centre(x, y));
+            Outcome how = covers(edges, pixel_centre(x, y), stages_.border);
             if (how == Outcome::kPasses && piece.is_perhaps_clipped) how = Outcome::kOpen;
             if (how != Outcome::kFails) visit(id, x, y, how, nullptr);
         });
@@ -227,7 +342,7 @@ class OpenPixels {
             if (count == 0) return;
             const bool first = !again(id, window_.index(x, y));
             // With another order, blending would have more or less beneath it, whatever the depth test decides.
-            if (!first && !overwrites_color(stages_.draw_of(piece).fragment)) open(window_.index(x, y));
+            if (!first && !overwrites_color(stages_.draw_of(piece).fragment)) open_to_any(window_.index(x, y));
             const bool is_certain = count == all && !nothing && first && !piece.is_perhaps_clipped && !is_stretched;
             visit(id, x, y, is_certain ? Outcome::kPasses : Outcome::kOpen, nullptr);
         });
@@ -246,7 +361,9 @@ class OpenPixels {
 
     const StagedFrame& stages_;
     const PixelRect window_;
-    std::vector<char> open_;
+    std::vector<char> open_;  // kSettled, ...
+    std::vector<char> drawn_;
+    mutable std::vector<std::optional<bool>> one_color_;  // of each Draw
     std::vector<Interval> depth_;
     std::vector<StepId> depth_of_;  // the piece with that depth, if certain
     std::vector<int> stencil_;      // the stencil value, or kAnyValue; empty until it is used
@@ -258,20 +375,53 @@ class IntervalBuffer : public FragmentLoop<OpenPixels> {
     using FragmentLoop::FragmentLoop;
 
     struct Pixel {
-        bool edge = false;
-        Rgba channels{};
+        bool edge = false, drawn = false;
+        Rgba channels{};                     // away from edges
+        std::vector<AllowedRange> ranges{};  // at edges, unless any colour may be there
     };
     std::optional<int> known_stencil(int x, int y) const { return kept_.known_stencil(window_.index(x, y)); }
     Pixel pixel(int x, int y) {
         const std::size_t at = window_.index(x, y);
         const StepId id = step_[at];
-        const bool is_exact =
-            id != kColor && (id < 0 || !shaders_[stages_.piece(id).draw].has_several_colors(stages_.piece(id)));
-        if (kept_.is_open(at) || is_exact) return {.edge = kept_.is_open(at)};
-        const Channels<Interval> color = resolved(x, y);
-        Pixel result{.edge = kept_.is_open(at)};
-        for (std::size_t i = 0; i < color.size(); ++i) result.channels[i] = static_cast<float>(color[i].width());
+        Pixel result{.edge = kept_.is_open(at), .drawn = kept_.is_drawn(at)};
+        if (!result.edge) {
+            if (id != kColor && (id < 0 || !shaders_[stages_.piece(id).draw].has_several_colors(stages_.piece(id))))
+                return result;
+            const Channels<Interval> color = resolved(x, y);
+            result.edge = kept_.is_open(at);  // which texel it has may be a choice
+            for (std::size_t i = 0; i < color.size(); ++i)
+                result.channels[i] = result.edge ? 0 : static_cast<float>(color[i].width());
+        }
+        if (!result.edge || kept_.is_unknown(at)) return result;
+        for (const Channels<Interval>& color : choices(x, y)) {
+            const AllowedRange range = range_of(color);
+            if (!is_range(range) || has_all_colors(range)) {
+                result.ranges.clear();
+                break;
+            }
+            if (std::ranges::find(result.ranges, range) == result.ranges.end()) result.ranges.push_back(range);
+        }
         return result;
+    }
+
+  private:
+    static AllowedRange range_of(const Channels<Interval>& color) {
+        AllowedRange range;
+        for (std::size_t i = 0; i < color.size(); ++i) {
+            range.low[i] = static_cast<float>(color[i].low);
+            range.high[i] = static_cast<float>(color[i].high);
+        }
+        return range;
+    }
+    static bool has_all_colors(const AllowedRange& range) {
+        for (std::size_t i = 0; i < 3; ++i)
+            if (range.low[i] > 0 || range.high[i] < 1) return false;
+        return true;
+    }
+    static bool is_range(const AllowedRange& range) {
+        for (std::size_t i = 0; i < range.low.size(); ++i)
+            if (!(range.low[i] <= range.high[i])) return false;
+        return true;
     }
 };
 
@@ -287,9 +437,9 @@ class OpenDepths : public OpenPixels {
         constexpr double kRoundings = 8 * 0x1p-24;  // of the plane, in floats: a constant plus slope times pixel number
         const glm::dvec3 plane = glm::abs(piece.planes().depth);
         const glm::dvec2 place = glm::abs(fragment.position_window);
-        return widened(
-            depth_at(piece, fragment.position_window),
-            kSnap * (plane.x + plane.y) + kRoundings * (plane.x * place.x + plane.y * place.y + std::abs(plane.z)));
+        return widened(depth_at(piece, fragment.position_window),
+                       stages().border * (plane.x + plane.y) +
+                           kRoundings * (plane.x * place.x + plane.y * place.y + std::abs(plane.z)));
     }
     void set_depth(std::size_t at, StepId id, const Interval& depth, Outcome outcome) {
         Interval stored = depth;
@@ -338,22 +488,47 @@ void add_surface_edges(const Frame& frame, const Options& options, PixelMask& ed
 
 }  // namespace
 
+namespace {
+
+// At an edge in one cut of quadrilaterals, the pixel may have the colours of both. What it has where it is none is in the picture.
+void join_ranges(OpenDifference& difference, std::size_t at, std::vector<AllowedRange> more, bool is_edge,
+                 bool was_edge) {
+    const auto known = difference.ranges.find(at);
+    const bool has_known = known != difference.ranges.end();
+    const bool is_unknown = (is_edge && more.empty()) || (was_edge && !has_known);
+    if (has_known && (is_unknown || !was_edge)) difference.ranges.erase(known);
+    if (is_unknown || !is_edge) return;
+    std::vector<AllowedRange>& ranges = difference.ranges[at];
+    for (const AllowedRange& range : more)
+        if (std::ranges::find(ranges, range) == ranges.end()) ranges.push_back(range);
+}
+
+}  // namespace
+
 void find_differences(StagedFrame stages, const Options& options, const PixelRect& within, OpenDifference& difference,
                       Joining joining) {
     const bool adds = joining == Joining::kAdds;
     Image& channels = difference.channels;
     if (within.is_empty()) return;
+    std::mutex mutex;  // of difference.ranges: bands find them at once
+    const auto join = [&](IntervalBuffer& buffer, int x, int y) {
+        IntervalBuffer::Pixel pixel = buffer.pixel(x, y);
+        const std::size_t at = channels.index(x, channels.height - 1 - y);
+        const bool had_ranges = difference.edge[at] != 0, was_edge = adds && had_ranges;
+        if (pixel.edge || had_ranges) {
+            const std::lock_guard lock(mutex);
+            join_ranges(difference, at, std::move(pixel.ranges), pixel.edge, was_edge);
+        }
+        difference.edge[at] = pixel.edge || was_edge;
+        difference.drawn[at] = pixel.drawn || (adds && difference.drawn[at] != 0);
+        for (std::size_t c = 0; c < pixel.channels.size(); ++c) {
+            float& channel = channels.pixels[at][c];
+            channel = adds ? std::max(channel, pixel.channels[c]) : pixel.channels[c];
+        }
+    };
     draw_in_bands<IntervalBuffer>(stages, make_color_shaders(stages, options), within,
                                   [&](IntervalBuffer& buffer, const PixelRect& band) {
-                                      for_each(band, [&](int x, int y) {
-                                          const IntervalBuffer::Pixel pixel = buffer.pixel(x, y);
-                                          const std::size_t at = channels.index(x, channels.height - 1 - y);
-                                          difference.edge[at] = pixel.edge || (adds && difference.edge[at] != 0);
-                                          for (std::size_t c = 0; c < pixel.channels.size(); ++c) {
-                                              float& channel = channels.pixels[at][c];
-                                              channel = adds ? std::max(channel, pixel.channels[c]) : pixel.channels[c];
-                                          }
-                                      });
+                                      for_each(band, [&](int x, int y) { join(buffer, x, y); });
                                   });
 }
 

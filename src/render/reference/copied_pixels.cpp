@@ -25,8 +25,14 @@ CopySource source_with_range(const Frame& frame, Options options) {
         for (std::size_t c = 0; c < 4; ++c) {
             const auto [least, most] = std::minmax({source.picture.pixels[i][c], other_cut.pixels[i][c]});
             const float around = allowed.channels.pixels[i][c] + kRounding;
-            source.low.pixels[i][c] = allowed.edge[i] ? 0 : std::max(least - around, 0.0F);
-            source.high.pixels[i][c] = allowed.edge[i] ? 1 : std::min(most + around, 1.0F);
+            source.low.pixels[i][c] = allowed.is_judged(i) ? std::max(least - around, 0.0F) : 0;
+            source.high.pixels[i][c] = allowed.is_judged(i) ? std::min(most + around, 1.0F) : 1;
+            if (!allowed.edge[i] || !allowed.is_judged(i)) continue;
+            for (const AllowedRange& range : allowed.ranges.at(i)) {
+                source.low.pixels[i][c] = std::min(source.low.pixels[i][c], std::max(range.low[c] - kRounding, 0.0F));
+                source.high.pixels[i][c] =
+                    std::max(source.high.pixels[i][c], std::min(range.high[c] + kRounding, 1.0F));
+            }
         }
     return source;
 }

@@ -11,8 +11,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "render/reference/coverage.h"
@@ -20,6 +23,13 @@
 #include "render/reference/staged_frame.h"
 
 namespace twinlight::reference {
+
+// Where a piece's fragment may have its colour from if rasterisers round positions.
+struct Nearby {
+    std::vector<glm::dvec2> places{};
+    std::optional<Piece> piece{};  // the places are of this one, instead
+    bool has_any_color = false;
+};
 
 // Kept has
 //   Real                                      double or Interval
@@ -32,6 +42,12 @@ namespace twinlight::reference {
 //   set_stencil(face, covers, stencil, depth, at)  after the outcomes of coverage and both tests
 //   open_stencil(at)                          any value may be written
 //   is_open(at), open(at), settle(at)         whether the colour is open; marks it as open; as certain
+//   is_unknown(at), open_to_any(at)           whether it may be any colour; marks it so
+// and over intervals
+//   nearby(piece, x, y)                       the places from which the piece's fragment at the pixel may have its colour (Nearby)
+//
+// Over intervals an open pixel has several colours, of which correct pictures show one: that of the last step which may be seen
+// there, and those beneath it (others_). Where they are mixed with a fragment (blending), each of them is.
 template <class Kept>
 class FragmentLoop {
   public:
@@ -65,13 +81,13 @@ class FragmentLoop {
         for_each(scissored(clear.scissor, window_), [&](int x, int y) {
             const std::size_t at = window_.index(x, y);
             if (clear.stencil) kept_.clear_stencil(clear, at);
-            if (clear.accumulation) accumulation_[at] = {channels<Real>(clear.clear_accumulation), false};
+            if (clear.accumulation) accumulation_[at] = {.color = channels<Real>(clear.clear_accumulation)};
             if (clear.depth) kept_.set_depth(at, id, clear.clear_depth, Outcome::kPasses);
             if (!clear.color) return;
             if (overwrites)
-                wait(id, at);
+                wait(id, at, Outcome::kPasses);
             else
-                write(mask, {channels<Real>(clamped(clear.clear_color))}, x, y);
+                write(mask, {channels<Real>(clamped(clear.clear_color))}, x, y, Outcome::kPasses);
         });
     }
 
@@ -90,14 +106,13 @@ class FragmentLoop {
             Outcome outcome = covers;
             Real depth{};
             Shaded<Real> shaded;
-            // The order of the tests matters only to the stencil: both others must pass. If the pixel is open anyway,
-            // its colour is not needed.
-            const bool stays_open = kept_.is_open(at) && !overwrites_color(state);
+            // The order of the tests matters only to the stencil: both others must pass. If the pixel may have any colour,
+            // the fragment's is not needed.
+            const bool stays_unknown = kept_.is_unknown(at) && !overwrites_color(state);
             const auto alpha_test = [&] {
-                if (waits || !((writes && !stays_open) || state.alpha_test) || outcome != Outcome::kPasses) return;
-                shaded = shaders_[piece.draw].template shade<Real>(fragment);
-                if (piece.is_smooth) shaded.color[3] = shaded.color[3] * Real(coverage_of(piece, x, y));
-                if (state.alpha_test) outcome = alpha_outcome(state, shaded.color[3]);
+                if (waits || !((writes && !stays_unknown) || state.alpha_test) || outcome == Outcome::kFails) return;
+                shaded = color_of(fragment, x, y, covers);
+                if (state.alpha_test) outcome = std::min(outcome, alpha_outcome(state, shaded.color[3]));
             };
             if (state.stencil) {
                 alpha_test();
@@ -123,12 +138,10 @@ class FragmentLoop {
             // 4.1.6: without the depth test the depth buffer does not change.
             if (raster.depth_test && raster.depth_mask) kept_.set_depth(at, id, depth, outcome);
             if (!writes) return outcome;
-            if (outcome == Outcome::kOpen)
-                kept_.open(at);
-            else if (waits)
-                wait(id, at);
-            else if (!stays_open)
-                write(state, shaded, x, y);
+            if (waits)
+                wait(id, at, outcome);
+            else if (!stays_unknown)
+                write(state, shaded, x, y, outcome);
             return outcome;
         };
         const bool is_stippled = raster.polygon_stipple || raster.line_stipple;
@@ -195,16 +208,19 @@ class FragmentLoop {
                 Shaded<Real> result;
                 for (std::size_t i = 0; i < result.color.size(); ++i)
                     result.color[i] = clamp01(stored.color[i] * Real(accumulate.value));
-                write(mask, result, x, y);
+                write(mask, result, x, y, Outcome::kPasses);
                 if (stored.is_open) kept_.open(at);
+                if (stored.is_unknown) kept_.open_to_any(at);
                 return;
             }
-            const bool reads = accumulate.op == kGL_ACCUM || accumulate.op == kGL_LOAD;
-            const Channels<Real> color = reads ? resolved(x, y) : Channels<Real>{};
-            stored.is_open = (accumulate.op != kGL_LOAD && stored.is_open) || (reads && kept_.is_open(at));
+            const bool reads = accumulate.op == kGL_ACCUM || accumulate.op == kGL_LOAD,
+                       loads = accumulate.op == kGL_LOAD;
+            const Channels<Real> color = reads ? hull_of_all(x, y) : Channels<Real>{};
+            stored.is_open = (!loads && stored.is_open) || (reads && kept_.is_open(at));
+            stored.is_unknown = (!loads && stored.is_unknown) || (reads && kept_.is_unknown(at));
             for (std::size_t i = 0; i < color.size(); ++i) {
                 const Real result = accumulated(accumulate, stored.color[i], held(color[i]));
-                stored.is_open |= leaves_accumulation(result);
+                stored.is_unknown |= leaves_accumulation(result);
                 stored.color[i] = kept_accumulation(result);
             }
         });
@@ -213,40 +229,165 @@ class FragmentLoop {
         if (accumulation_.empty()) accumulation_.resize(window_.count());
     }
 
-    // From now on the pixel has the step's colour, lit later.
-    void wait(StepId id, std::size_t at) {
-        step_[at] = id;
-        kept_.settle(at);
+    // The fragment's colour; if only a rasteriser's rounding decides whether there is a fragment, of all places nearby.
+    Shaded<Real> color_of(const Fragment& fragment, int x, int y, Outcome covers) {
+        const Piece& piece = *fragment.piece;
+        const Shader& shader = shaders_[piece.draw];
+        Shaded<Real> result = shader.template shade<Real>(fragment);
+        Real coverage(piece.is_smooth ? coverage_of(piece, x, y) : 1);
+        if constexpr (kFindsRanges) {
+            if (covers != Outcome::kPasses) {
+                const Nearby nearby = kept_.nearby(piece, x, y);
+                if (nearby.has_any_color) result.color.fill({0, 1});
+                for (const glm::dvec2& place : nearby.places) {
+                    const Shaded<Real> there =
+                        shader.template shade<Real>({nearby.piece ? &*nearby.piece : &piece, place});
+                    for (std::size_t i = 0; i < result.color.size(); ++i)
+                        result.color[i] = hull(result.color[i], there.color[i]);
+                }
+                if (piece.is_smooth) coverage = {0, 1};  // 3.2
+            }
+        }
+        if (piece.is_smooth) result.color[3] = result.color[3] * coverage;
+        return result;
     }
 
-    void write(const FragmentState& state, const Shaded<Real>& source, int x, int y) {
+    // The pixel has the step's colour, lit later; if the outcome is open, perhaps.
+    void wait(StepId id, std::size_t at, Outcome outcome) {
+        cover(at, outcome);
+        step_[at] = id;
+    }
+
+    void write(const FragmentState& state, const Shaded<Real>& source, int x, int y, Outcome outcome) {
         const std::size_t at = window_.index(x, y);
-        Channels<Real> beneath{};
-        if (overwrites_color(state))
-            kept_.settle(at);
-        else  // the fragment uses the colour beneath as the colour buffer stores it
-            for (std::size_t i = 0; const Real& channel : resolved(x, y)) beneath[i++] = held(channel);
-        if (colors_.empty()) colors_.resize(step_.size());
-        colors_[at] = written(state, source.color, beneath);
-        step_[at] = kColor;
+        // The fragment uses the colour beneath as the colour buffer stores it.
+        const auto over = [&](const Channels<Real>& color) {
+            Channels<Real> beneath{};
+            for (std::size_t i = 0; const Real& channel : color) beneath[i++] = held(channel);
+            return written(state, source.color, beneath);
+        };
+        if (overwrites_color(state)) {
+            cover(at, outcome);
+            set_color(at, written(state, source.color, {}));
+        } else {
+            const Channels<Real> beneath = resolved(x, y), color = over(beneath);
+            if constexpr (kFindsRanges)
+                if (kept_.is_open(at) || outcome == Outcome::kOpen) {
+                    std::vector<Choice> before;
+                    if (!others_.empty()) before = std::exchange(others_[at], {});
+                    for (const Choice& choice : before) add_other(at, {kColor, over(color_of(choice, x, y))});
+                    if (outcome == Outcome::kOpen) {
+                        for (const Choice& choice : before) add_other(at, choice);
+                        add_other(at, {kColor, beneath});
+                        kept_.open(at);
+                    }
+                }
+            set_color(at, color);
+        }
         if (source.has_choice) kept_.open(at);
+    }
+    void set_color(std::size_t at, const Channels<Real>& color) {
+        if (colors_.empty()) colors_.resize(step_.size());
+        colors_[at] = color;
+        step_[at] = kColor;
+    }
+
+    // Before a colour that does not depend on those beneath: it hides them, certainly or perhaps.
+    void cover(std::size_t at, Outcome outcome) {
+        if (outcome == Outcome::kPasses) {
+            kept_.settle(at);
+            if constexpr (kFindsRanges)
+                if (!others_.empty()) others_[at].clear();
+            return;
+        }
+        if constexpr (kFindsRanges) add_other(at, {step_[at], step_[at] == kColor ? colors_[at] : Channels<Real>{}});
+        kept_.open(at);
     }
 
   protected:
+    static constexpr bool kFindsRanges = std::is_same_v<Real, Interval>;
     static constexpr StepId kColor = std::numeric_limits<StepId>::min();
+
+    // One of the colours that an open pixel may have: a step's, lit later, or kColor and the colour.
+    struct Choice {
+        StepId step = kColor;
+        Channels<Real> color{};
+        friend bool operator==(const Choice&, const Choice&) = default;
+    };
 
     // The pixel's colour; lights the step if it was delayed.
     Channels<Real> resolved(int x, int y) {
         const std::size_t at = window_.index(x, y);
-        const StepId id = step_[at];
-        if (id == kColor) return colors_[at];
-        if (id < 0) return channels<Real>(clamped(stages_.clear(id).clear_color));
-        const Piece& piece = stages_.piece(id);
-        const Shaded<Real> shaded = shaders_[piece.draw].template shade<Real>({&piece, pixel_centre(x, y)});
+        return color_of({step_[at], step_[at] == kColor ? colors_[at] : Channels<Real>{}}, x, y);
+    }
+    Channels<Real> color_of(const Choice& choice, int x, int y) {
+        const std::size_t at = window_.index(x, y);
+        if (choice.step == kColor) return choice.color;
+        if (choice.step < 0) return channels<Real>(clamped(stages_.clear(choice.step).clear_color));
+        const Fragment fragment{&stages_.piece(choice.step), pixel_centre(x, y)};
+        const Shaded<Real> shaded = color_of(fragment, x, y, kept_.is_open(at) ? Outcome::kOpen : Outcome::kPasses);
         if (shaded.has_choice) kept_.open(at);
         return shaded.color;
     }
+    // All colours that the pixel may have, unless it may have any.
+    std::vector<Channels<Real>> choices(int x, int y) {
+        std::vector<Channels<Real>> all{resolved(x, y)};
+        if constexpr (kFindsRanges)
+            if (!others_.empty())
+                for (const Choice& choice : others_[window_.index(x, y)]) all.push_back(color_of(choice, x, y));
+        return all;
+    }
 
+  private:
+    Channels<Real> hull_of_all(int x, int y) {
+        Channels<Real> all = resolved(x, y);
+        if constexpr (kFindsRanges)
+            for (const Channels<Real>& color : choices(x, y))
+                for (std::size_t i = 0; i < all.size(); ++i) all[i] = hull(all[i], color[i]);
+        return all;
+    }
+    void add_other(std::size_t at, const Choice& choice) {
+        if (others_.empty()) others_.resize(step_.size());
+        std::vector<Choice>& others = others_[at];
+        if (std::ranges::find(others, choice) == others.end()) others.push_back(choice);
+        if (others.size() < kMostChoices) return;
+        const int width = window_.x1 - window_.x0, x = window_.x0 + static_cast<int>(at) % width,
+                  y = window_.y0 + static_cast<int>(at) / width;
+        std::vector<Choice> merged;
+        for (const Choice& one : others) {
+            const Choice lit{kColor, color_of(one, x, y)};
+            if (std::ranges::find(merged, lit) == merged.end()) merged.push_back(lit);
+        }
+        while (merged.size() >= kMostChoices) merge_nearest(merged);
+        others = std::move(merged);
+    }
+    // Replaces the two colours whose common range is the narrowest by it.
+    static void merge_nearest(std::vector<Choice>& choices) {
+        const auto common = [](const Choice& a, const Choice& b) {
+            Choice both;
+            for (std::size_t i = 0; i < both.color.size(); ++i) both.color[i] = hull(a.color[i], b.color[i]);
+            return both;
+        };
+        const auto width = [](const Choice& choice) {
+            double widest = 0;
+            for (const Real& channel : choice.color) widest = std::max(widest, channel.width());
+            return widest;
+        };
+        std::size_t first = 0, second = 1;
+        double least = HUGE_VAL;
+        for (std::size_t a = 0; a < choices.size(); ++a)
+            for (std::size_t b = a + 1; b < choices.size(); ++b)
+                if (const double one = width(common(choices[a], choices[b])); one < least) {
+                    least = one;
+                    first = a;
+                    second = b;
+                }
+        choices[first] = common(choices[first], choices[second]);
+        choices.erase(choices.begin() + static_cast<std::ptrdiff_t>(second));
+    }
+    static constexpr std::size_t kMostChoices = 8;
+
+  protected:
     const StagedFrame& stages_;
     const std::vector<Shader>& shaders_;
     const PixelRect window_;
@@ -254,10 +395,11 @@ class FragmentLoop {
     std::vector<StepId> step_;  // the step whose colour it has, or kColor
     struct Accumulated {
         Channels<Real> color{};
-        bool is_open = false;
+        bool is_open = false, is_unknown = false;
     };
-    std::vector<Accumulated> accumulation_;  // empty until it is used
-    std::vector<Channels<Real>> colors_;     // valid where the step is kColor; empty until the first
+    std::vector<Accumulated> accumulation_;    // empty until it is used
+    std::vector<Channels<Real>> colors_;       // valid where the step is kColor; empty until the first
+    std::vector<std::vector<Choice>> others_;  // of open pixels, besides the step; empty until the first
 };
 
 // Draws the pixels `within` in bands of rows, and calls visit(buffer, band) for each band, y up. Buffer: a FragmentLoop.

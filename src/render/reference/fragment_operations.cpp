@@ -137,6 +137,17 @@ bool leaves_accumulation(const Interval& value) {
     return std::abs(value.low + value.high) / 2 > 1 + kRounding;
 }
 
+Interval blended_over_alpha(const FragmentState& state, std::size_t i, const Channels<Interval>& source,
+                            const Channels<Interval>& destination, const Channels<Interval>& constant) {
+    const bool is_linear =
+        i < 3 && state.blend_src != kGL_SRC_ALPHA_SATURATE && state.blend_dst != kGL_SRC_ALPHA_SATURATE;
+    if (!is_linear) return blended(state, i, source, destination, constant);
+    Channels<Interval> least = source, most = source;
+    least[3] = source[3].low;
+    most[3] = source[3].high;
+    return hull(blended(state, i, least, destination, constant), blended(state, i, most, destination, constant));
+}
+
 double combined(Enum logic_op, double source, double stored) {
     const auto code = [](double channel) { return static_cast<unsigned>(std::lround(held(channel) * kColorCodes)); };
     const unsigned s = code(source), d = code(stored);

@@ -99,6 +99,14 @@ Real blended(const FragmentState& state, std::size_t i, const Channels<Real>& so
     return from_source + from_destination;
 }
 
+// The same where the source's alpha is an interval. Both factors have the same alpha, and the sum is linear in it.
+inline double blended_over_alpha(const FragmentState& state, std::size_t i, const Channels<double>& source,
+                                 const Channels<double>& destination, const Channels<double>& constant) {
+    return blended(state, i, source, destination, constant);
+}
+Interval blended_over_alpha(const FragmentState& state, std::size_t i, const Channels<Interval>& source,
+                            const Channels<Interval>& destination, const Channels<Interval>& constant);
+
 // 4.1.10: the codes of the new and the stored colour, combined bit by bit. An interval has the results of all codes in
 // both, or everything if these are many.
 double combined(Enum logic_op, double source, double stored);
@@ -126,7 +134,7 @@ Channels<Real> written(const FragmentState& state, const Channels<Real>& source,
         if (state.logic_op)
             result[i] = combined(*state.logic_op, source[i], beneath[i]);
         else if (state.blend)
-            result[i] = clamp01(rounded_products(state, i, blended(state, i, fragment, beneath, constant)));
+            result[i] = clamp01(rounded_products(state, i, blended_over_alpha(state, i, fragment, beneath, constant)));
     }
     return result;
 }

@@ -48,7 +48,9 @@ class DrawnPixels {
     double depth(std::size_t at) const { return depth_[at]; }
     std::uint8_t stencil(std::size_t at) const { return stencil_.empty() ? std::uint8_t{0} : stencil_[at]; }
     static bool is_open(std::size_t) { return false; }
+    static bool is_unknown(std::size_t) { return false; }
     void open(std::size_t) {}
+    void open_to_any(std::size_t) {}
     void settle(std::size_t) {}
 
   private:

@@ -98,9 +98,7 @@ AllowedDifference Pictures::allowed_difference(const Options& given) {
     PixelRect within = window;
     const bool is_first = !found_ || !differ_in_look_or_cut_only(found_->options, options);
     if (is_first) {
-        found_ = Found{options,
-                       {std::vector<char>(size_of(window)), Image(frame.width, frame.height)},
-                       reach_of(stages, window, is_quadrilaterals)};
+        found_ = Found{options, OpenDifference(frame.width, frame.height), reach_of(stages, window, is_quadrilaterals)};
     } else {
         bool of_quadrilaterals = false;
         within = reach_of(stages, window, [&](const Draw& draw) {
@@ -120,8 +118,10 @@ AllowedDifference Pictures::allowed_difference(const Options& given) {
     } else if (const PixelRect again = common(within, found_->of_quadrilaterals); !again.is_empty()) {
         find_differences(run_stages(frame, options), options, again, found_->difference, Joining::kAdds);
     }
-    AllowedDifference result{.edge = {}, .channels = found_->difference.channels};
-    result.edge.assign(found_->difference.edge.begin(), found_->difference.edge.end());
+    const OpenDifference& found = found_->difference;
+    AllowedDifference result{.edge = {}, .channels = found.channels, .ranges = found.ranges, .drawn = {}};
+    result.edge.assign(found.edge.begin(), found.edge.end());
+    result.drawn.assign(found.drawn.begin(), found.drawn.end());
     return result;
 }
 

@@ -13,8 +13,15 @@ namespace twinlight::reference {
 
 // What makes correct pictures of a frame differ, while it is found: bytes, not bits, because bands write concurrently.
 struct OpenDifference {
-    std::vector<char> edge;
+    OpenDifference(int width, int height) : edge(size_of(width, height)), drawn(edge.size()), channels(width, height) {}
+    std::vector<char> edge, drawn;
     Image channels;
+    std::map<std::size_t, std::vector<AllowedRange>> ranges;
+
+  private:
+    static std::size_t size_of(int width, int height) {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
 };
 
 class Pictures {

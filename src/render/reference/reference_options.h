@@ -31,8 +31,10 @@ struct Options : Look {
     InClipPlane in_clip_plane = InClipPlane::kAsComputed;
     // For allowed_difference(): the driver approximates rho, as 3.8.8 allows (DrawingPrecision).
     bool approximates_rho = false;
-    // The same: by how many pixels vertices may be moved, across and up, before texture coordinates are interpolated.
+    // The same: by how many pixels vertices may be moved, across and up, before texture coordinates are interpolated; and by how many
+    // a polygon's border may be off.
     double snap = kSnap;
+    double border = kSnap;
 
     friend bool operator==(const Options&, const Options&) = default;
 };

@@ -28,6 +28,7 @@ std::size_t most_pieces(const Draw& draw) {
 
 StagedFrame run_stages(const Frame& frame, const Options& options) {
     StagedFrame stages;
+    stages.border = options.border;
     // A vector that grows as it is filled needs up to three times as much memory.
     std::size_t pieces = 0;
     for (const Draw* draw : frame.draws()) pieces += most_pieces(*draw);

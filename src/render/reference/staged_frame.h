@@ -26,6 +26,7 @@ struct StagedFrame {
     std::vector<Piece> pieces;
     std::vector<Clear> clears;  // clear `id` is clears[-1 - id]; the first clears to black and depth 1
     std::vector<Step> steps;
+    double border = kSnap;  // Options::border
 
     const Clear& clear(StepId id) const { return clears[static_cast<std::size_t>(-1 - id)]; }
     const Piece& piece(StepId id) const { return pieces[static_cast<std::size_t>(id)]; }

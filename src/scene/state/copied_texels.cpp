@@ -311,12 +311,43 @@ class Copier {
         return texture;
     }
 
+    static bool has_odd_side(const TextureImage& image) {
+        const auto is_odd = [](int side) { return side > 1 && side % 2 == 1; };
+        return is_odd(image.width) || is_odd(image.height) || is_odd(image.depth);
+    }
+    // 3.8.8 asks for no particular filter. Two texels of an odd side are smaller than one of its half, which may be any mean of those
+    // that it covers.
+    static TextureImage bound_of_half(const TextureImage& image, bool is_high) {
+        TextureImage result = image.half_size();
+        const auto first = [](int i, int side, int half) { return i * side / half; };
+        const auto last = [](int i, int side, int half) { return ((i + 1) * side - 1) / half; };
+        for (int z = 0; z < result.depth; ++z)
+            for (int y = 0; y < result.height; ++y)
+                for (int x = 0; x < result.width; ++x) {
+                    glm::vec4 bound(is_high ? 0 : 1);
+                    for (int k = first(z, image.depth, result.depth); k <= last(z, image.depth, result.depth); ++k)
+                        for (int j = first(y, image.height, result.height); j <= last(y, image.height, result.height);
+                             ++j)
+                            for (int i = first(x, image.width, result.width); i <= last(x, image.width, result.width);
+                                 ++i) {
+                                const glm::vec4 texel = image.texel(i, j, k);
+                                bound = is_high ? glm::max(bound, texel) : glm::min(bound, texel);
+                            }
+                    result.texels.push_back(bound);
+                }
+        return result;
+    }
+
     TextureImage whole(const TextureImage& image, Of of) const {
         const InternalFormat format = *internal_format(image.internal_format);
         TextureImage result = image;
         result.parts.clear();
         result.half_of.reset();
-        if (image.half_of) result.texels = half(whole(*image.half_of, of), format).texels;
+        if (image.half_of) {
+            const TextureImage larger = whole(*image.half_of, of);
+            const bool is_exact = of == Of::kPicture || !has_odd_side(larger);
+            result.texels = (is_exact ? half(larger, format) : bound_of_half(larger, of == Of::kHigh)).texels;
+        }
         for (const ImagePart& part : image.parts) {
             const auto taken = taken_.find(part.copied.get());
             if (part.copied && taken == taken_.end()) continue;

@@ -42,7 +42,7 @@ Scene empty_scene() {
             {.width = kWidth, .height = kHeight}};
 }
 
-// Pictures of one grey; the left column is an edge.
+// Pictures of one grey; the left column is an edge of the background.
 struct Stub {
     float fixed = 128.0F / 255, programmable = 128.0F / 255, reference = 128.0F / 255;
     float allowed = 0;
@@ -90,7 +90,11 @@ struct Stub {
                         AllowedDifference result{
                             PixelMask(static_cast<std::size_t>(frame.width * frame.height)),
                             Image(frame.width, frame.height, {allowed, allowed, allowed, allowed})};
-                        for (int y = 0; y < frame.height; ++y) result.edge[result.channels.index(0, y)] = true;
+                        result.drawn.assign(result.edge.size(), true);
+                        for (int y = 0; y < frame.height; ++y) {
+                            result.edge[result.channels.index(0, y)] = true;
+                            result.drawn[result.channels.index(0, y)] = false;
+                        }
                         return result;
                     }};
     }
@@ -176,21 +180,21 @@ TEST(Verdict, IsWithinUpToOneCodeInFewPixels) {
     EXPECT_EQ(judge(difference, {}), Verdict::kBeyond);
 }
 
-// 25 codes off: one code more than what is allowed and rounding, in every pixel; then none.
+// 5 codes off: one code more than what is allowed and rounding, in every pixel; then none.
 TEST(Verdict, IsOfWhatIsLeftBeyondTheAllowedDifference) {
     Stub stub;
-    stub.fixed = 0.6F;
-    stub.allowed = 11.6F / 255;  // twice, for either of two drivers
+    stub.fixed = 133.0F / 255;
+    stub.allowed = 1.6F / 255;  // twice, for either of two drivers
     const Comparison beyond = stub.compare();
     const ImageDifference& difference = pair_named(beyond, "fixed ~ programmable").difference;
-    EXPECT_EQ(difference.interior.max, 25 / 255.0);
+    EXPECT_EQ(difference.interior.max, 5 / 255.0);
     EXPECT_EQ(difference.beyond_allowed.max, 1 / 255.0);
     EXPECT_EQ(difference.beyond_allowed.differing, difference.interior.pixels);
     EXPECT_EQ(pair_named(beyond, "fixed ~ programmable").verdict, Verdict::kBeyond);
-    stub.allowed = 12.01F / 255;
+    stub.allowed = 2.01F / 255;
     EXPECT_EQ(pair_named(stub.compare(), "fixed ~ programmable").verdict, Verdict::kWithin);
     EXPECT_EQ(pair_named(stub.compare(), "fixed ~ reference").verdict, Verdict::kBeyond);
-    stub.allowed = 24.01F / 255;
+    stub.allowed = 4.01F / 255;
     EXPECT_EQ(stub.compare().verdict(), Verdict::kWithin);
 }
 
@@ -219,10 +223,41 @@ TEST(Verdict, OfEqualPicturesIsWithin) {
     EXPECT_EQ(answer(comparison).sentences(), agreed);
 }
 
-TEST(Verdict, OfEdgesAloneIsToldAsNone) {
-    Comparison comparison = Stub().compare();
-    comparison.pairs.front().difference.interior.pixels = 0;
-    EXPECT_TRUE(answer(comparison).headline.starts_with("Unknown: every pixel is at an edge"));
+// Over 2% of the drawn pixels may have any colour, or one in a wide range: nothing is wrong, and nothing is certain.
+TEST(Verdict, SaysHowManyPixelsCouldNotBeJudged) {
+    Stub stub;
+    const auto compared = [&](std::size_t open, const std::vector<AllowedRange>& ranges) {
+        Renderers renderers = stub.renderers();
+        renderers.allowed_difference = [&, of_stub = renderers.allowed_difference](const Frame& frame,
+                                                                                   const reference::Options& options) {
+            AllowedDifference allowed = of_stub(frame, options);
+            for (std::size_t i = 0; i < allowed.edge.size(); ++i) {
+                allowed.edge[i] = i < open;
+                allowed.drawn[i] = i < 1000;
+                if (i < open && !ranges.empty()) allowed.ranges[i] = ranges;
+            }
+            return allowed;
+        };
+        return compare_scene(empty_scene(), {.driver = "a driver"}, renderers);
+    };
+    const AllowedRange grey{{0.5F, 0.5F, 0.5F, 1}, {0.51F, 0.51F, 0.51F, 1}}, wide{{0, 0, 0, 1}, {0.6F, 0.6F, 0.6F, 1}};
+    EXPECT_EQ(compared(20, {}).verdict(), Verdict::kWithin);
+    EXPECT_EQ(compared(900, {grey}).verdict(), Verdict::kWithin);
+    const Comparison open = compared(21, {});
+    EXPECT_EQ(open.verdict(), Verdict::kUnjudged);
+    EXPECT_TRUE(open.within_tolerance());
+    EXPECT_EQ(answer(open).headline, "No difference found; 2.1% of the drawn pixels could not be checked.");
+    EXPECT_EQ(json::parse(comparison_json(open))["verdict"], "unchecked");
+    EXPECT_EQ(compared(21, {grey, wide}).verdict(), Verdict::kUnjudged);
+
+    const Judged& judged = compared(900, {grey}).pairs.front().judged;
+    EXPECT_EQ(judged.to_one_of, 900U);
+    EXPECT_EQ(judged.to_allowed, 300U);
+    EXPECT_EQ(judged.not_judged, 0U);
+    EXPECT_EQ(judged.colors.median, 2) << "the range and the reference's own colour";
+    EXPECT_NEAR(judged.width.most, 0.01, 1e-6);
+    stub.fixed = 0.6F;
+    EXPECT_EQ(compared(900, {}).verdict(), Verdict::kBeyond) << "300 pixels are judged";
 }
 
 TEST(Verdict, NamesThePairsThatDiffer) {
@@ -236,15 +271,14 @@ TEST(Verdict, NamesThePairsThatDiffer) {
     EXPECT_EQ(pair_named(comparison, "programmable-phong ~ reference-phong").verdict, Verdict::kWithin);
     EXPECT_EQ(pair_named(comparison, "fixed ~ programmable-phong").verdict, Verdict::kInformative);
     const Answer answers = answer(comparison);
-    EXPECT_EQ(answers.headline, "Not all agree: fixed and programmable differ by up to 25/255 away from edges.");
+    EXPECT_EQ(answers.headline, "Not all agree: fixed and programmable differ by up to 25/255.");
     EXPECT_EQ(answers.where,
-              "fixed ~ programmable: 1,170 of 1,170 pixels away from edges differ (100.00%); the worst is at "
+              "fixed ~ programmable: 1,170 of 1,170 checked pixels differ (100.00%); the worst is at "
               "(1, 0). Allowed: up to 1/255, in fewer than 0.1% of the pixels.");
     ASSERT_EQ(answers.details.size(), 2U);
-    EXPECT_EQ(
-        answers.details[0],
-        "fixed ~ reference: 1,170 of 1,170 pixels away from edges differ (100.00%), by up to 25/255; the worst is at "
-        "(1, 0).");
+    EXPECT_EQ(answers.details[0],
+              "fixed ~ reference: 1,170 of 1,170 checked pixels differ (100.00%), by up to 25/255; the worst is at "
+              "(1, 0).");
     EXPECT_EQ(answers.sentences().size(), 4U);
 }
 

@@ -1,7 +1,9 @@
 // The edge mask: where two correct rasterisers may choose different triangles (docs/edges.md).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "../small_frames.h"
 
@@ -28,15 +30,27 @@ Draw without_diagonal(Draw draw) {  // one triangle, cut to a rectangle by the v
     return draw;
 }
 
-TEST(EdgePixels, AreWhereTheBorderPassesThroughTheSquare) {
-    Pixels expected = rectangle(2, 3, 11, 10);
-    for (const auto& inner : rectangle(3, 4, 10, 9)) expected.erase(inner);
-    Pixels found = marked(edges({quad(2.3, 3.3, 10.3, 9.3)}));
-    for (const auto& p : expected) EXPECT_TRUE(found.count(p)) << p.first << ',' << p.second;
-    EXPECT_TRUE(found.count({4, 5}));   // the diagonal from (2.3, 3.3) to (10.3, 9.3)
-    EXPECT_TRUE(found.count({4, 8}));   // the other diagonal: either cut is correct
-    EXPECT_FALSE(found.count({6, 4}));  // inside, away from both diagonals
-    EXPECT_FALSE(found.count({3, 6}));
+// A triangle that covers all of the window to the left of x.
+Draw left_of(double x, const glm::dvec4& color = kRed) {
+    return window_draw(kSize, kSize, kGL_TRIANGLES,
+                       {vertex(x, -100, color), vertex(x, 300, color), vertex(-300, 100, color)});
+}
+Draw right_of(double x, const glm::dvec4& color = kGreen) {
+    return window_draw(kSize, kSize, kGL_TRIANGLES,
+                       {vertex(x, 300, color), vertex(x, -100, color), vertex(300, 100, color)});
+}
+
+// 3.5.1 samples at the centre, and a rasteriser moves a border by 1/256 of a pixel.
+TEST(EdgePixels, AreWhereTheBorderPassesBesideTheCentre) {
+    EXPECT_EQ(marked(edges({left_of(8.5)})), rectangle(8, 0, 9, 16));
+    EXPECT_EQ(marked(edges({left_of(8.5 + 0.9 / 256)})), rectangle(8, 0, 9, 16));
+    EXPECT_EQ(marked(edges({left_of(8.5 - 0.9 / 256)})), rectangle(8, 0, 9, 16));
+    EXPECT_TRUE(marked(edges({left_of(8.5 + 1.1 / 256)})).empty());
+    EXPECT_TRUE(marked(edges({left_of(8.5 - 1.1 / 256)})).empty());
+    Pixels found = marked(edges({quad(2.5, 3.5, 10.5, 11.5)}));
+    EXPECT_TRUE(found.count({4, 5}));    // the diagonal from (2.5, 3.5) to (10.5, 11.5)
+    EXPECT_TRUE(found.count({4, 9}));    // the other diagonal: either cut is correct
+    EXPECT_FALSE(found.count({6, 4}));   // inside, away from both diagonals
     EXPECT_FALSE(found.count({13, 5}));  // the background
 }
 
@@ -46,7 +60,7 @@ TEST(EdgePixels, AreNotTheRimOfTheViewport) {
 
 TEST(EdgePixels, AreNotWhereHiddenThingsHaveTheirBorders) {
     const Draw front = without_diagonal(deep_quad(kRed, 0.25));
-    Draw behind = quad(2.3, 3.3, 10.3, 9.3, kGreen, -0.5);
+    Draw behind = quad(2.5, 3.5, 10.5, 9.5, kGreen, -0.5);
     behind.raster.depth_test = true;
     EXPECT_TRUE(marked(edges({front, behind})).empty());
     EXPECT_TRUE(marked(edges({behind, front})).empty());
@@ -62,8 +76,8 @@ TEST(EdgePixels, AreWhereSurfacesCutEachOther) {
     Draw rising = without_diagonal(deep_quad(kRed, 0)), falling = without_diagonal(deep_quad(kGreen, 0));
     for (Vertex& v : rising.vertices.edit()) v.position_object.z = -(v.position_object.x + 100) / 400 + 0.1;
     for (Vertex& v : falling.vertices.edit()) v.position_object.z = (v.position_object.x + 100) / 400 - 0.48;
-    // Their depths are equal at x = 16 (0.19 = 0.48 - 0.29): move that to x = 8.2.
-    for (Vertex& v : falling.vertices.edit()) v.position_object.z += 2 * 7.8 / 400;
+    // Their depths are equal at x = 16 (0.19 = 0.48 - 0.29): move that to x = 8.5.
+    for (Vertex& v : falling.vertices.edit()) v.position_object.z += 2 * 7.5 / 400;
     EXPECT_EQ(marked(edges({rising, falling})), rectangle(8, 0, 9, 16));
 }
 
@@ -149,9 +163,151 @@ TEST(EdgePixels, AreLinesWithTheirNeighbours) {
 }
 
 TEST(EdgePixels, ForgetWhatWasCleared) {
-    Frame frame = frame_of(kSize, kSize, {quad(2.3, 3.3, 10.3, 9.3)});
+    Frame frame = frame_of(kSize, kSize, {quad(2.5, 3.5, 10.5, 9.5)});
     frame.items.emplace_back(Clear{.color = true});
     EXPECT_TRUE(marked(reference::allowed_difference(frame).edge).empty());
+}
+
+// ---- The colours that an edge pixel may have ----
+
+using Ranges = std::vector<AllowedRange>;
+
+Ranges ranges_at(int x, int y, std::initializer_list<Draw> draws) {
+    const AllowedDifference allowed = reference::allowed_difference(frame_of(kSize, kSize, draws));
+    const auto found = allowed.ranges.find(static_cast<std::size_t>((kSize - 1 - y) * kSize + x));
+    return found == allowed.ranges.end() ? Ranges{} : found->second;
+}
+Rgba rgba(const glm::dvec4& c) {
+    return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b), static_cast<float>(c.a)};
+}
+// Whether the ranges are exactly these colours, in any order.
+testing::AssertionResult are(const Ranges& ranges, std::initializer_list<glm::dvec4> colors) {
+    for (const AllowedRange& range : ranges) {
+        const bool is_expected = std::ranges::any_of(colors, [&](const glm::dvec4& color) {
+            return range == AllowedRange{rgba(color), rgba(color)};
+        });
+        if (!is_expected)
+            return testing::AssertionFailure()
+                   << "red " << range.low[0] << " to " << range.high[0] << ", green " << range.low[1] << " to "
+                   << range.high[1] << ", alpha " << range.low[3] << " to " << range.high[3];
+    }
+    if (ranges.size() == colors.size()) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << ranges.size() << " colours";
+}
+
+TEST(EdgeColors, OfAnOutlineAreTheSurfaceAndWhatIsBehind) {
+    EXPECT_TRUE(are(ranges_at(8, 5, {left_of(8.5)}), {kRed, kNothingDrawn}));
+    EXPECT_TRUE(are(ranges_at(8, 5, {without_diagonal(deep_quad(kBlue, 0.5)), left_of(8.5)}), {kRed, kBlue}));
+    EXPECT_TRUE(ranges_at(7, 5, {left_of(8.5)}).empty()) << "no edge";
+}
+
+TEST(EdgeColors, OfTwoFacetsAreThoseOfBoth) {
+    EXPECT_TRUE(are(ranges_at(8, 5, {without_diagonal(deep_quad(kBlue, 0.5)), left_of(8.5), right_of(8.5)}),
+                    {kRed, kGreen, kBlue}));
+    // A T-junction: the end of a border on another.
+    Draw upper = right_of(8.5, kWhite);
+    upper.vertices.edit()[1] = vertex(8.5, 5.5, kWhite);
+    upper.vertices.edit()[2] = vertex(300, 5.5, kWhite);
+    Draw lower = right_of(8.5);
+    lower.vertices.edit()[0] = vertex(8.5, 5.5, kGreen);
+    lower.vertices.edit()[2] = vertex(300, 5.5, kGreen);
+    EXPECT_TRUE(are(ranges_at(8, 5, {left_of(8.5), upper, lower}), {kRed, kGreen, kWhite, kNothingDrawn}));
+}
+
+TEST(EdgeColors, OfCoplanarSurfacesAreBoth) {
+    Draw other = without_diagonal(deep_quad(kGreen, 0.5, kGL_LEQUAL));
+    other.vertices.edit()[1].position_object.x += 10;
+    EXPECT_TRUE(are(ranges_at(3, 4, {without_diagonal(deep_quad(kRed, 0.5)), other}), {kRed, kGreen}));
+}
+
+TEST(EdgeColors, OfALineAreThatAndWhatIsBehind) {
+    Draw line = window_draw(kSize, kSize, kGL_LINES, {vertex(3.5, 6.5, kRed), vertex(8.5, 6.5, kRed)});
+    EXPECT_TRUE(are(ranges_at(5, 6, {line}), {kRed, kNothingDrawn}));
+    EXPECT_TRUE(are(ranges_at(5, 7, {line}), {kRed, kNothingDrawn})) << "its neighbour";
+    EXPECT_TRUE(are(ranges_at(5, 8, {line}), {}));
+    // Red falls by a fifth at each pixel. What is half a pixel away counts.
+    line.vertices.edit()[1].color = {0, 0, 0, 1};
+    const Ranges ranges = ranges_at(5, 6, {line});
+    ASSERT_EQ(ranges.size(), 2u);
+    const AllowedRange& own = ranges[0].high[3] > 0 ? ranges[0] : ranges[1];
+    EXPECT_NEAR(own.low[0], 0.5, 1e-6);
+    EXPECT_NEAR(own.high[0], 0.7, 1e-6);
+}
+
+TEST(EdgeColors, OfBlendingAreMixedWithEachColorBeneath) {
+    Draw glass = without_diagonal(deep_quad({0, 0, 1, 0.5}, 0.5));
+    glass.raster.depth_test = false;
+    glass.fragment.blend = true;
+    glass.fragment.blend_src = glass.fragment.blend_src_alpha = kGL_SRC_ALPHA;
+    glass.fragment.blend_dst = glass.fragment.blend_dst_alpha = kGL_ONE_MINUS_SRC_ALPHA;
+    const Ranges over = ranges_at(8, 5, {right_of(0.25, kGreen), left_of(8.5), glass});
+    ASSERT_EQ(over.size(), 2u);
+    for (const AllowedRange& range : over) {
+        constexpr float kCode = 1.0F / 255;  // products in 8 bits
+        EXPECT_TRUE((range.high[0] < 2 * kCode && range.low[1] > 0.5F - 2 * kCode) ||
+                    (range.low[0] > 0.5F - 2 * kCode && range.high[1] < 2 * kCode))
+            << "half red, or half green, never both";
+        for (std::size_t c = 0; c < 3; ++c) EXPECT_LT(range.high[c] - range.low[c], 4 * kCode);
+    }
+    // Its own border: with it, or without.
+    Draw half = left_of(8.5, {0, 0, 1, 0.5});
+    half.fragment = glass.fragment;
+    EXPECT_EQ(ranges_at(8, 5, {right_of(0.25, kGreen), half}).size(), 2u);
+}
+
+TEST(EdgeColors, OfTheAlphaTestAreWithTheFragmentAndWithout) {
+    Draw surface = without_diagonal(deep_quad({1, 0, 0, 0.5}, 0.5));
+    surface.fragment.alpha_test = true;
+    surface.fragment.alpha_func = kGL_GREATER;
+    surface.fragment.alpha_ref = 0.5;
+    surface.vertices.edit()[1].color.a = 0.5001;
+    const Ranges ranges = ranges_at(8, 5, {right_of(0.25, kGreen), surface});
+    ASSERT_EQ(ranges.size(), 2u);
+    EXPECT_NE(ranges[0].low[0], ranges[1].low[0]);
+}
+
+TEST(EdgeColors, OfWhatOnlyAStencilDecidesAreBoth) {
+    Draw mark = left_of(8.5);
+    mark.fragment.color_mask = {false, false, false, false};
+    StencilFace face;
+    face.func = kGL_ALWAYS;
+    face.ref = 1;
+    face.depth_pass = kGL_REPLACE;
+    mark.fragment.stencil = StencilTest{face, face};
+    Draw marked_only = without_diagonal(deep_quad(kGreen, 0.5));
+    face.func = kGL_EQUAL;
+    face.depth_pass = kGL_KEEP;
+    marked_only.fragment.stencil = StencilTest{face, face};
+    EXPECT_TRUE(are(ranges_at(8, 5, {mark, marked_only}), {kGreen, kNothingDrawn}));
+    EXPECT_TRUE(ranges_at(7, 5, {mark, marked_only}).empty());
+}
+
+// A fan of narrow facets in one pixel: what is kept are eight ranges, which hold all of their colours.
+TEST(EdgeColors, OfMoreThanEightSurfacesAreTheirHull) {
+    Frame frame = frame_of(kSize, kSize, {});
+    for (int i = 0; i < 20; ++i) frame.items.emplace_back(left_of(8.5, {i / 20.0, 1 - i / 20.0, 0, 1}));
+    const Ranges ranges = reference::allowed_difference(frame).ranges.at((kSize - 1 - 5) * kSize + 8);
+    EXPECT_LE(ranges.size(), 8u);
+    for (int i = 0; i < 20; ++i) {
+        const auto red = static_cast<float>(i / 20.0);
+        EXPECT_TRUE(std::ranges::any_of(ranges, [&](const AllowedRange& range) {
+            return range.low[0] <= red && red <= range.high[0];
+        })) << i;
+    }
+    for (const AllowedRange& range : ranges) EXPECT_LT(range.high[0] - range.low[0], 0.3F) << "the nearest are joined";
+}
+
+// Of a facet much smaller than a pixel the colours between its vertices, not those of its plane beyond them.
+TEST(EdgeColors, OfATinyFacetAreBetweenItsVertices) {
+    const double least = 1e-4;
+    const Draw tiny = window_draw(kSize, kSize, kGL_TRIANGLES,
+                                  {vertex(8.5, 5.5, {0.4, 0, 0, 1}), vertex(8.5 + least, 5.5, {0.5, 0, 0, 1}),
+                                   vertex(8.5, 5.5 + least, {0.6, 0, 0, 1})});
+    const Ranges ranges = ranges_at(8, 5, {tiny});
+    ASSERT_EQ(ranges.size(), 2u);
+    const AllowedRange& own = ranges[0].high[3] > 0 ? ranges[0] : ranges[1];
+    EXPECT_NEAR(own.low[0], 0.4, 1e-6);
+    EXPECT_NEAR(own.high[0], 0.6, 1e-6);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ OpenDifference whole_difference(const Frame& given, const Look& look) {
     const Options in_gl{look};
     const DrawableFrame drawable = drawable_with_ranges(given, in_gl);
     const Frame& frame = *drawable;
-    OpenDifference found{std::vector<char>(std::size_t{kWidth} * kHeight), Image(kWidth, kHeight)};
+    OpenDifference found(kWidth, kHeight);
     for (const QuadCut cut : {QuadCut::kFirstToThird, QuadCut::kSecondToFourth}) {
         Options options{look, cut};
         options.in_clip_plane = InClipPlane::kPerhaps;
@@ -58,6 +58,8 @@ void expect_same(const Frame& frame, const std::string& name) {
         const OpenDifference whole = whole_difference(frame, look);
         EXPECT_TRUE(std::ranges::equal(found.edge, whole.edge, [](bool a, char b) { return a == (b != 0); })) << name;
         EXPECT_EQ(largest_difference(found.channels, whole.channels), 0) << name;
+        EXPECT_EQ(found.ranges, whole.ranges) << name;
+        EXPECT_TRUE(std::ranges::equal(found.drawn, whole.drawn, [](bool a, char b) { return a == (b != 0); })) << name;
     }
 }
 
