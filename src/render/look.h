@@ -29,11 +29,21 @@ inline const char* name_of(Shading shading) {
     return "";
 }
 
+inline bool lights_every_pixel(std::optional<Shading> shading) {
+    return shading == Shading::kPhong || shading == Shading::kExact;
+}
+
 struct Look {
     std::optional<Shading> shading{};  // empty: flat or gouraud, by each Draw's glShadeModel
     bool lecture_variants = true;      // false: GL's own model; ignores the pragmas' variants
 
     friend bool operator==(const Look&, const Look&) = default;
 };
+
+// A picture that lights vertices follows GL's own model, so that all renderers can draw it. One that lights every pixel, which GL
+// lacks, follows the scene's variants. `variants`: also the first.
+inline Look look_of(std::optional<Shading> shading, bool variants) {
+    return {.shading = shading, .lecture_variants = variants || lights_every_pixel(shading)};
+}
 
 }  // namespace twinlight

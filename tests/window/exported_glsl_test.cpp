@@ -166,8 +166,10 @@ class ExportedGlsl : public testing::Test {
         return picture_of(read_file(folder + "/picture.ppm"));
     }
 
+    // Shaders follow the scene's variants.
     Image rendered(const std::string& scene, const std::vector<std::string>& options) {
         std::vector<std::string> words = {"render", scene, "-o", folder_ / "render.png"};
+        if (std::ranges::find(options, "fixed") == options.end()) words.emplace_back("--variants");
         words.insert(words.end(), options.begin(), options.end());
         const ProgramResult result = run_program("twinlight", words);
         EXPECT_EQ(result.status, 0) << result.err;

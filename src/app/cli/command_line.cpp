@@ -55,6 +55,13 @@ void add_shading_option(CLI::App& app, std::optional<Shading>& shading) {
         ->check(one_of(kAllShadings));
 }
 
+void add_variants_option(CLI::App& app, bool& variants) {
+    app.add_flag(
+        "--variants", variants,
+        "follow the variants of the lecture that the scene's pragmas choose (reflection, smooth cones, samples of "
+        "light), which OpenGL lacks; phong and exact shading always do");
+}
+
 void add_precise_flag(CLI::App& app, bool& precise) {
     app.add_flag(
         "--precise", precise,

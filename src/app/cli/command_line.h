@@ -55,6 +55,7 @@ CLI::Validator one_of(const Map& map) {
 
 CLI::Option* add_scene_argument(CLI::App& app, std::string& scene);
 void add_shading_option(CLI::App& app, std::optional<Shading>& shading);
+void add_variants_option(CLI::App& app, bool& variants);
 
 // For PlanOptions::budget.
 void add_budget_option(CLI::App& app, double& budget);

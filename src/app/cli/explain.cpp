@@ -22,6 +22,7 @@ namespace {
 struct ExplainArguments {
     std::string scene;
     std::optional<Shading> shading;
+    bool variants = false;
     std::optional<Size> size;
     RecordedPart part;
     std::string step;
@@ -152,9 +153,9 @@ int run_explain(ExplainArguments arguments) {
         throw UsageError("--pixel and --vertex are two questions; give one of them");
     if (!arguments.vertex.empty() && arguments.shading)
         throw UsageError("--shading does not change how a vertex is lit; leave it out, or use --pixel X,Y");
-    if (!arguments.pixel.empty()) arguments.memory.bytes_of_pixel = 40;
+    if (!arguments.pixel.empty()) arguments.memory.bytes_of_pixel = 100;
     const Scene scene = load_scene(arguments.scene, arguments.size, arguments.part, arguments.step, arguments.memory);
-    const PlanOptions options{{.shading = arguments.shading}, arguments.budget};
+    const PlanOptions options{look_of(arguments.shading, arguments.variants), arguments.budget};
     const ExplainOptions of_point{options, arguments.json, arguments.all};
     if (!arguments.pixel.empty()) {
         write_result(explain_pixel(scene, of_point, arguments.pixel));
@@ -164,7 +165,8 @@ int run_explain(ExplainArguments arguments) {
         write_result(explain_vertex(scene, of_point, arguments.vertex));
         return kFine;
     }
-    const std::vector<ExplainedDraw> draws = explain_draws(scene.frame, options);
+    const std::vector<ExplainedDraw> draws =
+        explain_draws(scene.frame, PlanOptions{{.shading = arguments.shading}, arguments.budget});
     write_result(arguments.json ? json_text(scene, draws, arguments.budget)
                                 : explanation(scene, draws, arguments.budget, arguments.all));
     return kFine;
@@ -178,6 +180,7 @@ Subcommand add_explain(CLI::App& app) {
         "explain", "Show which effects a scene uses, or the lighting equation with its numbers at a pixel");
     add_scene_argument(*command, arguments->scene);
     add_shading_option(*command, arguments->shading);
+    add_variants_option(*command, arguments->variants);
     add_size_option(*command, arguments->size);
     add_recorded_options(*command, arguments->part);
     add_step_option(*command, arguments->step);

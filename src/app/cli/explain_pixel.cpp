@@ -47,6 +47,14 @@ std::vector<Rendered> rendered(const Frame& picture, const PlanOptions& options)
     return result;
 }
 
+explain::AllowedPixel allowed_at(const Frame& frame, const Look& look, const Pixel& pixel) {
+    const AllowedDifference allowed = reference::allowed_difference(frame, reference::Options{look});
+    const std::size_t at = allowed.channels.index(pixel.x, pixel.y);
+    explain::AllowedPixel result{.edge = allowed.edge[at], .channels = allowed.channels.pixels[at]};
+    if (result.edge && allowed.is_judged(at)) result.ranges = allowed.ranges.at(at);
+    return result;
+}
+
 // Two whole numbers with a comma between them.
 template <class Number>
 std::optional<std::pair<Number, Number>> two_numbers(const std::string& text) {
@@ -108,6 +116,7 @@ std::string explain_pixel(const Scene& scene, const ExplainOptions& options, con
     explain::PixelExplanation explanation =
         explain::explain_pixel(scene.frame, options.plan, parse_pixel(pixel, scene.frame));
     explanation.rendered = rendered(scene, options.plan, explanation.pixel, explanation.history.color);
+    explanation.allowed = allowed_at(scene.frame, options.plan, explanation.pixel);
     return printed(scene, options, explanation);
 }
 

@@ -31,7 +31,7 @@ struct RenderArguments {
     RecordedPart part;
     std::string step;
     MemoryBudget memory{.bytes_of_pixel = 60};
-    bool scrubbed = false, baked = false, precise = false;
+    bool variants = false, scrubbed = false, baked = false, precise = false;
     double budget = PlanOptions{}.budget;
     std::string output;
 };
@@ -50,7 +50,7 @@ void warn_unsupported(const Frame& frame, Path path) {
 }
 
 Image drawn(const RenderArguments& arguments, const Scene& scene, const RendererSet& renderers) {
-    const PlanOptions plan{{.shading = arguments.shading}, arguments.budget};
+    const PlanOptions plan{look_of(arguments.shading, arguments.variants), arguments.budget};
     switch (kRenderers.at(arguments.renderer)) {
         case Path::kFixed:
             return arguments.scrubbed ? fixed::render_scrubbed(scene, arguments.shading, arguments.budget)
@@ -89,6 +89,11 @@ int run_render(RenderArguments arguments) {
     }
     if (arguments.renderer == "fixed" && arguments.shading == Shading::kExact) {
         throw UsageError("the fixed function cannot draw exact surfaces; use --with programmable or --with reference");
+    }
+    if (arguments.variants && (arguments.renderer == "fixed" || arguments.precise)) {
+        throw UsageError(
+            "--variants: the fixed function, and shaders that follow it (--precise), have only OpenGL's own model; "
+            "leave it out");
     }
     if (arguments.scrubbed && arguments.renderer == "programmable") {
         throw UsageError(
@@ -138,6 +143,7 @@ Subcommand add_render(CLI::App& app) {
         ->type_name("fixed|programmable|reference")
         ->check(one_of(kRenderers));
     add_shading_option(*render, arguments->shading);
+    add_variants_option(*render, arguments->variants);
     add_size_option(*render, arguments->size);
     add_recorded_options(*render, arguments->part);
     add_step_option(*render, arguments->step);

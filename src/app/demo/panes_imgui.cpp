@@ -96,7 +96,7 @@ void show_pane_menu(Session& session, std::size_t number) {
     if (ImGui::MenuItem("As glShadeModel says", nullptr, !pane.shading)) pane.shading.reset();
     for (const ShadingName& shading : kShadings) {
         constexpr std::array<const char*, 4> kWords = {"Flat", "Gouraud", "Phong", "Exact surfaces"};
-        const bool can = pane.renderer != Path::kFixed || !session::lights_every_pixel(shading.value);
+        const bool can = pane.renderer != Path::kFixed || !lights_every_pixel(shading.value);
         if (ImGui::MenuItem(kWords[static_cast<std::size_t>(shading.value)], can ? nullptr : "shaders only",
                             pane.shading == shading.value, can))
             pane.shading = shading.value;
@@ -213,7 +213,7 @@ std::pair<std::string, unsigned> Panes::footer_of(const Session& session, std::s
     if (missing != session.scene.frame.unsupported.end()) return {"not drawn: " + missing->name, kAccent};
     if (pane.renderer == Path::kReference) return {"double precision, without a driver", kDim};
     if (pane.renderer == Path::kFixed) return {"the driver executes glLight, glMaterial, ...", kDim};
-    const bool per_pixel = session::lights_every_pixel(look_of(session, pane).shading);
+    const bool per_pixel = lights_every_pixel(look_of(session, pane).shading);
     return {per_pixel ? "GLSL that lights every pixel" : "GLSL that lights every vertex", kDim};
 }
 

@@ -96,10 +96,6 @@ Look look_of(const Session& session, const Pane& pane) {
     return {shading, pane.lecture_variants.value_or(lights_every_pixel(shading))};
 }
 
-bool lights_every_pixel(std::optional<Shading> shading) {
-    return shading == Shading::kPhong || shading == Shading::kExact;
-}
-
 const Pane& active_pane(const Session& session) { return session.panes[std::min(session.active, kPanes - 1)]; }
 
 std::string title_of(const Session& session, const Pane& pane) {

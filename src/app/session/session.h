@@ -155,8 +155,6 @@ bool refresh(Session& session, int width, int height);
 // Empty: as the scene says.
 std::optional<Shading> shading_of(const Session& session, const Pane& pane);
 Look look_of(const Session& session, const Pane& pane);
-// Whether a look with this shading is lit at each pixel, not at the vertices.
-bool lights_every_pixel(std::optional<Shading> shading);
 // The pane that the panels follow: the active one, or the last if the difference is active.
 const Pane& active_pane(const Session& session);
 inline constexpr std::array<const char*, kPaths> kRendererTitles = {"Fixed function", "Shaders", "Reference"};

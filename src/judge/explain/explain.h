@@ -3,9 +3,11 @@
 // The numbers are the reference's. What the renderers give there is the caller's to add, where it is wanted.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/image/difference.h"
 #include "base/text/json.h"
 #include "render/look.h"
 #include "render/path.h"
@@ -27,11 +29,19 @@ struct Rendered {
     Rgba color{};
 };
 
+// What correct renderers may draw at a pixel: AllowedDifference's.
+struct AllowedPixel {
+    bool edge = false;
+    Rgba channels{};                     // away from edges
+    std::vector<AllowedRange> ranges{};  // at an edge; none: any colour
+};
+
 struct PixelExplanation {
     Pixel pixel{};
     Look look{};
-    reference::PixelHistory history{};  // the fragments that cover the pixel, and the reference's colour
-    std::vector<Rendered> rendered{};   // the caller's; may stay empty
+    reference::PixelHistory history{};      // the fragments that cover the pixel, and the reference's colour
+    std::vector<Rendered> rendered{};       // the caller's; may stay empty
+    std::optional<AllowedPixel> allowed{};  // the caller's
 };
 PixelExplanation explain_pixel(const Frame& frame, const Look& look, const Pixel& pixel);
 

@@ -77,6 +77,13 @@ Json json_of(const Scene& scene, const PixelExplanation& explanation) {
     if (const std::string note = almost_one_depth(scene.frame, explanation.history.fragments); !note.empty())
         json["note"] = note;
     add_pictures(explanation.rendered, json);
+    if (explanation.allowed) {
+        Json& allowed = json["allowed"] = {{"edge", explanation.allowed->edge}};
+        if (!explanation.allowed->edge) allowed["difference"] = explanation.allowed->channels;
+        if (explanation.allowed->edge) allowed["colors"] = Json::array();
+        for (const AllowedRange& range : explanation.allowed->ranges)
+            allowed["colors"].push_back({{"low", range.low}, {"high", range.high}});
+    }
     return json;
 }
 

@@ -133,7 +133,32 @@ std::string pictures_text(const std::vector<Rendered>& pictures, bool variants) 
                                       channel_code(picture.color[1]), channel_code(picture.color[2])),
                           {picture.color[0], picture.color[1], picture.color[2]});
     if (variants && pictures.front().renderer == Path::kFixed)
-        text += "  (programmable and reference follow the scene's pragmas; GL's fixed function cannot)\n";
+        text += "  (programmable and reference are with the scene's variants, which the fixed function lacks)\n";
+    return text;
+}
+
+// "12 to 14", in 8-bit values.
+std::string codes_text(float low, float high) {
+    const int from = channel_code(low), to = channel_code(high);
+    return from == to ? fmt::format("{}", from) : fmt::format("{} to {}", from, to);
+}
+
+std::string allowed_text(const AllowedPixel& allowed) {
+    std::string text = "\nWhat OpenGL leaves open here (docs/edges.md)\n";
+    if (!allowed.edge) {
+        const float most = std::max({allowed.channels[0], allowed.channels[1], allowed.channels[2]});
+        if (most == 0) return text + "  nothing but rounding: the pixel is away from edges\n";
+        return text +
+               fmt::format(
+                   "  away from edges, a channel may be off by {:.1f}/255: filters, blending, copies, spots or fog\n",
+                   255 * most);
+    }
+    if (allowed.ranges.empty()) return text + "  at an edge, any colour\n";
+    text += allowed.ranges.size() == 1 ? "  at an edge, a colour in this range, in 8-bit values:\n"
+                                       : "  at an edge, one of these colours, in 8-bit values:\n";
+    for (const AllowedRange& range : allowed.ranges)
+        text += fmt::format("    red {}, green {}, blue {}\n", codes_text(range.low[0], range.high[0]),
+                            codes_text(range.low[1], range.high[1]), codes_text(range.low[2], range.high[2]));
     return text;
 }
 
@@ -209,7 +234,8 @@ std::string text_of(const Scene& scene, const PixelExplanation& explanation, con
             text += fragment_text(fragment, scene, draw, explanation.look.lecture_variants, options);
     }
     if (const std::string note = almost_one_depth(frame, fragments); !note.empty()) text += "\n" + note + "\n";
-    return text + pictures_text(explanation.rendered, variants);
+    text += pictures_text(explanation.rendered, variants);
+    return explanation.allowed ? text + allowed_text(*explanation.allowed) : text;
 }
 
 std::string text_of(const Scene& scene, const VertexExplanation& explanation, const TextOptions& options) {

@@ -925,13 +925,14 @@ TEST_F(Cli, ExplainsAPixelWithTheFormulasOfTheLecturesVariants) {
                       "a_cm a_cli\n                 (0.2", "att spot f(n.h)^s s_cm s_cli\n                 1.00000"},
          }) {
         const std::string file = scene(expected.pragma + std::string(kLamps));
-        const json pixel = json::parse(run({"explain", file, "--size", "20x20", "--pixel", "3,5", "--json"}).out);
+        const json pixel = json::parse(
+            run({"explain", file, "--variants", "--size", "20x20", "--pixel", "3,5", "--json"}).out);
         const json& formulas = pixel["fragments"][0]["lights"][0]["formulas"];
         EXPECT_EQ(formulas["ambient"], expected.ambient) << expected.pragma;
         EXPECT_EQ(formulas["diffuse"], "att spot n.VP d_cm d_cli") << expected.pragma;
         EXPECT_EQ(formulas["specular"], expected.specular) << expected.pragma;
 
-        const std::string text = run({"explain", file, "--size", "20x20", "--pixel", "3,5", "--all"}).out;
+        const std::string text = run({"explain", file, "--variants", "--size", "20x20", "--pixel", "3,5", "--all"}).out;
         for (const char* rows :
              {expected.ambient_rows, expected.specular_rows, "att spot n.VP d_cm d_cli\n                 1.00000 x"})
             EXPECT_NE(text.find(rows), std::string::npos) << rows << "\n" << text;

@@ -338,11 +338,23 @@ TEST_F(Explain, SaysWhereAPixelRectangleHasItsColorFrom) {
               std::string::npos);
 }
 
+// "Reference" is OpenGL's own model, as in a comparison. Pictures that light each pixel are with the scene's variants.
+TEST_F(Explain, FollowsTheScenesVariantsIfAsked) {
+    const std::string state = "#pragma twinlight specular(reflection)\n", line = "VP reflected about n (not in GL)",
+                      words = "with the scene's variants";
+    EXPECT_EQ(text(state).find(line), std::string::npos);
+    EXPECT_EQ(text(state).find(words), std::string::npos);
+    for (const std::vector<std::string>& options :
+         {std::vector<std::string>{"--variants"}, {"--shading", "phong"}, {"--shading", "exact"}})
+        EXPECT_NE(text(state, options).find(line), std::string::npos);
+    EXPECT_NE(text(state, {"--variants"}).find(words), std::string::npos);
+}
+
 TEST_F(Explain, HasALineForEveryEffect) {
     const std::string without = text("");
     const auto expect_line = [&](const std::string& state, const std::string& line) {
         EXPECT_EQ(without.find(line), std::string::npos) << line;
-        const std::string with = text(state);
+        const std::string with = text(state, {"--variants"});
         EXPECT_NE(with.find(line), std::string::npos) << line << "\n" << with;
     };
     expect_line("glEnable(GL_NORMALIZE);\n", "GL_NORMALIZE divides it by its length");
