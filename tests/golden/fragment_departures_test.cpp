@@ -114,6 +114,14 @@ const std::vector<FragmentCase>& fragment_cases() {
             glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
             glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 1); glEnable(GL_TEXTURE_2D);
             glPointSize(8); glBegin(GL_POINTS); glVertex2f(0, 0); glEnd();)"},
+        // r is never less than it is: 0, as alpha of a white triangle.
+        {"the mode of copied depths", R"(
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+            glTexParameteri(GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_ALPHA);
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_NEVER);
+            glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, 0, 0, 16, 16, 0); glEnable(GL_TEXTURE_2D);
+            glBegin(GL_TRIANGLES); glVertex2f(-1, -1); glVertex2f(1, -1); glVertex2f(-1, 1); glEnd();)"},
         // r is less than the depth, and t is more: 1, which is white.
         {"depths in one dimension", R"(
             glTexImage1D(GL_TEXTURE_1D, 0, GL_DEPTH_COMPONENT, 1, 0, GL_DEPTH_COMPONENT, GL_FLOAT, (GLfloat[]){0.5});

@@ -14,7 +14,7 @@ MakeCommandRule mixes_glcolor3_and_4, mixes_tex_coords, sets_material_before_pop
     switches_lights_before_pop, generates_mipmaps_after_pop, restores_tracked_color, sets_sides_apart,
     sets_both_sides_after_vertex, sets_color_before_new_mode, tracks_color_before_list, lists_edge_flags,
     shows_cut_of_rectangles, shades_evaluated_meshes_flat, draws_others_beside_sprites, maps_drawn_pixels,
-    mirrors_stenciled_pixels, transfers_stencil_values;
+    mirrors_stenciled_pixels, transfers_stencil_values, copies_depths_after_mode;
 
 // ---- Between vertices and pixels ----
 
@@ -27,7 +27,7 @@ DrawRule draws_borders_of_clipped_polygons, has_faces_on_borders, has_faces_in_s
     has_secondary_color_at_raster_position, has_long_normal_at_raster_position, has_dim_light_at_raster_position,
     has_texture_at_raster_position, is_textured_bitmap, copies_pixels_without_zoom, draws_colors_of_copied_depths,
     transfers_copied_depths, stipples_in_perspective, has_scissored_sprites, stipples_borders, wraps_cube_maps,
-    compares_depths_in_one_dimension, has_clipped_wide_points, has_sprites_between_sizes, scales_dot3_rgba;
+    compares_depths_in_one_dimension, has_eye_plane_of_singular_matrix, has_clipped_wide_points, has_sprites_between_sizes, scales_dot3_rgba;
 VertexRule has_no_q, has_no_direction_into_cube;
 
 // ---- In lighting ----

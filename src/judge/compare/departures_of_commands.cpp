@@ -2,12 +2,14 @@
 // because a recording may be larger than memory.
 #include <algorithm>
 #include <initializer_list>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "judge/compare/departure_rules.h"
 #include "scene/state/attributes.h"
+#include "scene/state/pixel_unpacking.h"
 
 namespace twinlight::compare {
 
@@ -164,6 +166,17 @@ CommandRule switches_lights_before_pop() {
 CommandRule generates_mipmaps_after_pop() {
     return inside_push(kGL_TEXTURE_BIT, 0, [](const Command& command) {
         return command.name().starts_with("glTexParameter") && command.enumerant(1) == kGL_GENERATE_MIPMAP;
+    });
+}
+
+// Depths that glCopyTexImage copies after GL_DEPTH_TEXTURE_MODE was set.
+CommandRule copies_depths_after_mode() {
+    return any_command([has_mode = false](const Command& command) mutable {
+        if (command.name().starts_with("glTexParameter") && command.enumerant(1) == kGL_DEPTH_TEXTURE_MODE)
+            has_mode = has_mode || command.enumerant(2) != kGL_LUMINANCE;
+        const bool copies = command.id == Id::glCopyTexImage1D || command.id == Id::glCopyTexImage2D;
+        const auto format = copies ? internal_format(command.enumerant(2)) : std::nullopt;
+        return has_mode && format && format->base_format == kGL_DEPTH_COMPONENT;
     });
 }
 

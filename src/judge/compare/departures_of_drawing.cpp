@@ -111,6 +111,15 @@ bool compares_depths_in_one_dimension(const Draw& draw) {
     });
 }
 
+// Such a plane is 0 (the ruling in scene/state/tex_gen.cpp).
+bool has_eye_plane_of_singular_matrix(const Draw& draw) {
+    return any_unit(draw, [](const TextureUnit& unit) {
+        return std::ranges::any_of(unit.generated, [](const GeneratedCoordinate& one) {
+            return one.mode == kGL_EYE_LINEAR && one.plane == glm::dvec4(0);
+        });
+    });
+}
+
 bool has_edge_flags_in_strip(const Draw& draw) {
     const bool strip = draw.mode == kGL_TRIANGLE_STRIP || draw.mode == kGL_TRIANGLE_FAN || draw.mode == kGL_QUAD_STRIP;
     return strip && draw.draws_borders() &&
