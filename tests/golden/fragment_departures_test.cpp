@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "../unit/compare_three_ways.h"
 #include "judge/compare/departures.h"
 #include "known_differences.h"
 #include "render/context/context.h"
@@ -58,6 +59,31 @@ int differing_pixels(const FragmentCase& shown) {
 TEST(Departures, OfFragmentsAreStillThere) {
     const auto context = make_offscreen_context(kWindow, kWindow);
     for (const FragmentCase& shown : fragment_cases()) expect_as_listed(shown.name, differing_pixels(shown) > 0);
+}
+
+// Left the colour sum in fog, which the driver gets wrong; right a highlight of shininess 0 with attenuation, which it gets right where
+// n.VP is 1.
+TEST(Departures, AreNamedOnlyWhereTheirDrawsDiffer) {
+    const auto scene = std::make_shared<const CommandList>(read_scene(std::string(kStart) + R"(
+        glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);
+        glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);
+        GLfloat grey[] = {0.3, 0.3, 0.3, 1};
+        glMaterialfv(GL_FRONT, GL_DIFFUSE, white); glMaterialfv(GL_FRONT, GL_SPECULAR, white);
+        glMaterialf(GL_FRONT, GL_SHININESS, 8);
+        glEnable(GL_FOG); glFogi(GL_FOG_MODE, GL_LINEAR); glFogf(GL_FOG_START, 0); glFogf(GL_FOG_END, 1);
+        glFogfv(GL_FOG_COLOR, black); glNormal3f(0, 0, 1);
+        glBegin(GL_TRIANGLES); glVertex3f(-0.9, -0.9, -0.5); glVertex3f(-0.1, -0.9, -0.5); glVertex3f(-0.1, 0.9, -0.5);
+        glEnd();
+        glDisable(GL_FOG); glLightf(GL_LIGHT0, GL_CONSTANT_ATTENUATION, 2);
+        glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 0, 1e6, 1});
+        glMaterialf(GL_FRONT, GL_SHININESS, 0); glMaterialfv(GL_FRONT, GL_DIFFUSE, grey);
+        glMaterialfv(GL_FRONT, GL_SPECULAR, grey);
+        glBegin(GL_TRIANGLES); glVertex3f(0.1, -0.9, 0); glVertex3f(0.9, -0.9, 0); glVertex3f(0.9, 0.9, 0); glEnd();)",
+                                                                      "case.gl", "case"));
+    const compare::Comparison comparison = compare_three_ways(make_scene(scene, {.width = kWindow, .height = kWindow}));
+    if (!comparison.is_listed_driver) GTEST_SKIP() << "no bugs of this driver are listed";
+    ASSERT_EQ(comparison.known_departures.size(), 1u);
+    EXPECT_TRUE(comparison.known_departures.front().starts_with("the colour sum in fog"));
 }
 
 }  // namespace

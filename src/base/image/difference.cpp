@@ -62,6 +62,15 @@ Codes distance(const Rgba& color, const std::vector<AllowedRange>& ranges, const
 Codes farther(const Codes& a, const Codes& b) { return std::ranges::max(a) < std::ranges::max(b) ? b : a; }
 Codes nearer(const Codes& a, const Codes& b) { return std::ranges::max(b) < std::ranges::max(a) ? b : a; }
 
+// What is left at a pixel that is judged (ImageDifference::beyond_allowed).
+Codes beyond_allowed(const Image& a, const Image& b, const AllowedDifference& allowed, std::size_t i) {
+    const Rgba& channels = allowed.channels.pixels[i];
+    const Codes left = excess(absolute_difference(a.pixels[i], b.pixels[i]), channels);
+    if (!allowed.edge[i] || std::ranges::max(left) == 0) return left;
+    const std::vector<AllowedRange>& ranges = allowed.ranges.at(i);
+    return nearer(left, farther(distance(a.pixels[i], ranges, channels), distance(b.pixels[i], ranges, channels)));
+}
+
 struct Region {
     std::size_t pixels = 0, differing = 0;
     int max = -1;
@@ -106,18 +115,18 @@ ImageDifference difference(const Image& a, const Image& b, const AllowedDifferen
     for (int y = 0; y < a.height; ++y) {
         for (int x = 0; x < a.width; ++x) {
             const std::size_t i = a.index(x, y);
-            const Codes codes = absolute_difference(a.pixels[i], b.pixels[i]);
-            (allowed.edge[i] ? edge : interior).add(codes, x, y);
-            if (!allowed.is_judged(i)) continue;
-            const Rgba& channels = allowed.channels.pixels[i];
-            Codes left = excess(codes, channels);
-            if (allowed.edge[i] && std::ranges::max(left) > 0)
-                left = nearer(left, farther(distance(a.pixels[i], allowed.ranges.at(i), channels),
-                                            distance(b.pixels[i], allowed.ranges.at(i), channels)));
-            beyond.add(left, x, y);
+            (allowed.edge[i] ? edge : interior).add(absolute_difference(a.pixels[i], b.pixels[i]), x, y);
+            if (allowed.is_judged(i)) beyond.add(beyond_allowed(a, b, allowed, i), x, y);
         }
     }
     return {.interior = interior.result(), .edge = edge.result(), .beyond_allowed = beyond.result()};
+}
+
+PixelMask pixels_beyond_allowed(const Image& a, const Image& b, const AllowedDifference& allowed) {
+    PixelMask mask(a.pixels.size());
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        mask[i] = allowed.is_judged(i) && std::ranges::max(beyond_allowed(a, b, allowed, i)) > 0;
+    return mask;
 }
 
 ImageDifference difference(const Image& a, const Image& b, const PixelMask& edge) {

@@ -64,6 +64,8 @@ struct ImageDifference {
 ImageDifference difference(const Image& a, const Image& b, const AllowedDifference& allowed);
 // The same with no allowed difference in the interior.
 ImageDifference difference(const Image& a, const Image& b, const PixelMask& edge);
+// The pixels that beyond_allowed counts as differing.
+PixelMask pixels_beyond_allowed(const Image& a, const Image& b, const AllowedDifference& allowed);
 
 // Chooses at each pixel the one of two correct pictures that is nearer to `image`: the one whose largest difference of
 // a channel is smaller; `first` if both are equally near. Throws std::invalid_argument unless all sizes are equal.

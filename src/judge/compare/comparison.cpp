@@ -7,12 +7,14 @@
 #include <array>
 #include <chrono>
 #include <functional>
+#include <set>
 #include <utility>
 
 #include "judge/compare/allowances.h"
 #include "judge/compare/departures.h"
 #include "judge/compare/missing.h"
 #include "render/programmable/shader_program.h"
+#include "render/reference/reference.h"
 
 namespace twinlight::compare {
 
@@ -128,6 +130,19 @@ bool differ_in_missing(const Comparison& comparison, const Pair& pair) {
     });
 }
 
+// The Draws that show where the fixed function differs. All of them where that is not known: colours are mixed, or nothing is drawn.
+std::vector<const Draw*> draws_that_differ(const Frame& frame, const PixelMask& differing) {
+    const std::vector<const Draw*> draws = frame.draws();
+    const std::vector<int> seen = reference::seen_draws(frame, {{.shading = {}, .lecture_variants = false}});
+    std::set<int> numbers;
+    for (std::size_t i = 0; i < differing.size(); ++i)
+        if (differing[i]) numbers.insert(seen[i]);
+    if (numbers.empty() || numbers.contains(-1)) return draws;
+    std::vector<const Draw*> result;
+    for (const int number : numbers) result.push_back(draws[static_cast<std::size_t>(number)]);
+    return result;
+}
+
 // Whether pictures differ, or are not judged in whole, in which the bug has a part.
 bool may_cause_difference(const Comparison& comparison, const Departure& departure) {
     const bool misses_unknown = comparison.changed_by_missing.empty();
@@ -211,6 +226,7 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     begin_step("differences");
     const AllowedDifference of_drivers = allowed_of_drivers(result.allowed, result.renders[kReference]);
     // Each of two drivers is held to the reference, so what may lie between the two is not counted.
+    PixelMask differing_from_fixed;
     const Judged judged_per_vertex = judged(result.allowed), judged_per_pixel = judged(of_phong);
     for (const PlannedPair& planned : kPairs) {
         if (kRenders[planned.b].per_pixel && !all) continue;
@@ -234,6 +250,12 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
         }
         pair.judged = planned.phong ? judged_per_pixel : judged_per_vertex;
         if (planned.judged) pair.verdict = judge(result, pair);
+        if (pair.verdict == Verdict::kBeyond && result.a(pair).path == Path::kFixed) {
+            const PixelMask beyond = pixels_beyond_allowed(result.a(pair).image, result.counterpart(pair), of_pair);
+            differing_from_fixed.resize(beyond.size());
+            for (std::size_t i = 0; i < beyond.size(); ++i)
+                differing_from_fixed[i] = differing_from_fixed[i] || beyond[i];
+        }
         // A large difference in an edge pixel must not make the differences away from edges invisible.
         pair.factor = amplification_for(pair.difference.interior.max);
         result.pairs.push_back(pair);
@@ -241,10 +263,16 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     if (all) result.queries = queries_of(scene, renderers.answers);
     const Driver driver = parse_driver_name(options.driver);
     result.is_listed_driver = is_listed(driver);
-    if (result.verdict() != Verdict::kWithin)
-        for (const Departure* departure : known_departures_in(scene, driver))
-            if (may_cause_difference(result, *departure))
-                result.known_departures.push_back(fmt::format("{} ({})", departure->name, departure->section));
+    if (result.verdict() == Verdict::kWithin) return result;
+    const std::vector<const Draw*> draws =
+        result.verdict() == Verdict::kBeyond ? draws_that_differ(frame, differing_from_fixed) : frame.draws();
+    for (const Departure* departure : known_departures_in(scene, driver)) {
+        const bool is_seen =
+            departure->cause != Cause::kFixedFunction || departure->command_rule != nullptr ||
+            std::ranges::any_of(draws, [&](const Draw* draw) { return may_show_in(*departure, *draw); });
+        if (is_seen && may_cause_difference(result, *departure))
+            result.known_departures.push_back(fmt::format("{} ({})", departure->name, departure->section));
+    }
     return result;
 }
 

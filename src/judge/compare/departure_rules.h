@@ -27,7 +27,8 @@ DrawRule draws_borders_of_clipped_polygons, has_faces_on_borders, has_faces_in_s
     has_secondary_color_at_raster_position, has_long_normal_at_raster_position, has_dim_light_at_raster_position,
     has_texture_at_raster_position, is_textured_bitmap, copies_pixels_without_zoom, draws_colors_of_copied_depths,
     transfers_copied_depths, stipples_in_perspective, has_scissored_sprites, stipples_borders, wraps_cube_maps,
-    compares_depths_in_one_dimension, has_eye_plane_of_singular_matrix, has_clipped_wide_points, has_sprites_between_sizes, scales_dot3_rgba;
+    compares_depths_in_one_dimension, has_eye_plane_of_singular_matrix, has_clipped_wide_points,
+    has_sprites_between_sizes, scales_dot3_rgba;
 VertexRule has_no_q, has_no_direction_into_cube;
 
 // ---- In lighting ----

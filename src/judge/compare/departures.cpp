@@ -393,14 +393,17 @@ class CommandRules {
 };
 
 bool applies_in(const Departure& departure, const Frame& frame) {
-    return std::ranges::any_of(frame.draws(), [&](const Draw* draw) {
-        if (departure.draw_rule) return departure.draw_rule(*draw);
-        return std::ranges::any_of(draw->vertices,
-                                   [&](const Vertex& vertex) { return departure.vertex_rule(*draw, vertex); });
-    });
+    return std::ranges::any_of(frame.draws(), [&](const Draw* draw) { return may_show_in(departure, *draw); });
 }
 
 }  // namespace
+
+bool may_show_in(const Departure& departure, const Draw& draw) {
+    if (departure.command_rule) return true;
+    if (departure.draw_rule) return departure.draw_rule(draw);
+    return std::ranges::any_of(draw.vertices,
+                               [&](const Vertex& vertex) { return departure.vertex_rule(draw, vertex); });
+}
 
 namespace {
 

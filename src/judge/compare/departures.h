@@ -49,6 +49,8 @@ struct Departure {
     bool may_show_on(const Driver& driver) const;
 };
 const std::vector<Departure>& departures();
+// Whether it may show in the Draw. One with a rule for the whole scene may in any.
+bool may_show_in(const Departure& departure, const Draw& draw);
 
 // Whether any departures are listed for this driver.
 bool is_listed(const Driver& driver);
