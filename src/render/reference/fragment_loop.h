@@ -242,8 +242,7 @@ class FragmentLoop {
                 for (const glm::dvec2& place : nearby.places) {
                     const Shaded<Real> there =
                         shader.template shade<Real>({nearby.piece ? &*nearby.piece : &piece, place});
-                    for (std::size_t i = 0; i < result.color.size(); ++i)
-                        result.color[i] = hull(result.color[i], there.color[i]);
+                    result.color = hull(result.color, there.color);
                 }
                 if (piece.is_smooth) coverage = {0, 1};  // 3.2
             }
@@ -342,8 +341,7 @@ class FragmentLoop {
     Channels<Real> hull_of_all(int x, int y) {
         Channels<Real> all = resolved(x, y);
         if constexpr (kFindsRanges)
-            for (const Channels<Real>& color : choices(x, y))
-                for (std::size_t i = 0; i < all.size(); ++i) all[i] = hull(all[i], color[i]);
+            for (const Channels<Real>& color : choices(x, y)) all = hull(all, color);
         return all;
     }
     void add_other(std::size_t at, const Choice& choice) {
@@ -363,11 +361,7 @@ class FragmentLoop {
     }
     // Replaces the two colours whose common range is the narrowest by it.
     static void merge_nearest(std::vector<Choice>& choices) {
-        const auto common = [](const Choice& a, const Choice& b) {
-            Choice both;
-            for (std::size_t i = 0; i < both.color.size(); ++i) both.color[i] = hull(a.color[i], b.color[i]);
-            return both;
-        };
+        const auto common = [](const Choice& a, const Choice& b) { return Choice{kColor, hull(a.color, b.color)}; };
         const auto width = [](const Choice& choice) {
             double widest = 0;
             for (const Real& channel : choice.color) widest = std::max(widest, channel.width());

@@ -46,6 +46,10 @@ template <class Real>
 Channels<Real> channels(const glm::dvec4& color) {
     return {Real(color.r), Real(color.g), Real(color.b), Real(color.a)};
 }
+// Channel by channel.
+inline Channels<Interval> hull(const Channels<Interval>& a, const Channels<Interval>& b) {
+    return {hull(a[0], b[0]), hull(a[1], b[1]), hull(a[2], b[2]), hull(a[3], b[3])};
+}
 inline glm::dvec4 color_of(const Channels<double>& c) { return {c[0], c[1], c[2], c[3]}; }
 
 }  // namespace twinlight::reference

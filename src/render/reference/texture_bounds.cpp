@@ -24,7 +24,7 @@ constexpr double kSwitchError = 1.0 / 256;  // the error of lambda where it only
 
 void join(TexelBounds& all, const TexelBounds& more) {
     all.has_choice = all.has_choice || more.has_choice;
-    for (std::size_t i = 0; i < 4; ++i) all.texel[i] = hull(all.texel[i], more.texel[i]);
+    all.texel = hull(all.texel, more.texel);
 }
 
 TexelBounds exactly(const glm::dvec4& texel) { return {channels<Interval>(texel), false}; }
