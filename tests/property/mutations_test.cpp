@@ -18,6 +18,7 @@
 #include "../unit/sanitized.h"
 #include "judge/compare/judged.h"
 #include "judge/compare/tolerance.h"
+#include "judge/compare/vertex_colors.h"
 #include "judge/lesson/lesson.h"
 #include "render/reference/reference.h"
 #include "scene/scenes/load.h"
@@ -28,7 +29,7 @@ namespace twinlight::mutations_test {
 namespace {
 
 constexpr int kSide = 256;
-constexpr Look kGlsOwnModel{.shading = {}, .lecture_variants = false};
+using compare::kGlsOwnModel;
 
 // ---- The errors ----
 

@@ -30,8 +30,8 @@ std::vector<Rendered> rendered(const Scene& scene, const PlanOptions& options, c
     const RendererSet set(frame.width, frame.height);
     const compare::Renderers& functions = set.functions();
     std::vector<Rendered> result;
-    const bool by_pixel = options.shading == Shading::kPhong || options.shading == Shading::kExact;
-    if (!by_pixel) result.push_back({Path::kFixed, functions.fixed(scene, {options.shading}).at(pixel.x, pixel.y)});
+    if (!lights_every_pixel(options.shading))
+        result.push_back({Path::kFixed, functions.fixed(scene, {options.shading}).at(pixel.x, pixel.y)});
     result.push_back({Path::kProgrammable, functions.programmable(frame, {options}).image.at(pixel.x, pixel.y)});
     result.push_back({Path::kReference, reference});
     return result;

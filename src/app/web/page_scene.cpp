@@ -160,15 +160,14 @@ std::string PageScene::judged(const Look& look, std::span<const std::uint8_t> sh
     // How browsers' drivers round positions is not known well enough to check what their edges show: a border anywhere in a pixel makes
     // it an edge, and any colour is allowed there.
     constexpr double kHalfPixel = 0.5;
-    options.border = kHalfPixel + options.border;
+    options.border += kHalfPixel;
     AllowedDifference allowed = reference::allowed_difference(frame, options);
     allowed.ranges.clear();
-    std::optional<Image> other_cut;
-    if (reference::has_quadrilaterals(frame))
-        other_cut = reference::render(frame, {look, reference::QuadCut::kSecondToFourth});
     compare::allow_ties(allowed, right);
     compare::allow_rounded_positions(allowed, right, subpixel_bits);
-    if (other_cut) right = nearer_of(drawn, right, *other_cut, allowed.channels);
+    if (reference::has_quadrilaterals(frame))
+        right = nearer_of(drawn, right, reference::render(frame, {look, reference::QuadCut::kSecondToFourth}),
+                          allowed.channels);
     const ImageDifference found = difference(drawn, right, allowed);
     return dumped({{"within", compare::is_within(found, {})},
                    {"max", std::lround(255 * found.interior.max)},

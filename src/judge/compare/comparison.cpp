@@ -13,6 +13,7 @@
 #include "judge/compare/allowances.h"
 #include "judge/compare/departures.h"
 #include "judge/compare/missing.h"
+#include "judge/compare/vertex_colors.h"
 #include "render/programmable/shader_program.h"
 #include "render/reference/reference.h"
 
@@ -53,8 +54,7 @@ constexpr const char* kPreciseMeaning =
 
 // The per-vertex pictures follow GL's own model.
 Look look_of(bool per_pixel, const CompareOptions& options) {
-    if (per_pixel) return {.shading = options.per_pixel, .lecture_variants = true};
-    return {.shading = std::nullopt, .lecture_variants = false};
+    return per_pixel ? twinlight::look_of(options.per_pixel, true) : kGlsOwnModel;
 }
 
 constexpr std::size_t kReference = 2, kReferencePhong = 4;
@@ -133,7 +133,7 @@ bool differ_in_missing(const Comparison& comparison, const Pair& pair) {
 // The Draws that show where the fixed function differs. All of them where that is not known: colours are mixed, or nothing is drawn.
 std::vector<const Draw*> draws_that_differ(const Frame& frame, const PixelMask& differing) {
     const std::vector<const Draw*> draws = frame.draws();
-    const std::vector<int> seen = reference::seen_draws(frame, {{.shading = {}, .lecture_variants = false}});
+    const std::vector<int> seen = reference::seen_draws(frame, {kGlsOwnModel});
     std::set<int> numbers;
     for (std::size_t i = 0; i < differing.size(); ++i)
         if (differing[i]) numbers.insert(seen[i]);
@@ -225,8 +225,8 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
 
     begin_step("differences");
     const AllowedDifference of_drivers = allowed_of_drivers(result.allowed, result.renders[kReference]);
-    // Each of two drivers is held to the reference, so what may lie between the two is not counted.
     PixelMask differing_from_fixed;
+    // Each of two drivers is held to the reference, so what may lie between the two is not counted.
     const Judged judged_per_vertex = judged(result.allowed), judged_per_pixel = judged(of_phong);
     for (const PlannedPair& planned : kPairs) {
         if (kRenders[planned.b].per_pixel && !all) continue;

@@ -14,7 +14,7 @@ struct Judged {
     std::size_t drawn = 0;         // that a fragment covers, or may cover
     std::size_t drawn_widely = 0;  // of these: held to a range wider than kWide
     std::size_t drawn_not_judged = 0;
-    // Of the pixels in to_one_of: how many colours they may have, and the width of the widest range of a channel.
+    // The pixels of to_one_of: how many colours each may have, and how wide its widest range is.
     struct Spread {
         double median = 0, most = 0;  // most: of 95 % of them at most
     };

@@ -14,8 +14,8 @@ struct Tolerance {
 };
 bool is_within(const ImageDifference& difference, const Tolerance& tolerance);
 
-// At edges: the colours of the reference's pictures, in each cut of quadrilaterals, are among the pixel's. other_cut: null if there
-// is none.
+// Adds the colour of the reference's picture to those that an edge pixel may have; of both pictures if quadrilaterals can be cut in
+// two ways. `other_cut` may be null.
 void allow_reference(AllowedDifference& allowed, const Image& reference, const Image* other_cut);
 
 // 2.1.1: a colour must be accurate to 1 part in 10^5. If the right value is that close to halfway between two 8-bit values, such as

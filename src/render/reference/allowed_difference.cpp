@@ -490,7 +490,7 @@ void add_surface_edges(const Frame& frame, const Options& options, PixelMask& ed
 
 namespace {
 
-// At an edge in one cut of quadrilaterals, the pixel may have the colours of both. What it has where it is none is in the picture.
+// Adds the colours of the other cut of quadrilaterals. Where the pixel is no edge in one cut, its colour is that of the picture.
 void join_ranges(OpenDifference& difference, std::size_t at, std::vector<AllowedRange> more, bool is_edge,
                  bool was_edge) {
     const auto known = difference.ranges.find(at);

@@ -297,7 +297,7 @@ TEST(EdgeColors, OfMoreThanEightSurfacesAreTheirHull) {
     for (const AllowedRange& range : ranges) EXPECT_LT(range.high[0] - range.low[0], 0.3F) << "the nearest are joined";
 }
 
-// Of a facet much smaller than a pixel the colours between its vertices, not those of its plane beyond them.
+// A facet that is much smaller than a pixel has only the colours between its vertices. Its plane would have others a little farther.
 TEST(EdgeColors, OfATinyFacetAreBetweenItsVertices) {
     const double least = 1e-4;
     const Draw tiny = window_draw(kSize, kSize, kGL_TRIANGLES,
