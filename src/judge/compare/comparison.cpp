@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "judge/compare/allowances.h"
+#include "judge/compare/causes.h"
 #include "judge/compare/departures.h"
 #include "judge/compare/missing.h"
 #include "judge/compare/vertex_colors.h"
@@ -152,8 +153,29 @@ bool may_cause_difference(const Comparison& comparison, const Departure& departu
             return departure.cause == Cause::kFixedFunction ? render.path == Path::kFixed
                                                             : render.path != Path::kReference;
         };
-        return is_open && (has_part(comparison.a(pair)) || has_part(comparison.b(pair)));
+        const bool is_proved = !comparison.proved_causes.empty() && comparison.a(pair).path == Path::kFixed;
+        return is_open && !is_proved && (has_part(comparison.a(pair)) || has_part(comparison.b(pair)));
     });
+}
+
+std::string named(const Departure& departure) { return fmt::format("{} ({})", departure.name, departure.section); }
+
+// `allowed`: between the fixed function and the reference. `differing`: where the former differs.
+Causes causes_of(const Comparison& comparison, const Scene& scene, const AllowedDifference& allowed,
+                 const PixelMask& differing, const CompareOptions& options, const Renderers& renderers) {
+    const Render &fixed = comparison.renders.front(), &right = comparison.renders[kReference];
+    const auto is_right = [&](const Image& image) {
+        if (!right.other_cut) return is_within(difference(image, right.image, allowed), comparison.tolerance);
+        const Image nearer = nearer_of(image, right.image, *right.other_cut, comparison.allowed.channels);
+        return is_within(difference(image, nearer, allowed), comparison.tolerance);
+    };
+    const Look look = look_of(false, options);
+    return find_causes(scene, parse_driver_name(options.driver),
+                       {.draw_fixed = [&](const Scene& less) { return renderers.fixed(less, {look.shading}); },
+                        .is_right = is_right,
+                        .is_same = [&](const Frame& frame) { return is_right(renderers.reference(frame, {look})); },
+                        .fixed = fixed.image,
+                        .differing = differing});
 }
 
 // Shaders that the driver refuses are a part of the scene that they do not draw.
@@ -226,6 +248,7 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     begin_step("differences");
     const AllowedDifference of_drivers = allowed_of_drivers(result.allowed, result.renders[kReference]);
     PixelMask differing_from_fixed;
+    std::optional<AllowedDifference> of_fixed;  // between it and the reference, if they differ
     // Each of two drivers is held to the reference, so what may lie between the two is not counted.
     const Judged judged_per_vertex = judged(result.allowed), judged_per_pixel = judged(of_phong);
     for (const PlannedPair& planned : kPairs) {
@@ -255,6 +278,7 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
             differing_from_fixed.resize(beyond.size());
             for (std::size_t i = 0; i < beyond.size(); ++i)
                 differing_from_fixed[i] = differing_from_fixed[i] || beyond[i];
+            if (pair.b == kReference) of_fixed = std::move(of_pair);
         }
         // A large difference in an edge pixel must not make the differences away from edges invisible.
         pair.factor = amplification_for(pair.difference.interior.max);
@@ -264,14 +288,17 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     const Driver driver = parse_driver_name(options.driver);
     result.is_listed_driver = is_listed(driver);
     if (result.verdict() == Verdict::kWithin) return result;
+    const Causes causes =
+        of_fixed ? causes_of(result, scene, *of_fixed, differing_from_fixed, options, renderers) : Causes{};
+    for (const Departure* cause : causes.proved) result.proved_causes.push_back(named(*cause));
     const std::vector<const Draw*> draws =
         result.verdict() == Verdict::kBeyond ? draws_that_differ(frame, differing_from_fixed) : frame.draws();
     for (const Departure* departure : known_departures_in(scene, driver)) {
+        if (causes.is_innocent(*departure)) continue;
         const bool is_seen =
             departure->cause != Cause::kFixedFunction || departure->command_rule != nullptr ||
             std::ranges::any_of(draws, [&](const Draw* draw) { return may_show_in(*departure, *draw); });
-        if (is_seen && may_cause_difference(result, *departure))
-            result.known_departures.push_back(fmt::format("{} ({})", departure->name, departure->section));
+        if (is_seen && may_cause_difference(result, *departure)) result.known_departures.push_back(named(*departure));
     }
     return result;
 }

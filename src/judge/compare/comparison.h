@@ -84,6 +84,9 @@ struct Comparison {
     std::vector<std::string> notes{};      // Scene::notes
     // If pictures differ beyond the tolerance, or are not judged in whole: the known bugs of this driver that the scene may trigger, "name (section)".
     std::vector<std::string> known_departures{};
+    // The bugs among them that are proved to be why the fixed function differs (causes.h). If there are any, known_departures has
+    // only those that other pictures may show.
+    std::vector<std::string> proved_causes{};
     bool is_listed_driver = false;  // whether any bugs of this driver are listed
     std::vector<Query> queries{};   // glGet* and glIsEnabled in the scene, and what they return
     Tolerance tolerance;

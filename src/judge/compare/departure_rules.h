@@ -10,11 +10,14 @@ namespace twinlight::compare {
 
 // ---- In the order of commands ----
 
-MakeCommandRule mixes_glcolor3_and_4, mixes_tex_coords, sets_material_before_pop, shades_after_pop_in_list,
-    switches_lights_before_pop, generates_mipmaps_after_pop, restores_tracked_color, sets_sides_apart,
-    sets_both_sides_after_vertex, sets_color_before_new_mode, tracks_color_before_list, lists_edge_flags,
-    shows_cut_of_rectangles, shades_evaluated_meshes_flat, draws_others_beside_sprites, maps_drawn_pixels,
-    mirrors_stenciled_pixels, transfers_stencil_values, copies_depths_after_mode;
+MakeCommandRule mixes_glcolor3_and_4, mixes_tex_coords, sets_values_before_pop, sets_material_before_tracking,
+    shades_after_pop_in_list, switches_lights_before_pop, generates_mipmaps_after_pop, restores_tracked_color,
+    sets_sides_apart, sets_both_sides_after_vertex, sets_color_before_new_mode, tracks_color_before_list,
+    lists_edge_flags, shows_cut_of_rectangles, shades_evaluated_meshes_flat, draws_others_beside_sprites,
+    maps_drawn_pixels, mirrors_stenciled_pixels, transfers_stencil_values, copies_depths_after_mode;
+
+bool enables_color_material(const Command& command);
+bool draws_other_than_points(const Command& command);
 
 // ---- Between vertices and pixels ----
 
@@ -43,8 +46,8 @@ bool any_light(const Draw& draw, Predicate predicate) {
 
 DrawRule has_shininess, has_shininess_0, has_shininess_0_with_factors, has_shininess_0_on_one_side,
     has_color_material_on_back_alone, rescales_much, has_normals_in_projection;
-VertexRule has_color_material_of_no_color, has_w_under_positional_light, has_extreme_direction,
-    has_overflowing_highlight, has_w_0_under_directional_light, has_w_0_under_positional_light, has_no_answer,
-    is_at_exact_edge_of_cone, is_near_edge_of_cone, has_light_at_horizon;
+VertexRule has_w_under_positional_light, has_extreme_direction, has_overflowing_highlight,
+    has_w_0_under_directional_light, has_w_0_under_positional_light, has_no_answer, is_at_exact_edge_of_cone,
+    is_near_edge_of_cone, has_light_at_horizon;
 
 }  // namespace twinlight::compare

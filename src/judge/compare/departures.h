@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "judge/compare/releases.h"
+#include "judge/compare/rewrites.h"
 #include "render/context/driver_name.h"
 #include "scene/command/command.h"
 #include "scene/state/scene.h"
@@ -42,6 +43,7 @@ struct Departure {
     MakeCommandRule* command_rule = nullptr;
     DrawRule* draw_rule = nullptr;
     VertexRule* vertex_rule = nullptr;
+    const Rewrite* rewrite = nullptr;  // takes the bug out of a scene; null if no rewrite is known
 
     // A release that was not measured counts as one that was (releases.h).
     bool is_known_on(const Driver& driver) const;

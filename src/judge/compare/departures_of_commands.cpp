@@ -21,10 +21,6 @@ bool is_one_of(const Command& command, std::initializer_list<std::string_view> p
     return std::ranges::any_of(prefixes, [&](std::string_view prefix) { return command.name().starts_with(prefix); });
 }
 
-bool enables_color_material(const Command& command) {
-    return command.id == Id::glEnable && command.enumerant(0) == kGL_COLOR_MATERIAL;
-}
-
 bool lights_two_sides(const Command& command) {
     return command.name().starts_with("glLightModel") && command.enumerant(0) == kGL_LIGHT_MODEL_TWO_SIDE &&
            command.number(1) != 0;
@@ -115,7 +111,43 @@ class VaryingMaterials {
     bool inside_ = false, has_values_of_one_side_ = false, apart_ = false;
 };
 
+// Values that a driver may keep aside until something is drawn or asked for, or until glPushAttrib saves them.
+class KeptValues {
+  public:
+    static bool uses(const Command& command) {
+        return command.id == Id::glEnd || command.sig().family == Family::kShape ||
+               command.sig().family == Family::kQuadric ||
+               is_one_of(command, {"glDraw", "glCallList", "glRect", "glEvalMesh", "glGetMaterial"});
+    }
+    void see(const Command& command) {
+        const Enum pushed = command.id == Id::glPushAttrib ? command.enumerant(0) : 0;
+        if (uses(command) || (pushed & kGL_LIGHTING_BIT) != 0) has_material_ = false;
+        if (uses(command) || (pushed & kGL_CURRENT_BIT) != 0) has_current_ = false;
+        if (command.name().starts_with("glMaterial")) has_material_ = true;
+        const bool is_current = is_one_of(command, {"glColor3", "glColor4", "glNormal3", "glTexCoord",
+                                                    "glMultiTexCoord", "glSecondaryColor3", "glFogCoord"});
+        if (is_current && !command.name().ends_with("Pointer")) has_current_ = true;
+    }
+    bool has_material() const { return has_material_; }
+    bool has_current() const { return has_current_; }
+
+  private:
+    bool has_material_ = false, has_current_ = false;
+};
+
 }  // namespace
+
+bool enables_color_material(const Command& command) {
+    return command.id == Id::glEnable && command.enumerant(0) == kGL_COLOR_MATERIAL;
+}
+
+bool draws_other_than_points(const Command& command) {
+    const bool has_mode = is_one_of(command, {"glBegin", "glDraw"}) && command.id != Id::glDrawBuffer;
+    if (has_mode) return command.enumerant(0) != kGL_POINTS;
+    return command.sig().family == Family::kShape ||
+           is_one_of(command, {"glRect", "glEvalMesh", "glBitmap", "glDrawPixels", "glCopyPixels", "glCallList", "mesh",
+                               "shape"});
+}
 
 CommandRule mixes_glcolor3_and_4() {
     return any_command([has_4 = false](const Command& command) mutable {
@@ -133,9 +165,30 @@ CommandRule mixes_tex_coords() {
     });
 }
 
-CommandRule sets_material_before_pop() {
-    return inside_push(kGL_LIGHTING_BIT, 0,
-                       [](const Command& command) { return command.name().starts_with("glMaterial"); });
+// A value that glPopAttrib restores, set right before it.
+CommandRule sets_values_before_pop() {
+    return any_command([kept = KeptValues(), masks = std::vector<Enum>()](const Command& command) mutable {
+        kept.see(command);
+        if (command.id == Id::glPushAttrib && masks.size() < kAttributeStackDepth)
+            masks.push_back(command.enumerant(0));
+        if (command.id != Id::glPopAttrib || masks.empty()) return false;
+        const Enum mask = masks.back();
+        masks.pop_back();
+        return ((mask & kGL_LIGHTING_BIT) != 0 && kept.has_material()) ||
+               ((mask & kGL_CURRENT_BIT) != 0 && kept.has_current());
+    });
+}
+
+// glMaterial, then glEnable(GL_COLOR_MATERIAL) before anything is drawn, and no glColor while it is enabled.
+CommandRule sets_material_before_tracking() {
+    return any_command([kept = KeptValues(), is_early = false](const Command& command) mutable {
+        kept.see(command);
+        if (enables_color_material(command)) is_early = is_early || kept.has_material();
+        if (is_one_of(command, {"glColor3", "glColor4"})) is_early = false;
+        const bool ends = (command.id == Id::glDisable && command.enumerant(0) == kGL_COLOR_MATERIAL) ||
+                          command.id == Id::glColorMaterial || command.id == Id::glPopAttrib;
+        return is_early && (ends || command.name().starts_with("glVertex") || KeptValues::uses(command));
+    });
 }
 
 // The same glShadeModel before and after a glPopAttrib in one list.
@@ -264,12 +317,7 @@ CommandRule draws_others_beside_sprites() {
         if (command.id == Id::glPopAttrib) has_sprites = had_sprites;
         if (command.name().starts_with("glTexEnv") && command.enumerant(1) == kGL_COORD_REPLACE)
             replaces = replaces || (command.arguments.size() > 2 && command.number(2) != 0);
-        const bool has_mode = is_one_of(command, {"glBegin", "glDraw"}) && command.id != Id::glDrawBuffer;
-        const bool draws = has_mode ? command.enumerant(0) != kGL_POINTS
-                                    : command.sig().family == Family::kShape ||
-                                          is_one_of(command, {"glRect", "glEvalMesh", "glBitmap", "glDrawPixels",
-                                                              "glCopyPixels", "glCallList", "mesh", "shape"});
-        return found = found || (draws && has_sprites && replaces);
+        return found = found || (draws_other_than_points(command) && has_sprites && replaces);
     };
 }
 

@@ -107,10 +107,6 @@ bool has_shininess_0_on_one_side(const Draw& draw) {
            });
 }
 
-bool has_color_material_of_no_color(const Draw& draw, const Vertex& vertex) {
-    return draw.lighting.color_material.enabled && vertex.color == Vertex{}.color;
-}
-
 bool has_color_material_on_back_alone(const Draw& draw) {
     const ColorMaterial& color_material = draw.lighting.color_material;
     return draw.lighting.light_model.two_side && color_material.enabled && color_material.face == kGL_BACK &&

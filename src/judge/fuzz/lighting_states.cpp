@@ -265,7 +265,7 @@ class LightingState {
             }
             add(Id::glMaterialf, {face, kGL_SHININESS, shininess(face == kGL_FRONT)});
         }
-        static constexpr std::string_view kOfColorMaterial[] = {"colour material before the first glColor",
+        static constexpr std::string_view kOfColorMaterial[] = {"glMaterial before glEnable(GL_COLOR_MATERIAL)",
                                                                 "two-sided colour material only on the back",
                                                                 "glColor before a new glColorMaterial",
                                                                 "colour material after glPopAttrib",
@@ -291,7 +291,7 @@ class LightingState {
             add(Id::glColorMaterial, {face, static_cast<double>(of_alpha ? kGL_DIFFUSE : mode())});
             add(Id::glEnable, {kGL_COLOR_MATERIAL});
         }
-        keep_color_ = shows("colour material before the first glColor");
+        keep_color_ = shows("glMaterial before glEnable(GL_COLOR_MATERIAL)");
         if (!keep_color_) vertex_color();
         if (shows("glMaterial, a tracked glColor, glNewList")) {
             add(Id::glNewList, {1, kGL_COMPILE});
@@ -315,7 +315,7 @@ class LightingState {
 
     // Known bugs of glPushAttrib and glPopAttrib.
     void about_stacks() {
-        if (shows("glMaterial right before glPopAttrib")) {
+        if (shows("glMaterial or glColor right before glPopAttrib")) {
             add(Id::glPushAttrib, {kGL_LIGHTING_BIT});
             add(Id::glShadeModel, {kGL_FLAT});
             color(Id::glMaterialfv, {kGL_FRONT_AND_BACK, kGL_EMISSION});

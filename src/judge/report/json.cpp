@@ -64,6 +64,7 @@ Json json_of(const Comparison& comparison) {
                                 {"conversion", comparison.precision.conversion},
                                 {"approximates_rho", comparison.precision.approximates_rho}};
     json["is_listed_driver"] = comparison.is_listed_driver;
+    json["proved_causes"] = comparison.proved_causes;
     json["known_departures"] = comparison.known_departures;
     json["unsupported"] = Json::array();
     for (const Unsupported& unsupported : comparison.unsupported) {

@@ -33,7 +33,8 @@ std::string step_folder(std::size_t step);
 //               "file", "factor"}],             the difference picture and its amplification
 //    "driver_precision": {"position", "conversion", "approximates_rho"},   DrawingPrecision
 //    "is_listed_driver": whether any bugs of this driver and version are listed
-//    "known_departures": ["name (section)"],    if "beyond": known bugs of this driver that the scene may show
+//    "proved_causes": ["name (section)"],       known bugs without which the fixed function agrees (compare/causes.h)
+//    "known_departures": ["name (section)"],    others, as guesses; if "beyond": known bugs of this driver that the scene may show
 //    "unsupported": [{"name", "count", "place", "renderers": [...]}],   commands that some renderers cannot draw
 //    "queries": [{"place", "call", "twinlight", "driver", "agree"}],    what the scene's glGet* return; "?" for no answer
 //    "warnings": ["scene.gl:7:1: warning: message [name]"],   of the linter about the scene

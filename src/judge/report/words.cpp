@@ -89,12 +89,20 @@ const Pair* worst_pair(const Comparison& comparison, Verdict verdict, RegionDiff
 
 void add_known_departures(const Comparison& comparison, Answer& answer) {
     const Driver driver = parse_driver_name(comparison.driver);
-    const bool is_measured = compare::has_measured_release(driver);
-    for (const std::string& departure : comparison.known_departures)
-        answer.details.push_back(
-            fmt::format("A known bug of {} in {}{} may be the cause: {}. See golden/known_differences.", driver.name,
-                        driver.version, is_measured ? "" : fmt::format(" (measured on {})", compare::counts_as(driver)),
-                        departure));
+    const std::string measured =
+        compare::has_measured_release(driver) ? "" : fmt::format(" (measured on {})", compare::counts_as(driver));
+    const auto add = [&](std::string_view verb, std::string_view departure) {
+        answer.details.push_back(fmt::format("A known bug of {} in {}{} {}: {}. See golden/known_differences.",
+                                             driver.name, driver.version, measured, verb, departure));
+    };
+    for (const std::string& cause : comparison.proved_causes)
+        add(comparison.proved_causes.size() == 1 ? "is the cause" : "is part of the cause", cause);
+    if (!comparison.proved_causes.empty())
+        answer.details.emplace_back(
+            "This is proved: with other commands that have the same effect in OpenGL but avoid the bug, the fixed "
+            "function "
+            "agrees.");
+    for (const std::string& departure : comparison.known_departures) add("may be the cause", departure);
 }
 
 // What the driver's precision adds to the allowed differences.

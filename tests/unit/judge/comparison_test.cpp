@@ -371,8 +371,8 @@ TEST(Verdict, NamesWhatTheDriverIsKnownToGetWrongWhereItIsBeyond) {
 
 TEST(Verdict, BlamesNoBugOfTheFixedFunctionForPicturesInWhichItHasNoPart) {
     const auto commands = std::make_shared<const CommandList>(
-        read_scene("glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 30); "
-                   "glutSolidCube(1);",
+        read_scene("glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_FOG); glFogi(GL_FOG_MODE, GL_LINEAR); "
+                   "glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR); glutSolidCube(1);",
                    "scene.gl", "scene"));
     const Scene scene = make_scene(commands, {.width = kWidth, .height = kHeight});
     Stub stub;
