@@ -49,7 +49,7 @@ int differing_pixels(const FragmentCase& shown) {
         bool differs = false;
         for (std::size_t c = 0; c < 4; ++c) {
             const int codes = std::abs(channel_code(driver.pixels[i][c]) - channel_code(reference.pixels[i][c]));
-            differs = differs || codes > 1 + 255.0 * static_cast<double>(allowed.channels.pixels[i][c]);
+            differs = differs || codes > 1 + 255.0 * static_cast<double>(allowed.channels(i)[c]);
         }
         differing += differs;
     }

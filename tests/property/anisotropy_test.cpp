@@ -56,7 +56,7 @@ TEST(Anisotropy, IsAllowedOnlyWhereTheTextureIs) {
     const Scene with = scene_of(floor("GL_LINEAR_MIPMAP_LINEAR", 16)),
                 without = scene_of(floor("GL_LINEAR_MIPMAP_LINEAR", 1));
     EXPECT_EQ(reference::render(with.frame, {}).pixels, reference::render(without.frame, {}).pixels);
-    const auto allowed = [](const Scene& scene) { return reference::allowed_difference(scene.frame, {}).channels; };
+    const auto allowed = [](const Scene& scene) { return reference::allowed_difference(scene.frame, {}).channels(); };
     const Image more = allowed(with), less = allowed(without);
     float largest = 0;
     for (int x = 0; x < kSide; ++x) {

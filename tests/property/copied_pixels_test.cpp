@@ -180,7 +180,7 @@ TEST_F(CopiedPixelsTest, AllowWhatTheCopiedPictureAllows) {
     const RegionDifference& at_edges = comparison.pairs[0].difference.edge;
     EXPECT_LT(at_edges.pixels, 128 * 128 / 8);
     double allowed = 0;
-    for (const Rgba& pixel : comparison.allowed.channels.pixels) allowed += pixel[0];
+    for (const Rgba& pixel : comparison.allowed.channels().pixels) allowed += pixel[0];
     EXPECT_GT(allowed, 1);
     EXPECT_LT(allowed, 128 * 128 / 10);
 }

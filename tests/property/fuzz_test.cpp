@@ -71,7 +71,7 @@ TEST(Fuzz, LeavesLittleOfAPictureOpen) {
             ++pixels;
             if (allowed.edge[i]) continue;
             ++interior;
-            for (const float channel : allowed.channels.pixels[i]) codes += 255.0 * static_cast<double>(channel) / 4;
+            for (const float channel : allowed.channels(i)) codes += 255.0 * static_cast<double>(channel) / 4;
         }
     }
     fmt::print("{:.0f} % of the pixels are interior, with {:.3f} codes allowed on average\n", 100 * interior / pixels,

@@ -319,7 +319,7 @@ int moved(const Image& picture, const Image& right, const AllowedDifference& all
     int count = 0;
     for (std::size_t i = 0; i < right.pixels.size(); ++i) {
         if (!allowed.is_judged(i)) continue;
-        const Rgba &color = picture.pixels[i], &of_right = right.pixels[i], &more = allowed.channels.pixels[i];
+        const Rgba &color = picture.pixels[i], &of_right = right.pixels[i], more = allowed.channels(i);
         AllowedRange range{of_right, of_right};
         if (allowed.edge[i])
             for (const AllowedRange& one : allowed.ranges.at(i)) {
@@ -352,7 +352,7 @@ class Judge {
     const Image& right() const { return right_; }
     const AllowedDifference& allowed() const { return allowed_; }
     bool finds(const Image& picture) const {
-        const Image& nearer = other_cut_ ? nearer_of(picture, right_, *other_cut_, allowed_.channels) : right_;
+        const Image& nearer = other_cut_ ? nearer_of(picture, right_, *other_cut_, allowed_.channels()) : right_;
         return !compare::is_within(difference(picture, nearer, allowed_), {});
     }
 

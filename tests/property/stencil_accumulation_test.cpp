@@ -255,7 +255,7 @@ TEST(AllowedDifference, OpensPixelsWhoseStencilValueIsOpen) {
         "scene.gl", "scene"));
     const Frame frame = make_frame(*list, {.width = kSize, .height = kSize});
     const AllowedDifference allowed = reference::allowed_difference(frame);
-    const auto is_edge = [&](int x, int y) { return static_cast<bool>(allowed.edge[allowed.channels.index(x, y)]); };
+    const auto is_edge = [&](int x, int y) { return static_cast<bool>(allowed.edge[allowed.index(x, y)]); };
     EXPECT_TRUE(is_edge(4, 8) || is_edge(3, 8));
     EXPECT_FALSE(is_edge(10, 10)) << "inside, beside the diagonal";
     EXPECT_FALSE(is_edge(1, 8));

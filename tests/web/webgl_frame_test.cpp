@@ -456,12 +456,12 @@ TEST(PageScene, AllowsTheNextTexelWithinTheStepOfTheBrowsersPositions) {
 TEST(Tolerance, AllowsWhatRoundedPositionsChange) {
     Image ramp(4, 1);
     for (int x = 0; x < 4; ++x) ramp.at(x, 0) = {0.1F * static_cast<float>(x), 0, 0, 1};
-    AllowedDifference allowed{PixelMask(4), Image(4, 1)};
+    AllowedDifference allowed(4, 1);
     allowed.edge[3] = true;
     compare::allow_rounded_positions(allowed, ramp, 4);
     for (int x = 0; x < 3; ++x) {
-        EXPECT_FLOAT_EQ(allowed.channels.at(x, 0)[0], 0.1F / 32);
-        EXPECT_EQ(allowed.channels.at(x, 0)[1], 0);
+        EXPECT_FLOAT_EQ(allowed.channels(static_cast<std::size_t>(x))[0], 0.1F / 32);
+        EXPECT_EQ(allowed.channels(static_cast<std::size_t>(x))[1], 0);
     }
 }
 

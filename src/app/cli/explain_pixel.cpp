@@ -13,6 +13,7 @@
 #include "render/context/context.h"
 #include "render/fixed/replay.h"
 #include "render/reference/reference.h"
+#include "render/reference/undefined_colors.h"
 #include "scene/command/text.h"
 
 namespace twinlight::cli {
@@ -49,8 +50,13 @@ std::vector<Rendered> rendered(const Frame& picture, const PlanOptions& options)
 
 explain::AllowedPixel allowed_at(const Frame& frame, const Look& look, const Pixel& pixel) {
     const AllowedDifference allowed = reference::allowed_difference(frame, reference::Options{look});
-    const std::size_t at = allowed.channels.index(pixel.x, pixel.y);
-    explain::AllowedPixel result{.edge = allowed.edge[at], .channels = allowed.channels.pixels[at]};
+    const std::size_t at = allowed.index(pixel.x, pixel.y);
+    explain::AllowedPixel result{.edge = allowed.edge[at], .open = allowed.open[at], .channels = allowed.channels(at)};
+    for (const AllowedPart& part : allowed.parts)
+        if (allowed.allows(part.why, at)) result.parts.push_back(part.why);
+    if (allowed.is_undefined(at))
+        if (const auto undefined = reference::first_undefined_color(frame))
+            result.undefined = reference::words_of(*undefined);
     if (result.edge && allowed.is_judged(at)) result.ranges = allowed.ranges.at(at);
     return result;
 }

@@ -163,12 +163,12 @@ void Panes::update_difference(const Session& session) {
         difference_.has_allowed == has_allowed &&
         (session.amplification == 0 || session.amplification == difference_.amplification))
         return;
-    AllowedDifference allowed{PixelMask(a.image.pixels.size()), Image(a.image.width, a.image.height)};
+    AllowedDifference allowed(a.image.width, a.image.height);
     if (has_allowed) allowed = allowed_->difference;
     // Each picture is compared with the nearer of the reference's two cuts of quadrilaterals.
     const auto nearer = [&allowed](const Drawn& reference, const Image& image) {
         const auto& other = reference.reference ? reference.reference->other_cut : std::nullopt;
-        return other ? nearer_of(image, reference.image, *other, allowed.channels) : reference.image;
+        return other ? nearer_of(image, reference.image, *other, allowed.channels()) : reference.image;
     };
     const Image first = a.reference ? nearer(a, b.image) : a.image;
     const Image second = b.reference ? nearer(b, a.image) : b.image;

@@ -167,7 +167,7 @@ std::string PageScene::judged(const Look& look, std::span<const std::uint8_t> sh
     compare::allow_rounded_positions(allowed, right, subpixel_bits);
     if (reference::has_quadrilaterals(frame))
         right = nearer_of(drawn, right, reference::render(frame, {look, reference::QuadCut::kSecondToFourth}),
-                          allowed.channels);
+                          allowed.channels());
     const ImageDifference found = difference(drawn, right, allowed);
     return dumped({{"within", compare::is_within(found, {})},
                    {"max", std::lround(255 * found.interior.max)},

@@ -64,7 +64,7 @@ Codes nearer(const Codes& a, const Codes& b) { return std::ranges::max(b) < std:
 
 // What is left at a pixel that is judged (ImageDifference::beyond_allowed).
 Codes beyond_allowed(const Image& a, const Image& b, const AllowedDifference& allowed, std::size_t i) {
-    const Rgba& channels = allowed.channels.pixels[i];
+    const Rgba channels = allowed.channels(i);
     const Codes left = excess(absolute_difference(a.pixels[i], b.pixels[i]), channels);
     if (!allowed.edge[i] || std::ranges::max(left) == 0) return left;
     const std::vector<AllowedRange>& ranges = allowed.ranges.at(i);
@@ -105,32 +105,90 @@ struct Region {
 
 }  // namespace
 
+std::string_view words_of(Why why) {
+    switch (why) {
+        case Why::kBorder: return "a border passes beside its centre";
+        case Why::kDepth: return "two surfaces are equally near";
+        case Why::kStencil: return "the stencil test is open";
+        case Why::kAlpha: return "its alpha is at the limit of the alpha test";
+        case Why::kTexel: return "it is between two texels, levels or filters";
+        case Why::kOrder: return "lines or points of one border are blended in any order";
+        case Why::kMissing: return "not every renderer draws a command that changes it";
+        case Why::kTextures: return "filters and blending";
+        case Why::kCopies: return "copied pixels";
+        case Why::kFog: return "fog behind the eye";
+        case Why::kCone: return "the border of a spot's cone";
+        case Why::kTie: return "halfway between two 8-bit values";
+        case Why::kPositions: return "positions that the driver rounds";
+        case Why::kConversion: return "how the driver rounds to 8 bits";
+        case Why::kPlan: return "lights that the shaders skip";
+        case Why::kCut: return "the cut of quadrilaterals";
+        case Why::kDrivers: return "two drivers";
+    }
+    return "";
+}
+
+Rgba AllowedDifference::channels(std::size_t i) const {
+    Rgba sum{};
+    for (const AllowedPart& part : parts)
+        for (std::size_t c = 0; c < kChannels; ++c) sum[c] += part.channels.pixels[i][c];
+    return sum;
+}
+
+Image AllowedDifference::channels() const {
+    Image sum(width, height);
+    for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] = channels(i);
+    return sum;
+}
+
+bool AllowedDifference::allows(Why why, std::size_t i) const {
+    const auto found = std::ranges::find(parts, why, &AllowedPart::why);
+    return found != parts.end() &&
+           std::ranges::any_of(found->channels.pixels[i], [](float channel) { return channel > 0; });
+}
+
+Image& AllowedDifference::part(Why why) {
+    const auto found = std::ranges::find(parts, why, &AllowedPart::why);
+    if (found != parts.end()) return found->channels;
+    return parts.emplace_back(AllowedPart{why, Image(width, height)}).channels;
+}
+
 ImageDifference difference(const Image& a, const Image& b, const AllowedDifference& allowed) {
     check_sizes(a, b);
-    check_sizes(a, allowed.channels);
-    if (allowed.edge.size() != a.pixels.size()) {
-        throw std::invalid_argument("the edge mask and the pictures have different sizes");
-    }
+    if (allowed.width != a.width || allowed.height != a.height || allowed.edge.size() != a.pixels.size())
+        throw std::invalid_argument("the allowed difference and the pictures have different sizes");
+    std::size_t undefined = 0;
     Region interior, edge, beyond;
     for (int y = 0; y < a.height; ++y) {
         for (int x = 0; x < a.width; ++x) {
             const std::size_t i = a.index(x, y);
             (allowed.edge[i] ? edge : interior).add(absolute_difference(a.pixels[i], b.pixels[i]), x, y);
-            if (allowed.is_judged(i)) beyond.add(beyond_allowed(a, b, allowed, i), x, y);
+            if (!allowed.is_judged(i)) continue;
+            const Codes left = beyond_allowed(a, b, allowed, i);
+            if (allowed.is_undefined(i) && std::ranges::max(left) > 0)
+                ++undefined;
+            else
+                beyond.add(left, x, y);
         }
     }
-    return {.interior = interior.result(), .edge = edge.result(), .beyond_allowed = beyond.result()};
+    return {.interior = interior.result(),
+            .edge = edge.result(),
+            .beyond_allowed = beyond.result(),
+            .undefined = undefined};
 }
 
 PixelMask pixels_beyond_allowed(const Image& a, const Image& b, const AllowedDifference& allowed) {
     PixelMask mask(a.pixels.size());
     for (std::size_t i = 0; i < mask.size(); ++i)
-        mask[i] = allowed.is_judged(i) && std::ranges::max(beyond_allowed(a, b, allowed, i)) > 0;
+        mask[i] =
+            allowed.is_judged(i) && !allowed.is_undefined(i) && std::ranges::max(beyond_allowed(a, b, allowed, i)) > 0;
     return mask;
 }
 
 ImageDifference difference(const Image& a, const Image& b, const PixelMask& edge) {
-    return difference(a, b, {.edge = edge, .channels = Image(a.width, a.height, {0, 0, 0, 0})});
+    AllowedDifference allowed(a.width, a.height);
+    allowed.edge = edge;
+    return difference(a, b, allowed);
 }
 
 Image nearer_of(const Image& image, const Image& first, const Image& second) {

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
+#include <string_view>
 #include <vector>
 
 #include "base/image/image.h"
@@ -34,21 +36,76 @@ struct AllowedRange {
     friend bool operator==(const AllowedRange&, const AllowedRange&) = default;
 };
 
+// Why two correct pictures may differ at a pixel. docs/edges.md has the sections of the specification.
+enum class Why : std::uint8_t {
+    // At edges: why a choice is open.
+    kBorder,   // a border passes beside the centre, or the primitive lies in a clipping plane
+    kDepth,    // the depth test
+    kStencil,  // the stencil test
+    kAlpha,    // the alpha test
+    kTexel,    // which texel, level or filter is used
+    kOrder,    // lines and points of one border are blended in any order
+    kMissing,  // one of the renderers does not draw a command
+    // Elsewhere: what a channel may be off by.
+    kTextures,    // the precision of filters and blending
+    kCopies,      // pixels that were copied from pictures that may differ
+    kFog,         // linear fog of a primitive that reaches behind the eye
+    kCone,        // the border of a spot's cone, lit per pixel
+    kTie,         // the right value is halfway between two 8-bit values
+    kPositions,   // the driver interpolates between rounded positions
+    kConversion,  // the driver rounds to 8 bits less exactly
+    kPlan,        // lights that the shaders skip
+    kCut,         // two drivers may cut a quadrilateral differently
+    kDrivers,     // each of two drivers may be off in its own direction
+};
+inline constexpr int kWhys = static_cast<int>(Why::kDrivers) + 1;  // how many there are
+// A few words for people: "a border passes beside its centre".
+std::string_view words_of(Why why);
+// Bit 1 << Why.
+using Whys = std::uint32_t;
+constexpr Whys bit_of(Why why) { return Whys{1} << static_cast<int>(why); }
+
+// What one cause adds to the allowed difference of each channel.
+struct AllowedPart {
+    Why why = Why::kTie;
+    Image channels;
+};
+
 // How much two correct pictures of one scene may differ, pixel by pixel.
 struct AllowedDifference {
-    // Edge pixels: a primitive's border passes through the pixel, two surfaces intersect there, or the last bits decide
-    // which texel, level or filter is used (docs/edges.md).
-    PixelMask edge;
-    // Interior pixels: how much a channel may differ because of the precision of filters and blending, in addition to
-    // the rounding to 8 bits. 0 where nothing is textured or blended.
-    Image channels;
+    AllowedDifference() = default;
+    AllowedDifference(int image_width, int image_height)
+        : width(image_width),
+          height(image_height),
+          edge(static_cast<std::size_t>(image_width) * static_cast<std::size_t>(image_height)) {}
+
+    int width = 0, height = 0;
+    // Edge pixels: a choice is open.
+    PixelMask edge{};
+    // How much a channel may be off, in addition to the rounding to 8 bits: the sum of the parts, of which each has another cause.
+    std::vector<AllowedPart> parts{};
     // Of edge pixels, by their index: the colours of which they may have one. Those that are not listed may have any colour, so they
     // cannot be judged.
     std::map<std::size_t, std::vector<AllowedRange>> ranges{};
+    // Why a pixel is an edge pixel; may be empty.
+    std::vector<Whys> open{};
     // The pixels that a fragment covers, or may cover; may be empty.
     PixelMask drawn{};
+    // The pixels whose colour the specification leaves undefined, so that a difference there is no error; may be empty.
+    PixelMask undefined{};
 
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    }
     bool is_judged(std::size_t i) const { return !edge[i] || ranges.contains(i); }
+    bool is_undefined(std::size_t i) const { return !undefined.empty() && undefined[i]; }
+    // The sum of the parts.
+    Rgba channels(std::size_t i) const;
+    Image channels() const;
+    // Whether any channel of the pixel may be off because of this.
+    bool allows(Why why, std::size_t i) const;
+    // The part of this cause; makes it if there is none.
+    Image& part(Why why);
 };
 
 struct ImageDifference {
@@ -58,6 +115,8 @@ struct ImageDifference {
     // Where it is above 0, one more code is subtracted: rounding may move two correct values apart. At an edge what is left is how far
     // the picture that is farther from all of the pixel's colours is from the nearest.
     RegionDifference beyond_allowed;
+    // Pixels that differ by more than this, but whose colour is undefined. They are not in beyond_allowed.
+    std::size_t undefined = 0;
 };
 
 // Throws std::invalid_argument unless all sizes are equal.

@@ -17,6 +17,7 @@
 #include "judge/compare/vertex_colors.h"
 #include "render/programmable/shader_program.h"
 #include "render/reference/reference.h"
+#include "render/reference/undefined_colors.h"
 
 namespace twinlight::compare {
 
@@ -166,7 +167,7 @@ Causes causes_of(const Comparison& comparison, const Scene& scene, const Allowed
     const Render &fixed = comparison.renders.front(), &right = comparison.renders[kReference];
     const auto is_right = [&](const Image& image) {
         if (!right.other_cut) return is_within(difference(image, right.image, allowed), comparison.tolerance);
-        const Image nearer = nearer_of(image, right.image, *right.other_cut, comparison.allowed.channels);
+        const Image nearer = nearer_of(image, right.image, *right.other_cut, comparison.allowed.channels());
         return is_within(difference(image, nearer, allowed), comparison.tolerance);
     };
     const Look look = look_of(false, options);
@@ -189,7 +190,7 @@ void add_refused(std::vector<Unsupported>& unsupported, const Frame& frame, cons
 }  // namespace
 
 Image Comparison::counterpart(const Pair& pair) const {
-    return b(pair).other_cut ? nearer_of(a(pair).image, b(pair).image, *b(pair).other_cut, allowed.channels)
+    return b(pair).other_cut ? nearer_of(a(pair).image, b(pair).image, *b(pair).other_cut, allowed.channels())
                              : b(pair).image;
 }
 
@@ -266,12 +267,14 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
             for (std::size_t i = 0; i < of_pair.edge.size(); ++i) {
                 if (!result.changed_by_missing[i]) continue;
                 of_pair.edge[i] = true;
+                if (!of_pair.open.empty()) of_pair.open[i] = bit_of(Why::kMissing);
                 of_pair.ranges.erase(i);
             }
             pair.difference.beyond_allowed =
                 difference(result.a(pair).image, result.counterpart(pair), of_pair).beyond_allowed;
         }
         pair.judged = planned.phong ? judged_per_pixel : judged_per_vertex;
+        pair.judged.undefined = pair.difference.undefined;
         if (planned.judged) pair.verdict = judge(result, pair);
         if (pair.verdict == Verdict::kBeyond && result.a(pair).path == Path::kFixed) {
             const PixelMask beyond = pixels_beyond_allowed(result.a(pair).image, result.counterpart(pair), of_pair);
@@ -287,6 +290,8 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     if (all) result.queries = queries_of(scene, renderers.answers);
     const Driver driver = parse_driver_name(options.driver);
     result.is_listed_driver = is_listed(driver);
+    if (std::ranges::any_of(result.pairs, [](const Pair& pair) { return pair.judged.undefined > 0; }))
+        if (const auto undefined = reference::first_undefined_color(frame)) result.undefined = words_of(*undefined);
     if (result.verdict() == Verdict::kWithin) return result;
     const Causes causes =
         of_fixed ? causes_of(result, scene, *of_fixed, differing_from_fixed, options, renderers) : Causes{};

@@ -80,6 +80,8 @@ struct Comparison {
     // The pixels that change if the fixed function leaves out what only it draws; empty if this is unknown, or if there
     // is no such command.
     PixelMask changed_by_missing{};
+    // Why the specification leaves colours undefined at which pictures differ: "the attenuation ... (2.14.1)"; empty if there are none.
+    std::string undefined{};
     std::vector<SceneWarning> warnings{};  // by the caller; they do not change the verdict
     std::vector<std::string> notes{};      // Scene::notes
     // If pictures differ beyond the tolerance, or are not judged in whole: the known bugs of this driver that the scene may trigger, "name (section)".

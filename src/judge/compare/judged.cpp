@@ -42,7 +42,7 @@ Judged judged(const AllowedDifference& allowed) {
         double width = 0;
         if (!allowed.edge[i]) {
             ++result.to_allowed;
-            width = width_of(allowed.channels.pixels[i]);
+            width = width_of(allowed.channels(i));
         } else if (is_judged) {
             ++result.to_one_of;
             const std::vector<AllowedRange>& ranges = allowed.ranges.at(i);

@@ -14,6 +14,8 @@ struct Judged {
     std::size_t drawn = 0;         // that a fragment covers, or may cover
     std::size_t drawn_widely = 0;  // of these: held to a range wider than kWide
     std::size_t drawn_not_judged = 0;
+    std::size_t undefined =
+        0;  // that differ, but whose colour the specification leaves undefined (ImageDifference::undefined)
     // The pixels of to_one_of: how many colours each may have, and how wide its widest range is.
     struct Spread {
         double median = 0, most = 0;  // most: of 95 % of them at most
@@ -22,7 +24,9 @@ struct Judged {
 
     // The share of the drawn pixels at which an error can hide.
     double open_share() const {
-        return drawn == 0 ? 0 : static_cast<double>(drawn_widely + drawn_not_judged) / static_cast<double>(drawn);
+        return drawn == 0
+                   ? 0
+                   : static_cast<double>(drawn_widely + drawn_not_judged + undefined) / static_cast<double>(drawn);
     }
     bool is_enough() const { return open_share() <= kMostOpen; }
 

@@ -48,17 +48,21 @@ float change_on(float way, int x, int y, std::size_t c, const PixelMask& edge, c
 void allow_drawing(AllowedDifference& allowed, const Image& reference, const Image* other_cut,
                    const DrawingPrecision& precision) {
     const auto way = static_cast<float>(precision.position);
+    const float conversion = static_cast<float>(precision.conversion / 255);
+    const Image before = allowed.channels();
     for (int y = 0; y < reference.height; ++y) {
         for (int x = 0; x < reference.width; ++x) {
             const std::size_t i = reference.index(x, y);
             for (std::size_t c = 0; c < 4; ++c) {
-                double more = precision.conversion / 255;
-                if (way > 0) more += static_cast<double>(change_on(way, x, y, c, allowed.edge, reference));
-                const double error = kArithmetic + more;
-                float& channel = allowed.channels.pixels[i][c];
-                if (allowed.edge[i] || may_cross(reference.pixels[i][c], error) ||
-                    (more > 0 && (channel > 0 || (other_cut && may_cross(other_cut->pixels[i][c], error)))))
-                    channel += static_cast<float>(error);
+                const float of_places = way > 0 ? change_on(way, x, y, c, allowed.edge, reference) : 0;
+                const double more = static_cast<double>(conversion + of_places), error = kArithmetic + more;
+                const bool counts =
+                    allowed.edge[i] || may_cross(reference.pixels[i][c], error) ||
+                    (more > 0 && (before.pixels[i][c] > 0 || (other_cut && may_cross(other_cut->pixels[i][c], error))));
+                if (!counts) continue;
+                allowed.part(Why::kTie).pixels[i][c] += static_cast<float>(kArithmetic);
+                if (of_places > 0) allowed.part(Why::kPositions).pixels[i][c] += of_places;
+                if (conversion > 0) allowed.part(Why::kConversion).pixels[i][c] += conversion;
             }
         }
     }
@@ -66,10 +70,10 @@ void allow_drawing(AllowedDifference& allowed, const Image& reference, const Ima
 
 void allow_rounded_positions(AllowedDifference& allowed, const Image& reference, int bits) {
     const float way = std::ldexp(0.5F, -bits);
+    Image& part = allowed.part(Why::kPositions);
     for (int y = 0; y < reference.height; ++y)
         for (int x = 0; x < reference.width; ++x)
-            for (std::size_t c = 0; c < 4; ++c)
-                allowed.channels.at(x, y)[c] += change_on(way, x, y, c, allowed.edge, reference);
+            for (std::size_t c = 0; c < 4; ++c) part.at(x, y)[c] += change_on(way, x, y, c, allowed.edge, reference);
 }
 
 }  // namespace twinlight::compare

@@ -32,7 +32,10 @@ struct Rendered {
 // What correct renderers may draw at a pixel: AllowedDifference's.
 struct AllowedPixel {
     bool edge = false;
-    Rgba channels{};                     // away from edges
+    Whys open = 0;                       // why it is at an edge
+    Rgba channels{};                     // what a channel may be off by, away from edges
+    std::vector<Why> parts{};            // why
+    std::string undefined{};             // why OpenGL leaves the colour undefined; "" if it does not
     std::vector<AllowedRange> ranges{};  // at an edge; none: any colour
 };
 

@@ -145,17 +145,26 @@ std::string codes_text(float low, float high) {
 
 std::string allowed_text(const AllowedPixel& allowed) {
     std::string text = "\nWhat OpenGL leaves open here (docs/edges.md)\n";
+    if (!allowed.undefined.empty()) text += fmt::format("  the colour, because {}\n", allowed.undefined);
     if (!allowed.edge) {
         const float most = std::max({allowed.channels[0], allowed.channels[1], allowed.channels[2]});
-        if (most == 0) return text + "  nothing but rounding: the pixel is away from edges\n";
-        return text +
-               fmt::format(
-                   "  away from edges, a channel may be off by {:.1f}/255: filters, blending, copies, spots or fog\n",
-                   255 * most);
+        if (most == 0)
+            return allowed.undefined.empty() ? text + "  nothing but rounding: the pixel is away from edges\n" : text;
+        std::string whys;
+        for (const Why why : allowed.parts) whys += fmt::format("{}{}", whys.empty() ? "" : ", ", words_of(why));
+        return text + fmt::format("  away from edges, a channel may be off by {:.1f}/255: {}\n", 255 * most, whys);
     }
-    if (allowed.ranges.empty()) return text + "  at an edge, any colour\n";
-    text += allowed.ranges.size() == 1 ? "  at an edge, a colour in this range, in 8-bit values:\n"
-                                       : "  at an edge, one of these colours, in 8-bit values:\n";
+    text += "  the pixel is at an edge";
+    const char* between = ": ";
+    for (int bit = 0; bit <= static_cast<int>(Why::kMissing); ++bit) {
+        const auto why = static_cast<Why>(bit);
+        if ((allowed.open & bit_of(why)) == 0) continue;
+        text += fmt::format("{}{}", between, words_of(why));
+        between = "; ";
+    }
+    if (allowed.ranges.empty()) return text + ". It may have any colour\n";
+    text += allowed.ranges.size() == 1 ? ". It has a colour in this range, in 8-bit values:\n"
+                                       : ". It has one of these colours, in 8-bit values:\n";
     for (const AllowedRange& range : allowed.ranges)
         text += fmt::format("    red {}, green {}, blue {}\n", codes_text(range.low[0], range.high[0]),
                             codes_text(range.low[1], range.high[1]), codes_text(range.low[2], range.high[2]));

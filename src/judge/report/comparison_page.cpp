@@ -160,6 +160,14 @@ std::string warnings(const Comparison& comparison) {
     return html + "</ul>\n</section>\n";
 }
 
+// All of them in the order of their bits, for the page's script.
+std::string words_of_whys() {
+    std::string words;
+    for (int bit = 0; bit < kWhys; ++bit)
+        words += fmt::format("{}{}", bit == 0 ? "" : "|", words_of(static_cast<Why>(bit)));
+    return words;
+}
+
 std::string notes(const Comparison& comparison) {
     if (comparison.notes.empty()) return "";
     std::string html = "<section>\n<h2>About this recording</h2>\n<ul>\n";
@@ -251,6 +259,8 @@ std::string article(const Compared& compared, std::size_t number) {
          {"renders", renders},
          {"differences", differences},
          {"edges", image(comparison, pictures.edges, R"(class="edges" alt="" hidden)")},
+         {"why", image(comparison, pictures.why,
+                       fmt::format(R"(class="why" alt="" data-words="{}" hidden)", escaped(words_of_whys())))},
          {"pair_rows", pair_rows(comparison)},
          {"interior_pixels", grouped(comparison.pairs.front().difference.interior.pixels)},
          {"edge_pixels", grouped(comparison.pairs.front().difference.edge.pixels)},

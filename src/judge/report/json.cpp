@@ -28,6 +28,7 @@ Json json_of(const compare::Judged& judged) {
             {"drawn", judged.drawn},
             {"drawn_not_checked", judged.drawn_not_judged},
             {"drawn_widely_checked", judged.drawn_widely},
+            {"undefined", judged.undefined},
             {"colors", {{"median", judged.colors.median}, {"95%", judged.colors.most}}},
             {"width", {{"median", judged.width.median}, {"95%", judged.width.most}}}};
 }
@@ -64,6 +65,7 @@ Json json_of(const Comparison& comparison) {
                                 {"conversion", comparison.precision.conversion},
                                 {"approximates_rho", comparison.precision.approximates_rho}};
     json["is_listed_driver"] = comparison.is_listed_driver;
+    json["undefined"] = comparison.undefined;
     json["proved_causes"] = comparison.proved_causes;
     json["known_departures"] = comparison.known_departures;
     json["unsupported"] = Json::array();

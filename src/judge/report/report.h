@@ -26,6 +26,7 @@ std::string step_folder(std::size_t step);
 //               "edge": {the same},             pixels at edges
 //               "checked": {"to_allowed_difference", "to_one_of_several_colors", "not_checked",   numbers of pixels
 //                          "drawn": those that a fragment covers, "drawn_not_checked", "drawn_widely_checked": in a range of over 32/255,
+//                          "undefined": that differ, but whose colour OpenGL leaves undefined,
 //                          "colors", "width": {"median", "95%"}},   of to_one_of_several_colors: how many, and the widest range
 //               "verdict": "within" | "beyond" | "partial" | "unchecked": no difference found, but over 2% of the drawn pixels are
 //                          not checked, or widely | "informative" (meant to differ),
@@ -33,6 +34,7 @@ std::string step_folder(std::size_t step);
 //               "file", "factor"}],             the difference picture and its amplification
 //    "driver_precision": {"position", "conversion", "approximates_rho"},   DrawingPrecision
 //    "is_listed_driver": whether any bugs of this driver and version are listed
+//    "undefined": why OpenGL leaves colours undefined at which pictures differ; "" if there are none
 //    "proved_causes": ["name (section)"],       known bugs without which the fixed function agrees (compare/causes.h)
 //    "known_departures": ["name (section)"],    others, as guesses; if "beyond": known bugs of this driver that the scene may show
 //    "unsupported": [{"name", "count", "place", "renderers": [...]}],   commands that some renderers cannot draw
@@ -47,6 +49,7 @@ struct EncodedPictures {
     std::vector<std::string> renders;      // PNG, in the order of Comparison::renders
     std::vector<std::string> differences;  // PNG, in the order of Comparison::pairs
     std::string edges;                     // PNG, white where the edge mask is set
+    std::string why;                       // PNG, at each pixel why it may differ: Whys, the lowest byte in red
 };
 EncodedPictures encode_pictures(const compare::Comparison& comparison);
 

@@ -144,11 +144,25 @@ Answer partial_answer(const Comparison& comparison) {
     return answer;
 }
 
+// Of the pair in which most such pixels differ.
+void add_undefined(const Comparison& comparison, std::vector<std::string>& details) {
+    std::size_t most = 0;
+    for (const Pair& pair : comparison.pairs)
+        if (pair.verdict != Verdict::kInformative) most = std::max(most, pair.judged.undefined);
+    if (most == 0) return;
+    details.push_back(
+        fmt::format("Not counted: {} pixels differ, but OpenGL leaves their colour undefined: {}. The reference and "
+                    "the shaders follow "
+                    "Twinlight's own rule.",
+                    grouped(most), comparison.undefined));
+}
+
 Answer agreeing_answer(const Comparison& comparison) {
     const Pair* worst = worst_pair(comparison, Verdict::kWithin, &ImageDifference::interior);
     std::vector<std::string> details;
     if (comparison.missing_changes_nothing())
         details.emplace_back("Not every renderer draws all commands, but leaving those out changes no pixel.");
+    add_undefined(comparison, details);
     if (!worst || worst->difference.interior.differing == 0)
         return {"All three agree: no pixel away from edges differs.", "", details};
     add_precision(comparison, details);
@@ -182,14 +196,21 @@ const Pair& least_judged(const Comparison& comparison) {
 Answer unjudged_answer(const Comparison& comparison) {
     const Pair& pair = least_judged(comparison);
     const compare::Judged& judged = pair.judged;
+    const double percent = 100 * judged.open_share();
+    const std::string share = fmt::format("{:.{}f}% of the drawn pixels", percent, percent < 10 ? 1 : 0);
+    const bool is_undefined = judged.undefined > judged.drawn_not_judged + judged.drawn_widely;
     Answer answer{
-        .headline = fmt::format("No difference found; {:.{}f}% of the drawn pixels could not be checked.",
-                                100 * judged.open_share(), judged.open_share() < 0.1 ? 1 : 0),
+        .headline =
+            is_undefined
+                ? fmt::format("The pictures differ only where OpenGL leaves the colour undefined: at {}.", share)
+                : fmt::format("No difference found; {} could not be checked.", share),
         .where = fmt::format(
             "{}: of {} drawn pixels, OpenGL leaves {} open, and {} may have any colour in a range of over {}.",
-            name_of(comparison, pair), grouped(judged.drawn), grouped(judged.drawn_not_judged),
+            name_of(comparison, pair), grouped(judged.drawn), grouped(judged.drawn_not_judged + judged.undefined),
             grouped(judged.drawn_widely), in_255ths(compare::Judged::kWide)),
-        .details = {"A larger --size may help: fewer pixels are then at edges."}};
+        .details = {}};
+    add_undefined(comparison, answer.details);
+    if (judged.undefined == 0) answer.details.emplace_back("A larger --size may help: fewer pixels are then at edges.");
     add_known_departures(comparison, answer);
     add_precision(comparison, answer.details);
     return answer;
@@ -217,6 +238,7 @@ Answer differing_answer(const Comparison& comparison) {
         answer.details.push_back(
             fmt::format("Not counted: {} pixels that change if commands are left out that not every renderer draws.",
                         grouped(changed)));
+    add_undefined(comparison, answer.details);
     add_known_departures(comparison, answer);
     add_precision(comparison, answer.details);
     if (!comparison.is_listed_driver) answer.details.emplace_back("No known bugs are listed for this driver.");

@@ -24,6 +24,18 @@ Image edge_picture(const Comparison& comparison) {
     return picture;
 }
 
+Image why_picture(const Comparison& comparison) {
+    const AllowedDifference& allowed = comparison.allowed;
+    Image picture(comparison.width, comparison.height, {0, 0, 0, 1});
+    for (std::size_t i = 0; i < allowed.edge.size(); ++i) {
+        Whys whys = allowed.edge[i] && !allowed.open.empty() ? allowed.open[i] : 0;
+        for (const AllowedPart& part : allowed.parts)
+            if (!allowed.edge[i] && allowed.allows(part.why, i)) whys |= bit_of(part.why);
+        for (std::size_t c = 0; c < 3; ++c) picture.pixels[i][c] = static_cast<float>(whys >> (8 * c) & 0xFFU) / 255;
+    }
+    return picture;
+}
+
 }  // namespace
 
 std::string picture_file(const Render& render) { return render.name + ".png"; }
@@ -42,6 +54,7 @@ EncodedPictures encode_pictures(const Comparison& comparison) {
             encode_png(difference_picture(comparison.a(pair).image, comparison.counterpart(pair), pair.factor)));
     }
     pictures.edges = encode_png(edge_picture(comparison));
+    pictures.why = encode_png(why_picture(comparison));
     return pictures;
 }
 

@@ -20,6 +20,7 @@
 #include "render/reference/fragment_loop.h"
 #include "render/reference/reference.h"
 #include "render/reference/texture_place.h"
+#include "render/reference/undefined_colors.h"
 
 namespace twinlight::reference {
 
@@ -135,6 +136,8 @@ class OpenPixels {
         : stages_(stages),
           window_(window),
           open_(window.count()),
+          why_(window.count()),
+          undefined_(window.count()),
           drawn_(window.count()),
           depth_(window.count()),
           depth_of_(window.count()),
@@ -142,9 +145,22 @@ class OpenPixels {
 
     bool is_open(std::size_t at) const { return open_[at] != kSettled; }
     bool is_unknown(std::size_t at) const { return open_[at] == kUnknown; }
-    void open(std::size_t at) { open_[at] = std::max(open_[at], kOpen); }
-    void open_to_any(std::size_t at) { open_[at] = kUnknown; }
-    void settle(std::size_t at) { open_[at] = kSettled; }
+    bool is_undefined(std::size_t at) const { return undefined_[at] != 0; }
+    Whys why(std::size_t at) const { return why_[at]; }
+    void open(std::size_t at, Whys why) {
+        open_[at] = std::max(open_[at], kOpen);
+        why_[at] |= why;
+    }
+    void open_to_any(std::size_t at, Whys why) {
+        open_[at] = kUnknown;
+        why_[at] |= why;
+    }
+    void leave_undefined(std::size_t at) { undefined_[at] = 1; }
+    void settle(std::size_t at) {
+        open_[at] = kSettled;
+        why_[at] = 0;
+        undefined_[at] = 0;
+    }
     // Whether any piece certainly or perhaps covers the pixel.
     bool is_drawn(std::size_t at) const { return drawn_[at] != 0; }
 
@@ -195,9 +211,10 @@ class OpenPixels {
     Interval depth(const Fragment& fragment) const {
         const Piece& piece = *fragment.piece;
         if (piece.shape == Shape::kPoint)
-            if (const auto& pixels = stages_.draw_of(piece).pixels; pixels && !pixels->depth_ranges.empty()) {
+            if (const auto* copied = CopyRanges::of(stages_.ranges, stages_.draw_of(piece).pixels);
+                copied && !copied->depths.empty()) {
                 if (piece.is_perhaps_clipped) return {0, 1};  // another one of its pixels
-                const glm::dvec2& range = pixels->depth_ranges[piece.primitive.vertices[0]];
+                const glm::dvec2& range = copied->depths[piece.primitive.vertices[0]];
                 return {range.x, range.y};
             }
         double change = 0;
@@ -342,7 +359,8 @@ class OpenPixels {
             if (count == 0) return;
             const bool first = !again(id, window_.index(x, y));
             // With another order, blending would have more or less beneath it, whatever the depth test decides.
-            if (!first && !overwrites_color(stages_.draw_of(piece).fragment)) open_to_any(window_.index(x, y));
+            if (!first && !overwrites_color(stages_.draw_of(piece).fragment))
+                open_to_any(window_.index(x, y), bit_of(Why::kOrder));
             const bool is_certain = count == all && !nothing && first && !piece.is_perhaps_clipped && !is_stretched;
             visit(id, x, y, is_certain ? Outcome::kPasses : Outcome::kOpen, nullptr);
         });
@@ -362,7 +380,8 @@ class OpenPixels {
     const StagedFrame& stages_;
     const PixelRect window_;
     std::vector<char> open_;  // kSettled, ...
-    std::vector<char> drawn_;
+    std::vector<Whys> why_;
+    std::vector<char> undefined_, drawn_;
     mutable std::vector<std::optional<bool>> one_color_;  // of each Draw
     std::vector<Interval> depth_;
     std::vector<StepId> depth_of_;  // the piece with that depth, if certain
@@ -375,7 +394,9 @@ class IntervalBuffer : public FragmentLoop<OpenPixels> {
     using FragmentLoop::FragmentLoop;
 
     struct Pixel {
-        bool edge = false, drawn = false;
+        bool edge = false, drawn = false, is_undefined = false;
+        Whys open = 0;                       // at edges
+        Why why = Why::kTextures;            // of `channels`
         Rgba channels{};                     // away from edges
         std::vector<AllowedRange> ranges{};  // at edges, unless any colour may be there
     };
@@ -383,15 +404,17 @@ class IntervalBuffer : public FragmentLoop<OpenPixels> {
     Pixel pixel(int x, int y) {
         const std::size_t at = window_.index(x, y);
         const StepId id = step_[at];
-        Pixel result{.edge = kept_.is_open(at), .drawn = kept_.is_drawn(at)};
+        Pixel result{.edge = kept_.is_open(at), .drawn = kept_.is_drawn(at), .is_undefined = kept_.is_undefined(at)};
         if (!result.edge) {
             if (id != kColor && (id < 0 || !shaders_[stages_.piece(id).draw].has_several_colors(stages_.piece(id))))
                 return result;
             const Channels<Interval> color = resolved(x, y);
             result.edge = kept_.is_open(at);  // which texel it has may be a choice
+            if (id != kColor) result.why = shaders_[stages_.piece(id).draw].why_several_colors(stages_.piece(id));
             for (std::size_t i = 0; i < color.size(); ++i)
                 result.channels[i] = result.edge ? 0 : static_cast<float>(color[i].width());
         }
+        if (result.edge) result.open = kept_.why(at);
         if (!result.edge || kept_.is_unknown(at)) return result;
         for (const Channels<Interval>& color : choices(x, y)) {
             const AllowedRange range = range_of(color);
@@ -472,8 +495,9 @@ Frame moved(Frame frame, const glm::dvec2& pixels) {
     return frame;
 }
 
-// Adds the pixels whose colour changes if the picture moves by a thousandth of a pixel. Away from edges colours change
-// by less than 0.5/255.
+}  // namespace
+
+// Away from edges colours change by less than 0.5/255.
 void add_surface_edges(const Frame& frame, const Options& options, PixelMask& edge) {
     constexpr double kBeside = 1e-3;  // of a pixel
     constexpr float kHalfCode = 0.5F / 255;
@@ -485,8 +509,6 @@ void add_surface_edges(const Frame& frame, const Options& options, PixelMask& ed
                 edge[i] = edge[i] || std::abs(here.pixels[i][c] - there.pixels[i][c]) > kHalfCode;
     }
 }
-
-}  // namespace
 
 namespace {
 
@@ -510,6 +532,7 @@ void find_differences(StagedFrame stages, const Options& options, const PixelRec
     const bool adds = joining == Joining::kAdds;
     Image& channels = difference.channels;
     if (within.is_empty()) return;
+    mark_undefined_colors(stages);
     std::mutex mutex;  // of difference.ranges: bands find them at once
     const auto join = [&](IntervalBuffer& buffer, int x, int y) {
         IntervalBuffer::Pixel pixel = buffer.pixel(x, y);
@@ -521,6 +544,9 @@ void find_differences(StagedFrame stages, const Options& options, const PixelRec
         }
         difference.edge[at] = pixel.edge || was_edge;
         difference.drawn[at] = pixel.drawn || (adds && difference.drawn[at] != 0);
+        difference.undefined[at] = pixel.is_undefined || (adds && difference.undefined[at] != 0);
+        difference.open[at] = pixel.open | (adds ? difference.open[at] : 0);
+        if (!adds || pixel.why != Why::kTextures) difference.why[at] = pixel.why;
         for (std::size_t c = 0; c < pixel.channels.size(); ++c) {
             float& channel = channels.pixels[at][c];
             channel = adds ? std::max(channel, pixel.channels[c]) : pixel.channels[c];
@@ -566,14 +592,7 @@ BufferBounds stencil_bounds(StagedFrame stages, const Options& options, int widt
                                      });
 }
 
-AllowedDifference allowed_difference(const Frame& frame, Options options) {
-    if (options.shading == Shading::kExact) {
-        options.shading = Shading::kPhong;
-        AllowedDifference result = allowed_difference(frame, options);
-        options.shading = Shading::kExact;
-        add_surface_edges(frame, options, result.edge);
-        return result;
-    }
+AllowedDifference allowed_difference(const Frame& frame, const Options& options) {
     return Pictures(frame).allowed_difference(options);
 }
 

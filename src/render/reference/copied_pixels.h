@@ -12,6 +12,6 @@ DrawableFrame drawable(const Frame& frame, const Options& options);
 // For the allowed difference: with the ranges of what correct renderers may have copied. That is any colour from an edge
 // pixel, and otherwise the 8-bit colours within the allowed difference of the reference's; the depths that are open at the pixel's
 // centre; and any stencil value where one is open.
-DrawableFrame drawable_with_ranges(const Frame& frame, const Options& options);
+DrawableFrame drawable_with_ranges(const Frame& frame, const Options& options, CopyRanges& ranges);
 
 }  // namespace twinlight::reference

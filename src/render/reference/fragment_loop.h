@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/image/difference.h"
 #include "render/reference/coverage.h"
 #include "render/reference/fragment_operations.h"
 #include "render/reference/staged_frame.h"
@@ -41,8 +42,10 @@ struct Nearby {
 //   stencil_outcome(face, at)                 of the test against the stored value
 //   set_stencil(face, covers, stencil, depth, at)  after the outcomes of coverage and both tests
 //   open_stencil(at)                          any value may be written
-//   is_open(at), open(at), settle(at)         whether the colour is open; marks it as open; as certain
-//   is_unknown(at), open_to_any(at)           whether it may be any colour; marks it so
+//   is_open(at), open(at, why), settle(at)    whether the colour is open; marks it as open; as certain
+//   why(at), is_undefined(at)                 what was given to open(); whether the colour is undefined
+//   is_unknown(at), open_to_any(at, why)      whether it may be any colour; marks it so
+//   leave_undefined(at)                       the specification leaves it undefined, until it is settled
 // and over intervals
 //   nearby(piece, x, y)                       the places from which the piece's fragment at the pixel may have its colour (Nearby)
 //
@@ -85,9 +88,9 @@ class FragmentLoop {
             if (clear.depth) kept_.set_depth(at, id, clear.clear_depth, Outcome::kPasses);
             if (!clear.color) return;
             if (overwrites)
-                wait(id, at, Outcome::kPasses);
+                wait(id, at, Outcome::kPasses, 0);
             else
-                write(mask, {channels<Real>(clamped(clear.clear_color))}, x, y, Outcome::kPasses);
+                write(mask, {channels<Real>(clamped(clear.clear_color))}, x, y, Outcome::kPasses, 0);
         });
     }
 
@@ -104,6 +107,11 @@ class FragmentLoop {
         const auto draw_fragment = [&](StepId id, const Fragment& fragment, int x, int y, Outcome covers) {
             const std::size_t at = window_.index(x, y);
             Outcome outcome = covers;
+            Whys why = covers == Outcome::kOpen ? bit_of(Why::kBorder) : 0;
+            const auto narrow = [&](Outcome of_test, Why test) {
+                outcome = std::min(outcome, of_test);
+                if (of_test == Outcome::kOpen) why |= bit_of(test);
+            };
             Real depth{};
             Shaded<Real> shaded;
             // The order of the tests matters only to the stencil: both others must pass. If the pixel may have any colour,
@@ -112,7 +120,7 @@ class FragmentLoop {
             const auto alpha_test = [&] {
                 if (waits || !((writes && !stays_unknown) || state.alpha_test) || outcome == Outcome::kFails) return;
                 shaded = color_of(fragment, x, y, covers);
-                if (state.alpha_test) outcome = std::min(outcome, alpha_outcome(state, shaded.color[3]));
+                if (state.alpha_test) narrow(alpha_outcome(state, shaded.color[3]), Why::kAlpha);
             };
             if (state.stencil) {
                 alpha_test();
@@ -126,11 +134,12 @@ class FragmentLoop {
                     of_depth = kept_.depth_outcome(raster.depth_func, fragment, depth, at);
                 }
                 kept_.set_stencil(face, outcome, stencil, of_depth, at);
-                outcome = std::min({outcome, stencil, of_depth});
+                narrow(stencil, Why::kStencil);
+                narrow(of_depth, Why::kDepth);
             } else {
                 if (raster.depth_test) {
                     depth = kept_.depth(fragment);
-                    outcome = std::min(outcome, kept_.depth_outcome(raster.depth_func, fragment, depth, at));
+                    narrow(kept_.depth_outcome(raster.depth_func, fragment, depth, at), Why::kDepth);
                 }
                 if (outcome != Outcome::kFails) alpha_test();
             }
@@ -139,9 +148,10 @@ class FragmentLoop {
             if (raster.depth_test && raster.depth_mask) kept_.set_depth(at, id, depth, outcome);
             if (!writes) return outcome;
             if (waits)
-                wait(id, at, outcome);
+                wait(id, at, outcome, why);
             else if (!stays_unknown)
-                write(state, shaded, x, y, outcome);
+                write(state, shaded, x, y, outcome, why);
+            if (stages_.is_undefined(*fragment.piece)) kept_.leave_undefined(at);
             return outcome;
         };
         const bool is_stippled = raster.polygon_stipple || raster.line_stipple;
@@ -208,9 +218,10 @@ class FragmentLoop {
                 Shaded<Real> result;
                 for (std::size_t i = 0; i < result.color.size(); ++i)
                     result.color[i] = clamp01(stored.color[i] * Real(accumulate.value));
-                write(mask, result, x, y, Outcome::kPasses);
-                if (stored.is_open) kept_.open(at);
-                if (stored.is_unknown) kept_.open_to_any(at);
+                write(mask, result, x, y, Outcome::kPasses, 0);
+                if (stored.is_open) kept_.open(at, stored.why);
+                if (stored.is_unknown) kept_.open_to_any(at, stored.why);
+                if (stored.is_undefined) kept_.leave_undefined(at);
                 return;
             }
             const bool reads = accumulate.op == kGL_ACCUM || accumulate.op == kGL_LOAD,
@@ -218,6 +229,8 @@ class FragmentLoop {
             const Channels<Real> color = reads ? hull_of_all(x, y) : Channels<Real>{};
             stored.is_open = (!loads && stored.is_open) || (reads && kept_.is_open(at));
             stored.is_unknown = (!loads && stored.is_unknown) || (reads && kept_.is_unknown(at));
+            stored.is_undefined = (!loads && stored.is_undefined) || (reads && kept_.is_undefined(at));
+            stored.why = (loads ? 0 : stored.why) | (reads ? kept_.why(at) : 0);
             for (std::size_t i = 0; i < color.size(); ++i) {
                 const Real result = accumulated(accumulate, stored.color[i], held(color[i]));
                 stored.is_unknown |= leaves_accumulation(result);
@@ -252,12 +265,12 @@ class FragmentLoop {
     }
 
     // The pixel has the step's colour, lit later; if the outcome is open, perhaps.
-    void wait(StepId id, std::size_t at, Outcome outcome) {
-        cover(at, outcome);
+    void wait(StepId id, std::size_t at, Outcome outcome, Whys why) {
+        cover(at, outcome, why);
         step_[at] = id;
     }
 
-    void write(const FragmentState& state, const Shaded<Real>& source, int x, int y, Outcome outcome) {
+    void write(const FragmentState& state, const Shaded<Real>& source, int x, int y, Outcome outcome, Whys why) {
         const std::size_t at = window_.index(x, y);
         // The fragment uses the colour beneath as the colour buffer stores it.
         const auto over = [&](const Channels<Real>& color) {
@@ -266,7 +279,7 @@ class FragmentLoop {
             return written(state, source.color, beneath);
         };
         if (overwrites_color(state)) {
-            cover(at, outcome);
+            cover(at, outcome, why);
             set_color(at, written(state, source.color, {}));
         } else {
             const Channels<Real> beneath = resolved(x, y), color = over(beneath);
@@ -278,12 +291,12 @@ class FragmentLoop {
                     if (outcome == Outcome::kOpen) {
                         for (const Choice& choice : before) add_other(at, choice);
                         add_other(at, {kColor, beneath});
-                        kept_.open(at);
+                        kept_.open(at, why);
                     }
                 }
             set_color(at, color);
         }
-        if (source.has_choice) kept_.open(at);
+        if (source.has_choice) kept_.open(at, bit_of(Why::kTexel));
     }
     void set_color(std::size_t at, const Channels<Real>& color) {
         if (colors_.empty()) colors_.resize(step_.size());
@@ -292,7 +305,7 @@ class FragmentLoop {
     }
 
     // Before a colour that does not depend on those beneath: it hides them, certainly or perhaps.
-    void cover(std::size_t at, Outcome outcome) {
+    void cover(std::size_t at, Outcome outcome, Whys why) {
         if (outcome == Outcome::kPasses) {
             kept_.settle(at);
             if constexpr (kFindsRanges)
@@ -300,7 +313,7 @@ class FragmentLoop {
             return;
         }
         if constexpr (kFindsRanges) add_other(at, {step_[at], step_[at] == kColor ? colors_[at] : Channels<Real>{}});
-        kept_.open(at);
+        kept_.open(at, why);
     }
 
   protected:
@@ -325,7 +338,7 @@ class FragmentLoop {
         if (choice.step < 0) return channels<Real>(clamped(stages_.clear(choice.step).clear_color));
         const Fragment fragment{&stages_.piece(choice.step), pixel_centre(x, y)};
         const Shaded<Real> shaded = color_of(fragment, x, y, kept_.is_open(at) ? Outcome::kOpen : Outcome::kPasses);
-        if (shaded.has_choice) kept_.open(at);
+        if (shaded.has_choice) kept_.open(at, bit_of(Why::kTexel));
         return shaded.color;
     }
     // All colours that the pixel may have, unless it may have any.
@@ -389,7 +402,8 @@ class FragmentLoop {
     std::vector<StepId> step_;  // the step whose colour it has, or kColor
     struct Accumulated {
         Channels<Real> color{};
-        bool is_open = false, is_unknown = false;
+        bool is_open = false, is_unknown = false, is_undefined = false;
+        Whys why = 0;
     };
     std::vector<Accumulated> accumulation_;    // empty until it is used
     std::vector<Channels<Real>> colors_;       // valid where the step is kColor; empty until the first

@@ -49,8 +49,11 @@ class DrawnPixels {
     std::uint8_t stencil(std::size_t at) const { return stencil_.empty() ? std::uint8_t{0} : stencil_[at]; }
     static bool is_open(std::size_t) { return false; }
     static bool is_unknown(std::size_t) { return false; }
-    void open(std::size_t) {}
-    void open_to_any(std::size_t) {}
+    void open(std::size_t, Whys) {}
+    void open_to_any(std::size_t, Whys) {}
+    void leave_undefined(std::size_t) {}
+    static Whys why(std::size_t) { return 0; }
+    static bool is_undefined(std::size_t) { return false; }
     void settle(std::size_t) {}
 
   private:

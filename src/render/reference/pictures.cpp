@@ -84,17 +84,24 @@ Image Pictures::render(const Options& options) {
 }
 
 AllowedDifference Pictures::allowed_difference(const Options& given) {
-    if (given.shading == Shading::kExact) return reference::allowed_difference(*frame_, given);
+    if (given.shading == Shading::kExact) {
+        Options of_mesh = given;
+        of_mesh.shading = Shading::kPhong;
+        AllowedDifference result = allowed_difference(of_mesh);
+        add_surface_edges(*frame_, given, result.edge);
+        return result;
+    }
     if (frame_->copies_pixels) {
-        const DrawableFrame whole = drawable_with_ranges(*frame_, given);
-        return Pictures(*whole).allowed_difference(given);
+        CopyRanges ranges;
+        const DrawableFrame whole = drawable_with_ranges(*frame_, given, ranges);
+        return Pictures(*whole, &ranges).allowed_difference(given);
     }
     const Frame& frame = *frame_;
     const PixelRect window = whole_window(frame);
     Options options = given;
     options.in_clip_plane = InClipPlane::kPerhaps;
     options.quad_cut = QuadCut::kFirstToThird;
-    StagedFrame stages = run_stages(frame, options);
+    StagedFrame stages = run_stages(frame, options, ranges_);
     PixelRect within = window;
     const bool is_first = !found_ || !differ_in_look_or_cut_only(found_->options, options);
     if (is_first) {
@@ -112,16 +119,22 @@ AllowedDifference Pictures::allowed_difference(const Options& given) {
     find_differences(std::move(stages), options, within, found_->difference, Joining::kReplaces);
     options.quad_cut = QuadCut::kSecondToFourth;
     if (is_first && has_quadrilaterals(frame)) {
-        stages = run_stages(frame, options);
+        stages = run_stages(frame, options, ranges_);
         found_->of_quadrilaterals = joined(found_->of_quadrilaterals, reach_of(stages, window, is_quadrilaterals));
         find_differences(std::move(stages), options, found_->of_quadrilaterals, found_->difference, Joining::kAdds);
     } else if (const PixelRect again = common(within, found_->of_quadrilaterals); !again.is_empty()) {
-        find_differences(run_stages(frame, options), options, again, found_->difference, Joining::kAdds);
+        find_differences(run_stages(frame, options, ranges_), options, again, found_->difference, Joining::kAdds);
     }
     const OpenDifference& found = found_->difference;
-    AllowedDifference result{.edge = {}, .channels = found.channels, .ranges = found.ranges, .drawn = {}};
+    AllowedDifference result(frame.width, frame.height);
     result.edge.assign(found.edge.begin(), found.edge.end());
     result.drawn.assign(found.drawn.begin(), found.drawn.end());
+    if (std::ranges::any_of(found.undefined, [](char is) { return is != 0; }))
+        result.undefined.assign(found.undefined.begin(), found.undefined.end());
+    result.open = found.open;
+    result.ranges = found.ranges;
+    for (std::size_t i = 0; i < found.why.size(); ++i)
+        if (found.channels.pixels[i] != Rgba{}) result.part(found.why[i]).pixels[i] = found.channels.pixels[i];
     return result;
 }
 

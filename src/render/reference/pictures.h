@@ -13,8 +13,16 @@ namespace twinlight::reference {
 
 // What makes correct pictures of a frame differ, while it is found: bytes, not bits, because bands write concurrently.
 struct OpenDifference {
-    OpenDifference(int width, int height) : edge(size_of(width, height)), drawn(edge.size()), channels(width, height) {}
-    std::vector<char> edge, drawn;
+    OpenDifference(int width, int height)
+        : edge(size_of(width, height)),
+          drawn(edge.size()),
+          undefined(edge.size()),
+          open(edge.size()),
+          why(edge.size(), Why::kTextures),
+          channels(width, height) {}
+    std::vector<char> edge, drawn, undefined;
+    std::vector<Whys> open;
+    std::vector<Why> why;  // of what `channels` allows
     Image channels;
     std::map<std::size_t, std::vector<AllowedRange>> ranges;
 
@@ -26,8 +34,8 @@ struct OpenDifference {
 
 class Pictures {
   public:
-    // The frame must outlive this, and must not change.
-    explicit Pictures(const Frame& frame) : frame_(&frame) {}
+    // The frame and the ranges must outlive this, and must not change.
+    explicit Pictures(const Frame& frame, const CopyRanges* ranges = nullptr) : frame_(&frame), ranges_(ranges) {}
     const Frame& frame() const { return *frame_; }
 
     // The same as the functions in reference.h, bit for bit.
@@ -47,6 +55,7 @@ class Pictures {
     };
 
     const Frame* frame_;
+    const CopyRanges* ranges_;    // what other renderers may have copied
     std::vector<Drawn> drawn_;    // the newest of each cut
     std::optional<Found> found_;  // the newest
 };

@@ -347,7 +347,8 @@ void add_surface_pieces(const Draw& draw, std::uint32_t draw_index, std::vector<
 namespace {
 
 // 3.6.4, 3.7: each vertex is drawn at its pixel.
-void add_pixels(const Draw& draw, std::uint32_t draw_index, InClipPlane in_clip_plane, std::vector<Piece>& pieces) {
+void add_pixels(const Draw& draw, std::uint32_t draw_index, InClipPlane in_clip_plane, std::vector<Piece>& pieces,
+                const CopyRanges* ranges) {
     const auto add = [&](const glm::ivec2& place, std::uint32_t vertex) -> Piece& {
         Piece piece{.primitive = {.shape = Shape::kPoint, .vertices = {vertex}, .provoking = vertex},
                     .draw = draw_index};
@@ -356,15 +357,17 @@ void add_pixels(const Draw& draw, std::uint32_t draw_index, InClipPlane in_clip_
         return pieces.emplace_back(std::move(piece));
     };
     for (std::uint32_t i = 0; const glm::ivec2& place : draw.pixels->places) add(place, i++);
-    if (in_clip_plane == InClipPlane::kPerhaps)
-        for (const glm::ivec2& place : draw.pixels->doubtful) add(place, 0).is_perhaps_clipped = true;
+    if (in_clip_plane != InClipPlane::kPerhaps) return;
+    for (const glm::ivec2& place : draw.pixels->doubtful) add(place, 0).is_perhaps_clipped = true;
+    if (const CopyRanges::OfPixels* copied = CopyRanges::of(ranges, draw.pixels))
+        for (const glm::ivec2& place : copied->doubtful) add(place, 0).is_perhaps_clipped = true;
 }
 
 }  // namespace
 
 void add_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
-                const Options& options, std::vector<Piece>& pieces) {
-    if (draw.pixels) return add_pixels(draw, draw_index, options.in_clip_plane, pieces);
+                const Options& options, std::vector<Piece>& pieces, const CopyRanges* ranges) {
+    if (draw.pixels) return add_pixels(draw, draw_index, options.in_clip_plane, pieces, ranges);
     if (draw.raster.viewport.width <= 0 || draw.raster.viewport.height <= 0) return;
     PieceMaker maker(draw, draw_index, vertices, options.in_clip_plane, pieces);
     for (const Primitive& primitive : assemble(draw, options.quad_cut)) maker.add(primitive);

@@ -17,6 +17,7 @@
 #include "render/reference/draw_lighting.h"
 #include "render/reference/primitive_assembly.h"
 #include "render/reference/vertex_stage.h"
+#include "scene/state/copied_texels.h"
 
 namespace twinlight::reference {
 
@@ -112,7 +113,7 @@ double polygon_offset(const RasterState& raster, Enum mode, const glm::dvec2& sl
 
 // Appends the pieces of one Draw, in the order of its primitives.
 void add_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
-                const Options& options, std::vector<Piece>& pieces);
+                const Options& options, std::vector<Piece>& pieces, const CopyRanges* ranges = nullptr);
 
 // 3.4.2: which fragment of its strip or loop a line has at a pixel, counted from 0.
 int stipple_count(const Piece& line, int x, int y);

@@ -21,7 +21,7 @@ std::vector<int> seen_draws(const Frame& frame, const Options& options);
 // How much correct pictures of the frame may differ (docs/edges.md), with either cut of quadrilaterals. For
 // exact surfaces: the allowed difference of their meshes, lit per pixel, plus edges where the colour changes within a
 // thousandth of a pixel.
-AllowedDifference allowed_difference(const Frame& frame, Options options = {});
+AllowedDifference allowed_difference(const Frame& frame, const Options& options = {});
 
 // A vertex after lighting, as GL's feedback returns it.
 struct LitVertex {

@@ -42,10 +42,11 @@ Shader::LitColors Shader::clamped_colors(const Colors& colors) {
     return {clamped(colors.primary), clamped(colors.secondary)};
 }
 
-Shader::Shader(const StagedDraw& staged, const Options& options)
+Shader::Shader(const StagedDraw& staged, const Options& options, const CopyRanges* ranges)
     : draw_(*staged.draw),
       vertices_(staged.vertices),
-      units_(units(staged)),
+      copied_(CopyRanges::of(ranges, draw_.pixels)),
+      units_(units(staged, ranges)),
       combines_textures_(staged.draw->combines_textures()),
       shading_(shading_of(*staged.draw, options)),
       lighting_(*staged.draw, options.lecture_variants),
@@ -55,16 +56,18 @@ Shader::Shader(const StagedDraw& staged, const Options& options)
     if (!lights_pixels()) light_vertices();
 }
 
-std::vector<Shader::Unit> Shader::units(const StagedDraw& staged) const {
+std::vector<Shader::Unit> Shader::units(const StagedDraw& staged, const CopyRanges* ranges) const {
     std::vector<Unit> units;
     const auto sprite_origin = [&](const TextureUnit& unit) {
         return unit.coord_replace ? std::optional(draw_.raster.point_parameters.sprite_coord_origin) : std::nullopt;
     };
-    if (draw_.texture.texture) units.push_back({0, &draw_.texture, TexCoords(vertices_, sprite_origin(draw_.texture))});
+    const auto add = [&](std::size_t number, const TextureUnit& unit, const auto& coords) {
+        units.push_back({number, &unit, CopyRanges::of(ranges, unit.texture), TexCoords(coords, sprite_origin(unit))});
+    };
+    if (draw_.texture.texture) add(0, draw_.texture, vertices_);
     for (std::size_t i = 0; i < draw_.further_units.size(); ++i) {
         const FurtherUnit& further = draw_.further_units[i];
-        units.push_back(
-            {further.number, &further.unit, TexCoords(staged.further_tex_coords[i], sprite_origin(further.unit))});
+        add(further.number, further.unit, staged.further_tex_coords[i]);
     }
     return units;
 }
@@ -203,12 +206,18 @@ bool Shader::has_several_colors(const Piece& piece) const {
            (lights_pixels(piece) && lighting_.has_cones());
 }
 
+Why Shader::why_several_colors(const Piece& piece) const {
+    if (copies_colors()) return Why::kCopies;
+    if (has_linear_fog_behind_eye(piece)) return Why::kFog;
+    return units_.empty() ? Why::kCone : Why::kTextures;
+}
+
 // Where it is in doubt which pixel is copied, it may have any colour.
 Shader::LitRanges Shader::copied_colors(const Piece& piece) const {
     LitRanges colors;
     colors.primary.fill({0, 1});
     if (piece.is_perhaps_clipped) return colors;
-    const auto& [low, high] = draw_.pixels->color_ranges[piece.primitive.vertices[0]];
+    const auto& [low, high] = copied_->colors[piece.primitive.vertices[0]];
     for (int i = 0; i < 4; ++i) colors.primary[static_cast<std::size_t>(i)] = {low[i], high[i]};
     return colors;
 }
@@ -269,8 +278,8 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<Int
         std::optional<TexelBounds> all;
         for (const TexturePlaceBounds& place : cube_place_bounds(
                  unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, errors)) {
-            const TexelBounds one =
-                sample_bounds(*unit.state, place.str, place.str_error, place.rho, place.face, place.change);
+            const TexelBounds one = sample_bounds(*unit.state, place.str, place.str_error, place.rho, place.face,
+                                                  place.change, unit.copied);
             all = all ? choice(*all, one) : one;
         }
         texel = all->texel;
@@ -279,7 +288,8 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<Int
     }
     const TexturePlaceBounds place =
         texture_place_bounds(unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, errors);
-    const TexelBounds bounds = sample_bounds(*unit.state, place.str, place.str_error, place.rho, 0, place.change);
+    const TexelBounds bounds =
+        sample_bounds(*unit.state, place.str, place.str_error, place.rho, 0, place.change, unit.copied);
     texel = bounds.texel;
     has_choice |= bounds.has_choice;
 }

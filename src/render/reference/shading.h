@@ -49,7 +49,7 @@ struct PointOfFragment {
 // Colours one Draw's pieces. The StagedDraw must outlive it.
 class Shader {
   public:
-    Shader(const StagedDraw& staged, const Options& options);
+    Shader(const StagedDraw& staged, const Options& options, const CopyRanges* ranges = nullptr);
 
     // The colour, in [0,1]. Real: double or Interval.
     template <class Real>
@@ -63,6 +63,8 @@ class Shader {
     // Whether correct implementations may find different colours on this piece: textured, in linear fog that reaches behind
     // the eye, copied from their own pictures, or with pixels that are lit by spots.
     bool has_several_colors(const Piece& piece) const;
+    // The first cause of that.
+    Why why_several_colors(const Piece& piece) const;
     // How the fragment's colour comes from its lit colours. The last step gives shade()'s colour, before the transfer
     // curve.
     ColorSteps steps(const Fragment& fragment) const;
@@ -95,6 +97,7 @@ class Shader {
     struct Unit {
         std::size_t number = 0;
         const TextureUnit* state = nullptr;
+        const CopyRanges::OfTexels* copied = nullptr;
         TexCoords tex_coords;
     };
     // The point that phong and exact shading light at a pixel.
@@ -108,7 +111,7 @@ class Shader {
         Channels<Interval> primary{}, secondary{};
     };
     // What renderers may have copied from their pictures (4.3.3).
-    bool copies_colors() const { return draw_.pixels && !draw_.pixels->color_ranges.empty(); }
+    bool copies_colors() const { return copied_ != nullptr && !copied_->colors.empty(); }
     LitRanges copied_colors(const Piece& piece) const;
     // Where a pixel is lit beside the border of a spot's cone.
     std::optional<LitRanges> colors_beside_cones(const Fragment& fragment) const;
@@ -139,7 +142,7 @@ class Shader {
     void find_texel(const Fragment& fragment, const Unit& unit, Channels<double>& texel, bool& has_choice) const;
     void find_texel(const Fragment& fragment, const Unit& unit, Channels<Interval>& texel, bool& has_choice) const;
     TexturePlace texture_place_of(const Fragment& fragment, const Unit& unit) const;
-    std::vector<Unit> units(const StagedDraw& staged) const;
+    std::vector<Unit> units(const StagedDraw& staged, const CopyRanges* ranges) const;
     template <class Real, class Colors>
     Channels<Real> finished(const Colors& colors, const Finish<Real>& finish) const;
     // Calls see(Step, colour) after each step; kTextured after each unit, or once without any.
@@ -149,6 +152,7 @@ class Shader {
 
     const Draw& draw_;
     const std::vector<StageVertex>& vertices_;
+    const CopyRanges::OfPixels* copied_;  // by this Draw; null if none
     const std::vector<Unit> units_;
     const bool combines_textures_;
     const Shading shading_;

@@ -26,9 +26,10 @@ std::size_t most_pieces(const Draw& draw) {
 
 }  // namespace
 
-StagedFrame run_stages(const Frame& frame, const Options& options) {
+StagedFrame run_stages(const Frame& frame, const Options& options, const CopyRanges* ranges) {
     StagedFrame stages;
     stages.border = options.border;
+    stages.ranges = ranges;
     // A vector that grows as it is filled needs up to three times as much memory.
     std::size_t pieces = 0;
     for (const Draw* draw : frame.draws()) pieces += most_pieces(*draw);
@@ -56,7 +57,7 @@ StagedFrame run_stages(const Frame& frame, const Options& options) {
         const std::size_t first = stages.pieces.size();
         const auto index = static_cast<std::uint32_t>(stages.draws.size() - 1);
         if (options.shading != Shading::kExact || !draw.has_exact_surfaces())
-            add_pieces(draw, index, stages.draws.back().vertices, options, stages.pieces);
+            add_pieces(draw, index, stages.draws.back().vertices, options, stages.pieces, ranges);
         else if (!last || !are_one_shape(*last, draw))  // drawing the first part draws the whole shape
             add_surface_pieces(draw, index, stages.pieces);
         last = &draw;
@@ -68,7 +69,7 @@ StagedFrame run_stages(const Frame& frame, const Options& options) {
 std::vector<Shader> make_shaders(const StagedFrame& stages, const Options& options) {
     std::vector<Shader> shaders;
     shaders.reserve(stages.draws.size());
-    for (const StagedDraw& staged : stages.draws) shaders.emplace_back(staged, options);
+    for (const StagedDraw& staged : stages.draws) shaders.emplace_back(staged, options, stages.ranges);
     return shaders;
 }
 
@@ -76,7 +77,7 @@ std::vector<Shader> make_color_shaders(StagedFrame& stages, const Options& optio
     std::vector<Shader> shaders;
     shaders.reserve(stages.draws.size());
     for (StagedDraw& staged : stages.draws) {
-        shaders.emplace_back(staged, options);
+        shaders.emplace_back(staged, options, stages.ranges);
         if (!shaders.back().needs_vertices()) std::vector<StageVertex>().swap(staged.vertices);
     }
     return shaders;

@@ -27,14 +27,19 @@ struct StagedFrame {
     std::vector<Clear> clears;  // clear `id` is clears[-1 - id]; the first clears to black and depth 1
     std::vector<Step> steps;
     double border = kSnap;  // Options::border
+    const CopyRanges* ranges = nullptr;
+    // Of each Draw, whether a vertex's colour is undefined (undefined_colors.h). Empty: of none.
+    std::vector<std::vector<char>> undefined{};
 
     const Clear& clear(StepId id) const { return clears[static_cast<std::size_t>(-1 - id)]; }
     const Piece& piece(StepId id) const { return pieces[static_cast<std::size_t>(id)]; }
     const Draw& draw_of(const Piece& piece) const { return *draws[piece.draw].draw; }
+    bool is_undefined(const Piece& piece) const;
 };
 
-// The frame must outlive the result.
-StagedFrame run_stages(const Frame& frame, const Options& options);
+// The frame must outlive the result, and so must `ranges`: what other renderers may have copied from their pictures, for the allowed
+// difference.
+StagedFrame run_stages(const Frame& frame, const Options& options, const CopyRanges* ranges = nullptr);
 
 // Makes one Shader per Draw.
 std::vector<Shader> make_shaders(const StagedFrame& stages, const Options& options);

@@ -265,10 +265,10 @@ Interval depths_around(const Texture& texture, const TextureUnit& unit, const Sa
 
 // A texture that compares (3.8.14).
 TexelBounds compared_bounds(const TextureUnit& unit, const glm::dvec3& str, const glm::dvec3& error,
-                            const Interval& rho) {
+                            const Interval& rho, const CopyRanges::OfTexels* copied) {
     const Texture& texture = *unit.texture;
     const auto around = [&](const Texture& one) { return depths_around(one, unit, Sampler(one, 0, str, error), rho); };
-    Interval depths = texture.range ? hull(around(texture.range->low), around(texture.range->high)) : around(texture);
+    Interval depths = copied ? hull(around(copied->low), around(copied->high)) : around(texture);
     // All renderers store 0 and 1 exactly, and clamp r to them.
     const Interval clamped_r = clamp01(Interval(str.z - error.z, str.z + error.z));
     if (depths == clamped_r && (depths == Interval(0) || depths == Interval(1)))
@@ -328,11 +328,11 @@ TexelBounds bounds_of(const Texture& texture, const TextureUnit& unit, const glm
 
 // Weights are not negative, so the smallest texels give the smallest mean.
 TexelBounds sample_bounds(const TextureUnit& unit, const glm::dvec3& str, const glm::dvec3& error, const Interval& rho,
-                          std::size_t face, const glm::dvec3& change) {
-    if (unit.texture->compares()) return compared_bounds(unit, str, error, rho);
-    if (!unit.texture->range) return bounds_of(*unit.texture, unit, str, error, rho, face, change);
-    TexelBounds bounds = bounds_of(unit.texture->range->low, unit, str, error, rho, face, change);
-    join(bounds, bounds_of(unit.texture->range->high, unit, str, error, rho, face, change));
+                          std::size_t face, const glm::dvec3& change, const CopyRanges::OfTexels* copied) {
+    if (unit.texture->compares()) return compared_bounds(unit, str, error, rho, copied);
+    if (!copied) return bounds_of(*unit.texture, unit, str, error, rho, face, change);
+    TexelBounds bounds = bounds_of(copied->low, unit, str, error, rho, face, change);
+    join(bounds, bounds_of(copied->high, unit, str, error, rho, face, change));
     return bounds;
 }
 

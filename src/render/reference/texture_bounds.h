@@ -16,6 +16,7 @@
 
 #include "render/reference/interval.h"
 #include "render/reference/texture.h"
+#include "scene/state/copied_texels.h"
 
 namespace twinlight::reference {
 
@@ -30,7 +31,8 @@ struct TexelBounds {
 // `error`: the largest error of s, t and r. `rho`: the scale factors that correct implementations may find. `change`: how much s, t
 // and r change within a pixel, for anisotropic filters.
 TexelBounds sample_bounds(const TextureUnit& unit, const glm::dvec3& str, const glm::dvec3& error, const Interval& rho,
-                          std::size_t face = 0, const glm::dvec3& change = glm::dvec3(0));
+                          std::size_t face = 0, const glm::dvec3& change = glm::dvec3(0),
+                          const CopyRanges::OfTexels* copied = nullptr);
 // Either of two.
 TexelBounds choice(const TexelBounds& a, const TexelBounds& b);
 

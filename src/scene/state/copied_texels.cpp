@@ -79,18 +79,19 @@ std::vector<Rgba> cut(const Image& image, const glm::ivec2& corner, const Copied
 
 // 4.3.3: gives a Draw the colours, depths or stencil values that it copies. A place that takes any colour, from an edge of the picture, is in
 // doubt like one at an edge.
-void fill_pixels(Draw& draw, const CopySource& from) {
+void fill_pixels(Draw& draw, const CopySource& from, CopyRanges* ranges) {
     WindowPixels pixels = *draw.pixels;
     const std::shared_ptr<const CopiedGroups> groups = std::exchange(pixels.copied, nullptr);
     const std::size_t count = pixels.places.size();
-    const bool has_range = !from.low.pixels.empty();
+    const bool has_range = ranges && !from.low.pixels.empty();
+    CopyRanges::OfPixels range;
     const auto taken = [&](const Image& image, std::size_t vertex, float outside) {
         const glm::ivec2& place = groups->places[vertex];
         return taken_pixel(image, from.corner, *groups->source.pixels, groups->source.from, place.x, place.y, outside);
     };
     if (groups->source.pixels->buffer == CopiedBuffer::kColors) {
         std::vector<Vertex>& vertices = draw.vertices.edit();
-        if (has_range) pixels.color_ranges.resize(count);
+        if (has_range) range.colors.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
             const Rgba picture = taken(from.picture, i, 0);
             Rgba low = picture, high = picture;
@@ -98,7 +99,7 @@ void fill_pixels(Draw& draw, const CopySource& from) {
                 low = taken(from.low, i, 0);
                 high = taken(from.high, i, 1);
             }
-            if (low == Rgba{0, 0, 0, 0} && high == Rgba{1, 1, 1, 1}) pixels.doubtful.push_back(pixels.places[i]);
+            if (low == Rgba{0, 0, 0, 0} && high == Rgba{1, 1, 1, 1}) range.doubtful.push_back(pixels.places[i]);
             for (int c = 0; c < 4; ++c) {
                 const auto channel = static_cast<std::size_t>(c);
                 const std::array<double, 256>& result = groups->colors[channel];
@@ -106,8 +107,8 @@ void fill_pixels(Draw& draw, const CopySource& from) {
                 if (!has_range) continue;
                 const auto [least, most] = std::minmax_element(result.begin() + channel_code(low[channel]),
                                                                result.begin() + channel_code(high[channel]) + 1);
-                pixels.color_ranges[i][0][c] = *least;
-                pixels.color_ranges[i][1][c] = *most;
+                range.colors[i][0][c] = *least;
+                range.colors[i][1][c] = *most;
             }
         }
         pixels.image = image_of_pixels(pixels.places, vertices);
@@ -117,7 +118,7 @@ void fill_pixels(Draw& draw, const CopySource& from) {
             pixels.stencils.push_back(
                 groups->stencils[static_cast<std::size_t>(channel_code(taken(from.picture, i, 0)[0]))]);
             if (has_range && taken(from.low, i, 0) != taken(from.high, i, 1))
-                pixels.doubtful.push_back(pixels.places[i]);
+                range.doubtful.push_back(pixels.places[i]);
         }
     } else {
         const auto transferred = [&](const Rgba& depth) {
@@ -129,15 +130,17 @@ void fill_pixels(Draw& draw, const CopySource& from) {
             if (!has_range) continue;
             const auto [least, most] =
                 std::minmax({transferred(taken(from.low, i, 0)), transferred(taken(from.high, i, 1))});
-            pixels.depth_ranges.emplace_back(least, most);
+            range.depths.emplace_back(least, most);
         }
     }
     draw.pixels = std::make_shared<const WindowPixels>(std::move(pixels));
+    if (has_range) ranges->pixels[draw.pixels] = std::move(range);
 }
 
 class Copier {
   public:
-    Copier(const Frame& frame, const DrawSource& draw) : frame_(frame), draw_(draw) {}
+    Copier(const Frame& frame, const DrawSource& draw, CopyRanges* ranges)
+        : frame_(frame), draw_(draw), ranges_(ranges) {}
 
     Frame result() {
         std::vector<const FrameItems*> needed;
@@ -213,7 +216,7 @@ class Copier {
             sources_.clear();
             shown_.push_back(item);
             if (Draw* draw = std::get_if<Draw>(&shown_.back())) {
-                if (copied) fill_pixels(*draw, *copied);
+                if (copied) fill_pixels(*draw, *copied, ranges_);
                 fill(*draw);
             }
             const auto hidden = static_cast<std::ptrdiff_t>(hidden_items(shown_));
@@ -255,7 +258,7 @@ class Copier {
             if (!draw) continue;
             if (draw->pixels && draw->pixels->copied) {
                 const CopiedPixels& from = *draw->pixels->copied->source.pixels;
-                fill_pixels(*draw, source(*from.drawn, from.buffer, draw->pixels->copied->source.from));
+                fill_pixels(*draw, source(*from.drawn, from.buffer, draw->pixels->copied->source.from), ranges_);
             }
             fill(*draw);
         }
@@ -296,10 +299,10 @@ class Copier {
             for (std::size_t i = 0; i < unit.texture->face_count(); ++i)
                 for (const TextureImage& image : unit.texture->face(i)) take_drawn(image);
             Texture texture = with_levels(*unit.texture, Of::kPicture);
-            if (has_range_)
-                texture.range = std::make_shared<const TextureRange>(
-                    TextureRange{with_levels(*unit.texture, Of::kLow), with_levels(*unit.texture, Of::kHigh)});
             filled = std::make_shared<const Texture>(std::move(texture));
+            if (has_range_ && ranges_)
+                ranges_->textures[filled] = {with_levels(*unit.texture, Of::kLow),
+                                             with_levels(*unit.texture, Of::kHigh)};
         }
         unit.texture = filled;
     }
@@ -369,13 +372,16 @@ class Copier {
     std::map<CopiedBuffer, CopySource> sources_;  // of shown_
     std::map<CopiedBuffer, Viewport> areas_;      // what is copied while these items are gone through
     bool has_range_ = false;
+    CopyRanges* ranges_;
     std::map<const CopiedPixels*, TakenPixels> taken_;
     std::map<const Texture*, std::shared_ptr<const Texture>> filled_;
 };
 
 }  // namespace
 
-Frame with_copied_texels(const Frame& frame, const DrawSource& draw) { return Copier(frame, draw).result(); }
+Frame with_copied_texels(const Frame& frame, const DrawSource& draw, CopyRanges* ranges) {
+    return Copier(frame, draw, ranges).result();
+}
 
 std::vector<Draw> by_stencil_value(const Draw& draw) {
     std::map<int, std::vector<std::size_t>> vertices_of;

@@ -2,9 +2,14 @@
 // copies from its own pictures, so what it draws wrong shows in its copies too.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <map>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "base/image/image.h"
 #include "scene/state/frame.h"
@@ -20,6 +25,31 @@ struct CopySource {
     glm::ivec2 corner{0};
 };
 
+// What other renderers may have copied from their pictures, for the allowed difference.
+struct CopyRanges {
+    struct OfPixels {
+        // The least and the largest values of each vertex; empty if something else was copied.
+        std::vector<std::array<glm::dvec4, 2>> colors{};
+        std::vector<glm::dvec2> depths{};
+        // Places that may have any colour, or any stencil value.
+        std::vector<glm::ivec2> doubtful{};
+    };
+    // The least and the largest values of each texel.
+    struct OfTexels {
+        Texture low, high;
+    };
+    std::map<std::shared_ptr<const WindowPixels>, OfPixels> pixels{};
+    std::map<std::shared_ptr<const Texture>, OfTexels> textures{};
+
+    // Null where nothing was copied. `ranges` may be null.
+    static const OfPixels* of(const CopyRanges* ranges, const std::shared_ptr<const WindowPixels>& drawn) {
+        return ranges && ranges->pixels.contains(drawn) ? &ranges->pixels.at(drawn) : nullptr;
+    }
+    static const OfTexels* of(const CopyRanges* ranges, const std::shared_ptr<const Texture>& texture) {
+        return ranges && ranges->textures.contains(texture) ? &ranges->textures.at(texture) : nullptr;
+    }
+};
+
 // Draws a Frame in which all copies are filled in, and returns its colours, depths or stencil values: those in the rectangle at
 // least, which lies inside the picture. The picture of a framebuffer object has its own size, and is drawn apart from the window's.
 using DrawSource = std::function<CopySource(const Frame&, CopiedBuffer, const Viewport&)>;
@@ -30,14 +60,17 @@ using DrawSource = std::function<CopySource(const Frame&, CopiedBuffer, const Vi
 //
 // `draw` is called once for each buffer of each picture that they are copied from: the commands since the last Clear that hides all
 // before it; and once for each image that a framebuffer object drew.
-Frame with_copied_texels(const Frame& frame, const DrawSource& draw);
+//
+// If `draw` gives what other renderers' pictures may have, `ranges` gets what these may have copied, by the objects in the result; it has
+// that of all earlier copies when `draw` is called.
+Frame with_copied_texels(const Frame& frame, const DrawSource& draw, CopyRanges* ranges = nullptr);
 
 // The frame itself if it shows no copies; otherwise with_copied_texels().
 class DrawableFrame {
   public:
     // The frame must outlive this.
-    DrawableFrame(const Frame& frame, const DrawSource& draw) : given_(&frame) {
-        if (frame.copies_pixels) taken_ = with_copied_texels(frame, draw);
+    DrawableFrame(const Frame& frame, const DrawSource& draw, CopyRanges* ranges = nullptr) : given_(&frame) {
+        if (frame.copies_pixels) taken_ = with_copied_texels(frame, draw, ranges);
     }
     const Frame& operator*() const { return taken_ ? *taken_ : *given_; }
 

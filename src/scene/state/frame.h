@@ -368,8 +368,6 @@ struct TextureImage {
     }
 };
 
-struct TextureRange;
-
 struct Texture {                         // 3.8.4, table 3.18
     Enum target = kGL_TEXTURE_2D;        // or GL_TEXTURE_1D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP
     std::vector<TextureImage> levels{};  // levels[0] is the base; missing levels are empty images
@@ -393,9 +391,6 @@ struct Texture {                         // 3.8.4, table 3.18
     Enum compare_func = kGL_LEQUAL;
     // The first level in use, and the last. A Draw's texture has only the levels in use: they count from 0 again.
     int base_level = 0, max_level = 1000;
-    // Only while the allowed difference is found: what the texels may be in other renderers, which copied them from other
-    // pictures.
-    std::shared_ptr<const TextureRange> range{};
 
     bool is_cube() const { return target == kGL_TEXTURE_CUBE_MAP; }
     bool is_flat() const { return target == kGL_TEXTURE_1D; }    // no t
@@ -434,11 +429,6 @@ struct Texture {                         // 3.8.4, table 3.18
         return mag_filter == kGL_LINEAR || min_filter == kGL_LINEAR || min_filter == kGL_LINEAR_MIPMAP_NEAREST ||
                min_filter == kGL_LINEAR_MIPMAP_LINEAR;
     }
-};
-
-// The smallest and the largest values of each texel.
-struct TextureRange {
-    Texture low, high;
 };
 
 // A texture coordinate that GL computes from each vertex (2.11.4).
@@ -613,10 +603,6 @@ struct WindowPixels {
     std::vector<glm::ivec2> doubtful{};
     // What only pictures decide. A renderer draws with pixels that have none: with_copied_texels().
     std::shared_ptr<const CopiedGroups> copied{};
-    // Only while the allowed difference is found, of each vertex: the least and the largest values that other renderers may have
-    // copied from their pictures.
-    std::vector<std::array<glm::dvec4, 2>> color_ranges{};
-    std::vector<glm::dvec2> depth_ranges{};
 
     double depth(std::size_t vertex) const { return depths.size() == 1 ? depths.front() : depths[vertex]; }
     friend bool operator==(const WindowPixels&, const WindowPixels&) = default;

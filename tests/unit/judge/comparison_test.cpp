@@ -87,13 +87,13 @@ struct Stub {
                     },
                 .allowed_difference =
                     [this](const Frame& frame, const reference::Options&) {
-                        AllowedDifference result{
-                            PixelMask(static_cast<std::size_t>(frame.width * frame.height)),
-                            Image(frame.width, frame.height, {allowed, allowed, allowed, allowed})};
+                        AllowedDifference result(frame.width, frame.height);
+                        result.part(Why::kTextures) =
+                            Image(frame.width, frame.height, {allowed, allowed, allowed, allowed});
                         result.drawn.assign(result.edge.size(), true);
                         for (int y = 0; y < frame.height; ++y) {
-                            result.edge[result.channels.index(0, y)] = true;
-                            result.drawn[result.channels.index(0, y)] = false;
+                            result.edge[result.index(0, y)] = true;
+                            result.drawn[result.index(0, y)] = false;
                         }
                         return result;
                     }};

@@ -24,12 +24,12 @@ TEST(DrawingPrecision, IsExactInMesasSoftwareDrivers) {
 // A ramp of 1/64 a pixel across, from 10.2/255.
 struct Ramp {
     Image right{8, 1};
-    AllowedDifference allowed{PixelMask(8, false), Image(8, 1, {0, 0, 0, 0})};
+    AllowedDifference allowed{8, 1};
 
     explicit Ramp(double first_code) {
         for (int x = 0; x < 8; ++x) right.at(x, 0) = Rgba{static_cast<float>(first_code / 255 + x / 64.0), 0, 0, 1};
     }
-    float allowed_at(int x) const { return allowed.channels.at(x, 0)[0]; }
+    float allowed_at(int x) const { return allowed.channels(static_cast<std::size_t>(x))[0]; }
 };
 
 TEST(DrawingPrecision, AllowsWhatMayCrossTheMiddleBetweenTwoCodes) {
@@ -59,7 +59,7 @@ TEST(DrawingPrecision, AllowsForBothCuts) {
 // Where filters or blending allow a difference already, the conversion may add to it.
 TEST(DrawingPrecision, AddsToWhatIsAllowedAlready) {
     Ramp ramp(10.2);
-    ramp.allowed.channels.at(0, 0)[0] = 0.01F;
+    ramp.allowed.part(Why::kTextures).at(0, 0)[0] = 0.01F;
     compare::allow_drawing(ramp.allowed, ramp.right, nullptr, {.conversion = 0.05});
     EXPECT_NEAR(ramp.allowed_at(0), 0.01 + 0.05 / 255 + compare::kArithmetic, 1e-7);
 }

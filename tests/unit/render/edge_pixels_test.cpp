@@ -138,7 +138,7 @@ TEST(AllowedDifference, OfPixelsOnTheBorderOfAConeIsTheLight) {
         const AllowedDifference difference =
             reference::allowed_difference(frame_of(kSize, kSize, {surface}), {{.shading = shading}});
         return [difference](int x, int y) {
-            return difference.channels.pixels.at(static_cast<std::size_t>((kSize - 1 - y) * kSize + x))[0];
+            return difference.channels(static_cast<std::size_t>((kSize - 1 - y) * kSize + x))[0];
         };
     };
     const auto per_pixel = allowed(Shading::kPhong);

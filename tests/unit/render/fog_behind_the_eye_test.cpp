@@ -19,9 +19,9 @@ constexpr std::string_view kKnown = "exponential fog on primitives that reach be
 float allowed_in(const std::string& text) {
     const Frame frame = check::read_case(text, "case.gl", "case").carried_out(check::kSide).scene.frame;
     const AllowedDifference allowed = reference::allowed_difference(frame);
-    const std::size_t at = allowed.channels.index(31, 32);
+    const std::size_t at = allowed.index(31, 32);
     EXPECT_FALSE(allowed.edge[at]);
-    return allowed.channels.pixels[at][0];
+    return allowed.channels(at)[0];
 }
 
 std::string replaced(std::string text, std::string_view what, std::string_view by) {

@@ -34,13 +34,14 @@ double largest_difference(const Image& a, const Image& b) {
 // Both cuts over the whole window, without any rectangle.
 OpenDifference whole_difference(const Frame& given, const Look& look) {
     const Options in_gl{look};
-    const DrawableFrame drawable = drawable_with_ranges(given, in_gl);
+    CopyRanges ranges;
+    const DrawableFrame drawable = drawable_with_ranges(given, in_gl, ranges);
     const Frame& frame = *drawable;
     OpenDifference found(kWidth, kHeight);
     for (const QuadCut cut : {QuadCut::kFirstToThird, QuadCut::kSecondToFourth}) {
         Options options{look, cut};
         options.in_clip_plane = InClipPlane::kPerhaps;
-        find_differences(run_stages(frame, options), options, {0, 0, kWidth, kHeight}, found,
+        find_differences(run_stages(frame, options, &ranges), options, {0, 0, kWidth, kHeight}, found,
                          cut == QuadCut::kFirstToThird ? Joining::kReplaces : Joining::kAdds);
     }
     return found;
@@ -57,8 +58,9 @@ void expect_same(const Frame& frame, const std::string& name) {
         const AllowedDifference found = pictures.allowed_difference({look});
         const OpenDifference whole = whole_difference(frame, look);
         EXPECT_TRUE(std::ranges::equal(found.edge, whole.edge, [](bool a, char b) { return a == (b != 0); })) << name;
-        EXPECT_EQ(largest_difference(found.channels, whole.channels), 0) << name;
+        EXPECT_EQ(largest_difference(found.channels(), whole.channels), 0) << name;
         EXPECT_EQ(found.ranges, whole.ranges) << name;
+        EXPECT_EQ(found.open, whole.open) << name;
         EXPECT_TRUE(std::ranges::equal(found.drawn, whole.drawn, [](bool a, char b) { return a == (b != 0); })) << name;
     }
 }

@@ -22,7 +22,8 @@
         const stage = element("stage"), wipe = element("wipe"), border = element("border");
         const lists = {left: element("left"), right: element("right")};
         const shown_pairs = [...element("pairs").children];
-        const edges = element("edges");
+        const edges = element("edges"), why = element("why");
+        const whys = why.dataset.words.split("|");
         const width = edges.width, height = edges.height;
         const {left, right} = shown_pairs[0].dataset;
         const state = {left, right, wipe: 50, held: false, x: Number(article.dataset.x), y: Number(article.dataset.y)};
@@ -90,7 +91,11 @@
         });
         const show_pixel = () => {
             const {x, y} = state;
-            const kind = values_at(edges, x, y)[0] > 127 ? "at an edge" : "away from edges";
+            const [low, middle, high] = values_at(why, x, y), bits = low + 256 * middle + 65536 * high;
+            const reasons = whys.filter((_, bit) => bits >> bit & 1);
+            const is_edge = values_at(edges, x, y)[0] > 127;
+            const kind = (is_edge ? ["at an edge", ...reasons].join(": ") : "away from edges")
+                + (!is_edge && reasons.length > 0 ? `, may be off because of ${reasons.join(", ")}` : "");
             element("pixel").innerHTML = `Pixel ${x}, ${y} <span>${kind}${state.held ? ", selected" : ""}</span>`;
             for (const {picture, context, output} of magnifiers) {
                 context.imageSmoothingEnabled = false;
@@ -161,7 +166,7 @@
         };
 
         element("edge-picture").src = edges.src;
-        const decoded = Promise.all([edges, ...pictures].map((picture) => picture.decode()));
+        const decoded = Promise.all([edges, why, ...pictures].map((picture) => picture.decode()));
         return {
             article,
             thumbnail: () => Object.assign(new Image(), {src: renders[0].src, alt: ""}),
