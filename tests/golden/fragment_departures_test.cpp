@@ -132,6 +132,12 @@ const std::vector<FragmentCase>& fragment_cases() {
             glEnable(GL_DEPTH_TEST); glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 16e6);
             glBegin(GL_TRIANGLES); glVertex3f(-0.8, -0.8, 0.5); glVertex3f(0.8, -0.8, 0.5); glVertex3f(-0.8, 0.8, 0.5);
             glEnd();)"},
+        // No texture, because the cube map has no images.
+        {"an incomplete texture of a higher dimension", R"(
+            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, reds);
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+            glEnable(GL_TEXTURE_2D); glEnable(GL_TEXTURE_CUBE_MAP); glBegin(GL_TRIANGLES);
+            glVertex2f(-1, -1); glVertex2f(1, -1); glVertex2f(0, 1); glEnd();)"},
         // rho is 1 and lambda the bias: the second level, which is green.
         {"level of detail of points", R"(
             glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, reds);

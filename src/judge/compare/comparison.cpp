@@ -294,7 +294,7 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
         if (const auto undefined = reference::first_undefined_color(frame)) result.undefined = words_of(*undefined);
     if (result.verdict() == Verdict::kWithin) return result;
     const Causes causes =
-        of_fixed ? causes_of(result, scene, *of_fixed, differing_from_fixed, options, renderers) : Causes{};
+        of_fixed && all ? causes_of(result, scene, *of_fixed, differing_from_fixed, options, renderers) : Causes{};
     for (const Departure* cause : causes.proved) result.proved_causes.push_back(named(*cause));
     const std::vector<const Draw*> draws =
         result.verdict() == Verdict::kBeyond ? draws_that_differ(frame, differing_from_fixed) : frame.draws();

@@ -51,10 +51,10 @@ const std::vector<Departure>& departures() {
          .section = "3.8.6: the coordinates are divided by the largest of s, t and r",
          .cause = Cause::kUnspecified,
          .vertex_rule = has_no_direction_into_cube},
-        {.name = "size of points whose factors are negative",
-         .section = "3.3: the root of a negative sum is undefined",
+        {.name = "size of points whose factors are negative or 0",
+         .section = "3.3: the root of a negative sum, and 1 divided by 0, are undefined",
          .cause = Cause::kUnspecified,
-         .draw_rule = has_negative_attenuation},
+         .draw_rule = has_no_size_of_points},
         {.name = "size of points whose limits are in the wrong order",
          .section = "3.3: if GL_POINT_SIZE_MIN is above GL_POINT_SIZE_MAX, the size is undefined",
          .cause = Cause::kUnspecified,
@@ -105,6 +105,20 @@ const std::vector<Departure>& departures() {
          .cause = Cause::kDriver,
          .seen_on = kBoth,
          .draw_rule = has_smooth_points},
+        {.name = "faces of polygons that cross themselves or have no area",
+         .section = "2.6.1: polygons must be convex; 2.14.1: the sign of the area decides which side is seen",
+         .cause = Cause::kUnspecified,
+         .draw_rule = has_faces_in_doubt},
+        {.name = "polygons of which one face is filled, in softpipe",
+         .section = "3.5.4",
+         .cause = Cause::kDriver,
+         .draw_rule = fills_one_face,
+         .crashes_on = kSoftpipe},
+        {.name = "two-sided stencil of lines in softpipe",
+         .section = "4.1.5: points and lines have the state of the front",
+         .cause = Cause::kDriver,
+         .seen_on = kSoftpipe,
+         .draw_rule = has_faces_in_stencil_of_lines},
         {.name = "polygon offset of borders without area",
          .section = "3.5.5: m is a slope, and these polygons have none",
          .cause = Cause::kUnspecified,
@@ -382,6 +396,15 @@ const std::vector<Departure>& departures() {
          .seen_on = kBoth,
          .command_rule = copies_depths_after_mode,
          .rewrite = &sets_mode_after_copy},
+        {.name = "an incomplete texture of a higher dimension",
+         .section =
+             "3.8.15: the enabled target of the highest dimension decides; if it is not complete, there is no texture",
+         .seen_on = kBoth,
+         .command_rule = enables_incomplete_texture},
+        {.name = "a base level above the greatest level",
+         .section = "3.8.10: such a texture is not complete, so there is no texture",
+         .command_rule = sets_base_above_greatest_level,
+         .crashes_on = kBoth},
         {.name = "eye planes of a singular matrix",
          .section = "2.11.4: the plane is multiplied by the inverse of the modelview matrix, which has none",
          .cause = Cause::kUnspecified,
@@ -451,8 +474,9 @@ bool Departure::is_known_on(const Driver& driver) const {
 // What several drivers show, any driver may show, because they share parts of Mesa. Other makers' drivers show what was seen on
 // them, if they were measured.
 bool Departure::may_show_on(const Driver& driver) const {
-    if (!driver.version.starts_with("Mesa") && is_listed(driver)) return seen_on.empty() || is_known_on(driver);
-    if (seen_on.empty()) return true;
+    if (!driver.version.starts_with("Mesa") && is_listed(driver))
+        return (seen_on.empty() && crashes_on.empty()) || is_known_on(driver) || may_crash_on(driver);
+    if (seen_on.empty()) return crashes_on.empty() || may_crash_on(driver);
     const auto has_release = [&](const SeenOn& seen) {
         return driver.maker() != "Mesa" || seen.releases.contain(driver);
     };
@@ -460,6 +484,11 @@ bool Departure::may_show_on(const Driver& driver) const {
         return seen.driver != seen_on.front().driver && has_release(seen);
     };
     return std::ranges::any_of(seen_on, is_other) || (is_of(seen_on.front(), driver) && has_release(seen_on.front()));
+}
+
+bool Departure::may_crash_on(const Driver& driver) const {
+    return std::ranges::any_of(
+        crashes_on, [&](const SeenOn& seen) { return is_of(seen, driver) && seen.releases.contain(driver); });
 }
 
 bool is_listed(const Driver& driver) {
@@ -484,13 +513,16 @@ std::vector<const Departure*> known_departures_in(const Scene& scene, const Driv
 }
 
 DeparturesOfScene::DeparturesOfScene(const CommandList& scene, const Driver& driver,
-                                     const std::vector<std::string_view>& lifted) {
+                                     const std::vector<std::string_view>& lifted)
+    : driver_(driver) {
     CommandRules command_rules;
     for (const Command& command : scene.commands) command_rules.see(command);
     for (const Departure& departure : departures()) {
         if (!departure.may_show_on(driver) || std::ranges::find(lifted, departure.name) != lifted.end()) continue;
         if (departure.draw_rule || departure.vertex_rule) local_.push_back(&departure);
-        if (!in_commands_ && command_rules.apply(departure)) in_commands_ = &departure;
+        if (!command_rules.apply(departure)) continue;
+        if (!in_commands_) in_commands_ = &departure;
+        if (departure.may_crash_on(driver)) crash_in_commands_ = &departure;
     }
 }
 
@@ -510,6 +542,15 @@ const Departure* DeparturesOfScene::at(const Draw& draw, const Vertex& vertex) c
     return find([&](const Departure& departure) {
         return departure.draw_rule ? departure.draw_rule(draw) : departure.vertex_rule(draw, vertex);
     });
+}
+
+const Departure* DeparturesOfScene::crash_in(const Frame& frame) const {
+    if (crash_in_commands_) return crash_in_commands_;
+    const auto crashes = [&](const Departure* departure) {
+        return departure->may_crash_on(driver_) && applies_in(*departure, frame);
+    };
+    const auto found = std::ranges::find_if(local_, crashes);
+    return found == local_.end() ? nullptr : *found;
 }
 
 const Departure* DeparturesOfScene::in(const Frame& frame) const {

@@ -43,12 +43,14 @@ struct Departure {
     MakeCommandRule* command_rule = nullptr;
     DrawRule* draw_rule = nullptr;
     VertexRule* vertex_rule = nullptr;
-    const Rewrite* rewrite = nullptr;  // takes the bug out of a scene; null if no rewrite is known
+    std::span<const SeenOn> crashes_on{};  // drivers that may crash there
+    const Rewrite* rewrite = nullptr;      // takes the bug out of a scene; null if no rewrite is known
 
     // A release that was not measured counts as one that was (releases.h).
     bool is_known_on(const Driver& driver) const;
     // Whether a driver that was not measured may show it as well.
     bool may_show_on(const Driver& driver) const;
+    bool may_crash_on(const Driver& driver) const;
 };
 const std::vector<Departure>& departures();
 // Whether it may show in the Draw. One with a rule for the whole scene may in any.
@@ -70,12 +72,16 @@ class DeparturesOfScene {
     // The departure that applies, or null. Those that affect shaders too come first.
     const Departure* at(const Draw& draw, const Vertex& vertex) const;
     const Departure* in(const Frame& frame) const;
+    // One with which the driver may crash, so that it should not draw the frame; null if there is none.
+    const Departure* crash_in(const Frame& frame) const;
 
   private:
     const Departure* find(const std::function<bool(const Departure&)>& applies) const;
 
     std::vector<const Departure*> local_;  // those with a rule for a Draw or a vertex
     const Departure* in_commands_ = nullptr;
+    const Departure* crash_in_commands_ = nullptr;
+    Driver driver_;
 };
 
 }  // namespace twinlight::compare

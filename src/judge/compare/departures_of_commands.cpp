@@ -1,7 +1,9 @@
 // Departures that depend on the order of a scene's commands. A rule sees the commands one after the other and keeps little state,
 // because a recording may be larger than memory.
 #include <algorithm>
+#include <array>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -361,11 +363,47 @@ CommandRule transfers_stencil_values() {
 
 CommandRule shades_evaluated_meshes_flat() {
     return both(any_command([](const Command& command) {
-                    return command.id == Id::glShadeModel && command.enumerant(0) == kGL_FLAT;
+                    return (command.id == Id::glShadeModel && command.enumerant(0) == kGL_FLAT) ||
+                           (command.id == Id::glPolygonMode && command.enumerant(1) != kGL_FILL);
                 }),
                 any_command([](const Command& command) {
                     return command.id == Id::glEvalMesh2 && command.enumerant(0) == kGL_FILL;
                 }));
+}
+
+// Two targets in one unit, and the one of the higher dimension has no image.
+CommandRule enables_incomplete_texture() {
+    static constexpr std::array kTargets{kGL_TEXTURE_1D, kGL_TEXTURE_2D, kGL_TEXTURE_3D, kGL_TEXTURE_CUBE_MAP};
+    return any_command([unit = kGL_TEXTURE0, enabled = std::map<Enum, std::set<std::size_t>>(),
+                        has_image = std::array<bool, 4>()](const Command& command) mutable {
+        if (command.id == Id::glActiveTexture) unit = command.enumerant(0);
+        if (is_one_of(command, {"glTexImage", "glCopyTexImage", "gluBuild"})) {
+            const Enum image = command.enumerant(0);
+            const bool is_face =
+                image >= kGL_TEXTURE_CUBE_MAP_POSITIVE_X && image < kGL_TEXTURE_CUBE_MAP_POSITIVE_X + 6;
+            const auto of = std::ranges::find(kTargets, is_face ? kGL_TEXTURE_CUBE_MAP : image);
+            if (of != kTargets.end()) has_image[static_cast<std::size_t>(of - kTargets.begin())] = true;
+        }
+        if (command.id != Id::glEnable && command.id != Id::glDisable) return false;
+        const auto target = std::ranges::find(kTargets, command.enumerant(0));
+        if (target == kTargets.end()) return false;
+        std::set<std::size_t>& dimensions = enabled[unit];
+        const auto dimension = static_cast<std::size_t>(target - kTargets.begin());
+        if (command.id == Id::glEnable)
+            dimensions.insert(dimension);
+        else
+            dimensions.erase(dimension);
+        return dimensions.size() > 1 && !has_image[*dimensions.rbegin()];
+    });
+}
+
+CommandRule sets_base_above_greatest_level() {
+    return any_command([least = 1000.0, base = 0.0](const Command& command) mutable {
+        if (!command.name().starts_with("glTexParameter")) return false;
+        if (command.enumerant(1) == kGL_TEXTURE_MAX_LEVEL) least = std::min(least, command.number(2));
+        if (command.enumerant(1) == kGL_TEXTURE_BASE_LEVEL) base = std::max(base, command.number(2));
+        return base > least;
+    });
 }
 
 }  // namespace twinlight::compare

@@ -10,6 +10,7 @@
 #include <glm/matrix.hpp>
 
 #include "judge/compare/departure_rules.h"
+#include "render/reference/primitive_assembly.h"
 #include "render/reference/tex_gen.h"
 #include "render/reference/vertex_stage.h"
 
@@ -40,6 +41,17 @@ struct Corners {
         determinant;  // of their normalised (x, y, w) in clip coordinates; 0 if the corners lie in a plane with the eye
     double slope;     // m of 3.5.5, which is infinite then
 };
+
+// Of three vertices: Corners::determinant.
+double determinant_of(const Draw& draw, const std::array<std::uint32_t, 3>& vertices) {
+    glm::dmat3 xyw(0);
+    for (int k = 0; const std::uint32_t vertex : vertices) {
+        const glm::dvec4 clip = draw.clip_from_eye * draw.eye_from_object * draw.vertices[vertex].position_object;
+        const glm::dvec3 direction(clip.x, clip.y, clip.w);
+        xyw[k++] = glm::length(direction) > 0 ? glm::normalize(direction) : direction;
+    }
+    return glm::determinant(xyw);
+}
 
 // Whether `are` is true for any three corners that a polygon of the Draw may be cut into.
 bool any_corners(const Draw& draw, const std::function<bool(const Corners&)>& are) {
@@ -145,6 +157,36 @@ bool offsets_borders_without_area(const Draw& draw) {
            any_corners(draw, [](const Corners& corners) { return std::abs(corners.determinant) < kNoArea; });
 }
 
+bool shows_faces(const Draw& draw) {
+    const RasterState& raster = draw.raster;
+    const auto& stencil = draw.fragment.stencil;
+    return raster.polygon_mode_front != raster.polygon_mode_back || raster.cull_enabled ||
+           (draw.lighting.enabled && draw.lighting.light_model.two_side) ||
+           (stencil && stencil->front != stencil->back);
+}
+
+bool fills_one_face(const Draw& draw) { return draw.draws_borders() && draw.draws_polygons_as(kGL_FILL); }
+
+bool has_faces_in_doubt(const Draw& draw) {
+    constexpr double kNoArea = 1e-7;
+    const bool has_faces = shows_faces(draw),
+               is_cut = reference::is_quadrilaterals(draw) && (has_faces || draw.draws_borders());
+    if (!draws_polygons(draw.mode) || (!is_cut && !has_faces)) return false;
+    for (const auto cut : {reference::QuadCut::kFirstToThird, reference::QuadCut::kSecondToFourth}) {
+        const std::vector<reference::Primitive> triangles = reference::assemble(draw, cut);
+        double before = 0;  // the other triangle of a quadrilateral
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            const double determinant = determinant_of(draw, triangles[i].vertices);
+            if (has_faces && std::abs(determinant) < kNoArea) return true;
+            if (is_cut && i % 2 == 1 && std::min(determinant, before) < -kNoArea &&
+                std::max(determinant, before) > kNoArea)
+                return true;
+            before = determinant;
+        }
+    }
+    return false;
+}
+
 bool offsets_borders_out_of_range(const Draw& draw) {
     const PolygonOffset& offset = draw.raster.polygon_offset;
     constexpr double kRounding = 1e-5;  // of the slope
@@ -207,9 +249,9 @@ bool has_sizes_in_wrong_order(const Draw& draw) {
     return draw.draws_points() && parameters.size_min > parameters.size_max;
 }
 
-bool has_negative_attenuation(const Draw& draw) {
+bool has_no_size_of_points(const Draw& draw) {
     const glm::dvec3& factors = draw.raster.point_parameters.distance_attenuation;
-    return draw.draws_points() && std::min({factors.x, factors.y, factors.z}) < 0;
+    return draw.draws_points() && (std::min({factors.x, factors.y, factors.z}) < 0 || factors == glm::dvec3(0));
 }
 
 bool biases_level_of_points(const Draw& draw) {
@@ -219,6 +261,12 @@ bool biases_level_of_points(const Draw& draw) {
 bool adds_secondary_color_in_fog(const Draw& draw) {
     const bool separates = draw.lighting.enabled && draw.lighting.light_model.color_control != kGL_SINGLE_COLOR;
     return draw.fog.enabled && (separates || !draw.secondary_colors.empty());
+}
+
+// Points and lines have no back, and the stencil state of the front.
+bool has_faces_in_stencil_of_lines(const Draw& draw) {
+    const auto& stencil = draw.fragment.stencil;
+    return !draws_polygons(draw.mode) && stencil && stencil->front != stencil->back;
 }
 
 bool has_w_in_fog(const Draw& draw) {

@@ -175,7 +175,8 @@ class Label {
         if (shows(kMirrored))
             add("glEnable(GL_STENCIL_TEST); glStencilFuncSeparate(GL_FRONT, GL_ALWAYS, 0, 255); "
                 "glStencilFuncSeparate(GL_BACK, GL_NEVER, 0, 255);");
-        if (departure_.empty() && random_.chance(0.3))
+        const bool transfers = departure_.empty() && random_.chance(0.3);
+        if (transfers)
             add("glPixelTransferf(GL_RED_SCALE, {:.3f}); glPixelTransferf(GL_ALPHA_BIAS, {:.3f});",
                 random_.uniform(0, 2), random_.uniform(-0.5, 0.5));
         if (shows(kPixelMap)) {
@@ -191,6 +192,8 @@ class Label {
             add("glPixelStorei(GL_UNPACK_ALIGNMENT, 1); glDrawPixels({}, {}, {}, GL_UNSIGNED_BYTE, (GLubyte[]){{{}}}); "
                 "glPixelStorei(GL_UNPACK_ALIGNMENT, 4);",
                 width, height, format.name, bytes(values, 0));
+        // Twinlight does not draw copies that are transferred.
+        if (transfers) add("glPixelTransferf(GL_RED_SCALE, 1); glPixelTransferf(GL_ALPHA_BIAS, 0);");
     }
 
     Random& random_;

@@ -56,10 +56,14 @@ StateDifferences Pictures::compare(const std::shared_ptr<const CommandList>& com
         }
         context_.make_current();
         if (accumulates_in_a_list(*commands) && lacks_accumulation_buffer()) return found;
+        const compare::DeparturesOfScene departures(*commands, current_driver(), lifted_);
+        if (const compare::Departure* crash = departures.crash_in(scene.frame)) {
+            found.left_out[crash] = {1, false};
+            return found;
+        }
         const compare::Comparison comparison =
             compare::compare_scene(scene, {.budget = 0, .per_vertex_only = true}, renderers_);
-        const compare::Departure* departure =
-            compare::DeparturesOfScene(*commands, current_driver(), lifted_).in(scene.frame);
+        const compare::Departure* departure = departures.in(scene.frame);
         bool shows_bug = false;
         for (std::size_t pair = 0; pair < kPairs; ++pair) {  // both lists have the same order
             const RegionDifference& beyond = comparison.pairs[pair].difference.beyond_allowed;

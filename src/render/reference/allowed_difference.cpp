@@ -109,6 +109,13 @@ std::optional<Piece> longer(const Piece& line, double reach) {
     return result;
 }
 
+// The way along a line that changes the longer of x and y by 1.
+glm::dvec2 pixel_along(const Ends& ends) {
+    const glm::dvec2 way = ends.to.position_window - ends.from.position_window;
+    const double longer = std::max(std::abs(way.x), std::abs(way.y));
+    return longer > 0 ? way / longer : glm::dvec2(1, 0);
+}
+
 // How far from the centre a line's colour may be taken, along its longer axis: 3.4.1 takes the place on the line that is nearest to the
 // centre, and drivers measure along that axis.
 double reach_along(const Ends& ends, const glm::dvec2& centre) {
@@ -187,7 +194,7 @@ class OpenPixels {
             result.has_any_color = !result.piece || has_texture(draw);
             constexpr int kSteps = 4;  // to each side: fog grows to both sides of the eye's plane
             if (!result.has_any_color)
-                for (int i = -kSteps; i <= kSteps; ++i) add(centre + reach * i / kSteps);
+                for (int i = -kSteps; i <= kSteps; ++i) add(centre + reach * i / kSteps * pixel_along(piece.ends()));
         } else if (piece.sprite_size > 0) {
             result.has_any_color = has_texture(draw);
         }
@@ -235,8 +242,11 @@ class OpenPixels {
                 const glm::dvec3 between = piece.planes().depth - other.planes().depth;
                 // Appendix A: geometry that is drawn twice has the same depths; 3.5.5: r keeps offset depths apart. But
                 // a driver may cut a quadrilateral differently depending on flat shading or display lists.
-                if (same_triangle(piece, other) && !is_quadrilaterals(stages_.draw_of(piece)))
+                if (same_triangle(piece, other) && !is_quadrilaterals(stages_.draw_of(piece))) {
+                    // An offset of less than r need not be noticeable.
+                    if (between.z != 0 && std::abs(between.z) < kDepthStep) return Outcome::kOpen;
                     return compares(depth_func, between.z, 0) ? Outcome::kPasses : Outcome::kFails;
+                }
                 const double change = stages_.border * (std::abs(between.x) + std::abs(between.y));
                 const glm::dvec2& centre = fragment.position_window;
                 const double difference = depth_at(piece, centre) - depth_at(other, centre);
