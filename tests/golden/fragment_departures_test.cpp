@@ -132,6 +132,16 @@ const std::vector<FragmentCase>& fragment_cases() {
             glEnable(GL_DEPTH_TEST); glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 16e6);
             glBegin(GL_TRIANGLES); glVertex3f(-0.8, -0.8, 0.5); glVertex3f(0.8, -0.8, 0.5); glVertex3f(-0.8, 0.8, 0.5);
             glEnd();)"},
+        // The lowest of each 32 rows.
+        {"polygon stipple after a framebuffer object", R"(
+            glPolygonStipple((GLubyte[128]){255, 255, 255, 255}); glEnable(GL_POLYGON_STIPPLE);
+            glBindTexture(GL_TEXTURE_2D, 60);
+            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 32, 32, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
+            glBindFramebuffer(GL_FRAMEBUFFER, 1);
+            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 60, 0);
+            glBegin(GL_TRIANGLES); glVertex2f(-1, -1); glVertex2f(1, -1); glVertex2f(0, 1); glEnd();
+            glBindFramebuffer(GL_FRAMEBUFFER, 0);
+            glBegin(GL_TRIANGLES); glVertex2f(-1, -1); glVertex2f(1, -1); glVertex2f(0, 1); glEnd();)"},
         // No texture, because the cube map has no images.
         {"an incomplete texture of a higher dimension", R"(
             glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, reds);

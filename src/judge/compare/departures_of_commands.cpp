@@ -406,4 +406,11 @@ CommandRule sets_base_above_greatest_level() {
     });
 }
 
+CommandRule stipples_after_framebuffer() {
+    return both(any_command([](const Command& command) { return command.id == Id::glBindFramebuffer; }),
+                any_command([](const Command& command) {
+                    return command.id == Id::glEnable && command.enumerant(0) == kGL_POLYGON_STIPPLE;
+                }));
+}
+
 }  // namespace twinlight::compare
