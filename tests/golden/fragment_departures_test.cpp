@@ -132,6 +132,11 @@ const std::vector<FragmentCase>& fragment_cases() {
             glEnable(GL_DEPTH_TEST); glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 16e6);
             glBegin(GL_TRIANGLES); glVertex3f(-0.8, -0.8, 0.5); glVertex3f(0.8, -0.8, 0.5); glVertex3f(-0.8, 0.8, 0.5);
             glEnd();)"},
+        // A front face, filled and opaque, and a back face.
+        {"polygons as smooth lines", R"(
+            glPolygonMode(GL_BACK, GL_LINE); glEnable(GL_LINE_SMOOTH); glBegin(GL_TRIANGLES);
+            glVertex2f(0, 0); glVertex2f(1, 0); glVertex2f(0, 1);
+            glVertex2f(0, 0); glVertex2f(0, 1); glVertex2f(1, 0); glEnd();)"},
         // The lowest of each 32 rows.
         {"polygon stipple after a framebuffer object", R"(
             glPolygonStipple((GLubyte[128]){255, 255, 255, 255}); glEnable(GL_POLYGON_STIPPLE);

@@ -68,7 +68,7 @@ Causes find_causes(const Scene& scene, const Driver& driver, const Trial& trial)
     Causes causes;
     std::vector<const Departure*> suspects = known_departures_in(scene, driver);
     std::erase_if(suspects, [](const Departure* departure) { return departure->rewrite == nullptr; });
-    const auto innocent = std::ranges::partition(suspects, [&](const Departure* suspect) {
+    const auto innocent = std::ranges::stable_partition(suspects, [&](const Departure* suspect) {
         return !suspect->rewrite->is_whole || !without.is_as_wrong(*suspect);
     });
     causes.innocent.assign(innocent.begin(), innocent.end());

@@ -165,6 +165,10 @@ bool shows_faces(const Draw& draw) {
            (stencil && stencil->front != stencil->back);
 }
 
+bool has_polygons_as_smooth_lines(const Draw& draw) {
+    return draw.draws_polygons_as(kGL_LINE) && draw.raster.line_smooth;
+}
+
 bool fills_one_face(const Draw& draw) { return draw.draws_borders() && draw.draws_polygons_as(kGL_FILL); }
 
 bool has_faces_in_doubt(const Draw& draw) {

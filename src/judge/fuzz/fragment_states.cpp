@@ -96,13 +96,16 @@ class Builder {
             text_ += pixel_copy(pixel_copies_, departure_);
         if (is_of_stencil_pixels(departure_) || (departure_.empty() && stencil_pixels_.chance(0.05)))
             text_ += stencil_pixels(stencil_pixels_, departure_);
-        if (shows("depths in one dimension") || (departure_.empty() && depths_.chance(0.1))) depths();
-        if (departure_.empty() && objects_.chance(0.1)) object();
+        if (shows("depths in one dimension") || shows(kModeOfCopies) || (departure_.empty() && depths_.chance(0.1)))
+            depths();
+        if (shows(kStippleAfterObject) || (departure_.empty() && objects_.chance(0.1))) object();
         if (has_quadric_) add("gluDeleteQuadric(quadric);");
         return std::move(text_);
     }
 
   private:
+    static constexpr std::string_view kModeOfCopies = "the mode of copied depths";
+    static constexpr std::string_view kStippleAfterObject = "polygon stipple after a framebuffer object";
     bool shows(std::string_view departure) const { return departure_ == departure; }
     void add(std::string_view line) { text_ += fmt::format("{}\n", line); }
     template <class... Arguments>
@@ -386,7 +389,7 @@ class Builder {
             add("glTexImage1D(GL_TEXTURE_1D, 0, {}, 2, 0, GL_DEPTH_COMPONENT, GL_FLOAT, (GLfloat[]){{{:.4f}, "
                 "{:.4f}}});",
                 format, depths_.uniform(0, 1), depths_.uniform(0, 1));
-        } else if (depths_.chance(0.5)) {
+        } else if (depths_.chance(0.5) || shows(kModeOfCopies)) {
             add("glEnable(GL_DEPTH_TEST); glDepthMask(GL_TRUE);");
             text_ += batch();
             const int side = 8 + depths_.below(40);
@@ -410,6 +413,9 @@ class Builder {
 
     // A picture in a texture, by a framebuffer object, on further primitives; last, as copied().
     void object() {
+        if (shows(kStippleAfterObject))
+            add("glPolygonStipple((GLubyte[128]){255, 255, 255, 255}); glEnable(GL_POLYGON_STIPPLE); "
+                "glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);");
         const char* const formats[] = {"GL_RGB", "GL_RGBA", "GL_RGB8", "GL_RGBA8"};
         const char* const filters[] = {"GL_NEAREST", "GL_LINEAR", "GL_LINEAR_MIPMAP_LINEAR"};
         const int filter = objects_.below(3), width = 1 + objects_.below(100), height = 1 + objects_.below(100);
@@ -639,6 +645,12 @@ class Builder {
                 random_.uniform(9, 30));
         if (shows("clipped polygons as lines and points")) add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);");
         if (shows("edge flags of strips and fans")) add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);");
+        if (shows("polygons as smooth lines")) add("glPolygonMode(GL_BACK, GL_LINE); glEnable(GL_LINE_SMOOTH);");
+        if (shows("an incomplete texture of a higher dimension"))
+            add("glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, (GLubyte[]){9, 90, 30, "
+                "255});"
+                "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST); glEnable(GL_TEXTURE_2D);"
+                "glBindTexture(GL_TEXTURE_CUBE_MAP, 0); glEnable(GL_TEXTURE_CUBE_MAP);");
         if (shows("polygon stipple where one face is filled")) {
             polygon_stipple();
             add("glPolygonMode(GL_BACK, GL_LINE); glLineWidth(9);");

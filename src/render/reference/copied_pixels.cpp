@@ -19,7 +19,7 @@ CopySource source_with_range(const Frame& frame, Options options, const CopyRang
     const Image other_cut = render(frame, options);
     options.quad_cut = QuadCut::kFirstToThird;
     source.picture = render(frame, options);
-    const AllowedDifference allowed = Pictures(frame, &ranges).allowed_difference(options);
+    const AllowedDifference allowed = Pictures(frame, ranges).allowed_difference(options);
     source.low = source.high = source.picture;
     for (std::size_t i = 0; i < source.picture.pixels.size(); ++i) {
         const Rgba channels = allowed.channels(i);

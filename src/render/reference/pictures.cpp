@@ -94,14 +94,15 @@ AllowedDifference Pictures::allowed_difference(const Options& given) {
     if (frame_->copies_pixels) {
         CopyRanges ranges;
         const DrawableFrame whole = drawable_with_ranges(*frame_, given, ranges);
-        return Pictures(*whole, &ranges).allowed_difference(given);
+        return Pictures(*whole, ranges).allowed_difference(given);
     }
     const Frame& frame = *frame_;
+    if (!std::exchange(has_generated_, true)) add_generated_levels(frame, ranges_);
     const PixelRect window = whole_window(frame);
     Options options = given;
     options.in_clip_plane = InClipPlane::kPerhaps;
     options.quad_cut = QuadCut::kFirstToThird;
-    StagedFrame stages = run_stages(frame, options, ranges_);
+    StagedFrame stages = run_stages(frame, options, &ranges_);
     PixelRect within = window;
     const bool is_first = !found_ || !differ_in_look_or_cut_only(found_->options, options);
     if (is_first) {
@@ -119,11 +120,11 @@ AllowedDifference Pictures::allowed_difference(const Options& given) {
     find_differences(std::move(stages), options, within, found_->difference, Joining::kReplaces);
     options.quad_cut = QuadCut::kSecondToFourth;
     if (is_first && has_quadrilaterals(frame)) {
-        stages = run_stages(frame, options, ranges_);
+        stages = run_stages(frame, options, &ranges_);
         found_->of_quadrilaterals = joined(found_->of_quadrilaterals, reach_of(stages, window, is_quadrilaterals));
         find_differences(std::move(stages), options, found_->of_quadrilaterals, found_->difference, Joining::kAdds);
     } else if (const PixelRect again = common(within, found_->of_quadrilaterals); !again.is_empty()) {
-        find_differences(run_stages(frame, options, ranges_), options, again, found_->difference, Joining::kAdds);
+        find_differences(run_stages(frame, options, &ranges_), options, again, found_->difference, Joining::kAdds);
     }
     const OpenDifference& found = found_->difference;
     AllowedDifference result(frame.width, frame.height);

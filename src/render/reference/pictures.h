@@ -34,8 +34,8 @@ struct OpenDifference {
 
 class Pictures {
   public:
-    // The frame and the ranges must outlive this, and must not change.
-    explicit Pictures(const Frame& frame, const CopyRanges* ranges = nullptr) : frame_(&frame), ranges_(ranges) {}
+    // The frame must outlive this, and must not change.
+    explicit Pictures(const Frame& frame, const CopyRanges& ranges = {}) : frame_(&frame), ranges_(ranges) {}
     const Frame& frame() const { return *frame_; }
 
     // The same as the functions in reference.h, bit for bit.
@@ -55,9 +55,10 @@ class Pictures {
     };
 
     const Frame* frame_;
-    const CopyRanges* ranges_;    // what other renderers may have copied
+    CopyRanges ranges_;           // what other renderers may have copied, and may make of images
     std::vector<Drawn> drawn_;    // the newest of each cut
     std::optional<Found> found_;  // the newest
+    bool has_generated_ = false;  // whether ranges_ has the levels that GL_GENERATE_MIPMAP made
 };
 
 }  // namespace twinlight::reference

@@ -137,6 +137,32 @@ void fill_pixels(Draw& draw, const CopySource& from, CopyRanges* ranges) {
     if (has_range) ranges->pixels[draw.pixels] = std::move(range);
 }
 
+bool has_odd_side(const TextureImage& image) {
+    const auto is_odd = [](int side) { return side > 1 && side % 2 == 1; };
+    return is_odd(image.width) || is_odd(image.height) || is_odd(image.depth);
+}
+// 3.8.8 asks for no particular filter. Two texels of an odd side are smaller than one of its half, which may be any mean of those
+// that it covers.
+TextureImage bound_of_half(const TextureImage& image, bool is_high) {
+    TextureImage result = image.half_size();
+    const auto first = [](int i, int side, int half) { return i * side / half; };
+    const auto last = [](int i, int side, int half) { return ((i + 1) * side - 1) / half; };
+    for (int z = 0; z < result.depth; ++z)
+        for (int y = 0; y < result.height; ++y)
+            for (int x = 0; x < result.width; ++x) {
+                glm::vec4 bound(is_high ? 0 : 1);
+                for (int k = first(z, image.depth, result.depth); k <= last(z, image.depth, result.depth); ++k)
+                    for (int j = first(y, image.height, result.height); j <= last(y, image.height, result.height); ++j)
+                        for (int i = first(x, image.width, result.width); i <= last(x, image.width, result.width);
+                             ++i) {
+                            const glm::vec4 texel = image.texel(i, j, k);
+                            bound = is_high ? glm::max(bound, texel) : glm::min(bound, texel);
+                        }
+                result.texels.push_back(bound);
+            }
+    return result;
+}
+
 class Copier {
   public:
     Copier(const Frame& frame, const DrawSource& draw, CopyRanges* ranges)
@@ -314,33 +340,6 @@ class Copier {
         return texture;
     }
 
-    static bool has_odd_side(const TextureImage& image) {
-        const auto is_odd = [](int side) { return side > 1 && side % 2 == 1; };
-        return is_odd(image.width) || is_odd(image.height) || is_odd(image.depth);
-    }
-    // 3.8.8 asks for no particular filter. Two texels of an odd side are smaller than one of its half, which may be any mean of those
-    // that it covers.
-    static TextureImage bound_of_half(const TextureImage& image, bool is_high) {
-        TextureImage result = image.half_size();
-        const auto first = [](int i, int side, int half) { return i * side / half; };
-        const auto last = [](int i, int side, int half) { return ((i + 1) * side - 1) / half; };
-        for (int z = 0; z < result.depth; ++z)
-            for (int y = 0; y < result.height; ++y)
-                for (int x = 0; x < result.width; ++x) {
-                    glm::vec4 bound(is_high ? 0 : 1);
-                    for (int k = first(z, image.depth, result.depth); k <= last(z, image.depth, result.depth); ++k)
-                        for (int j = first(y, image.height, result.height); j <= last(y, image.height, result.height);
-                             ++j)
-                            for (int i = first(x, image.width, result.width); i <= last(x, image.width, result.width);
-                                 ++i) {
-                                const glm::vec4 texel = image.texel(i, j, k);
-                                bound = is_high ? glm::max(bound, texel) : glm::min(bound, texel);
-                            }
-                    result.texels.push_back(bound);
-                }
-        return result;
-    }
-
     TextureImage whole(const TextureImage& image, Of of) const {
         const InternalFormat format = *internal_format(image.internal_format);
         TextureImage result = image;
@@ -378,6 +377,41 @@ class Copier {
 };
 
 }  // namespace
+
+namespace {
+
+// The levels of one face, if any of them was made of an image with an odd side: their least and their largest values.
+bool find_range(const std::vector<TextureImage>& levels, std::vector<TextureImage>& low,
+                std::vector<TextureImage>& high) {
+    bool has_range = false, is_open = false;
+    for (std::size_t i = 1; i < levels.size(); ++i) {
+        const TextureImage &larger = levels[i - 1], &image = levels[i];
+        const auto format = internal_format(image.internal_format);
+        const bool is_made =
+            format && image.has_size_of(larger.half_size()) && half(larger, *format).texels == image.texels;
+        is_open = is_made && (is_open || has_odd_side(larger));
+        if (!is_open) continue;
+        low[i].texels = bound_of_half(low[i - 1], false).texels;
+        high[i].texels = bound_of_half(high[i - 1], true).texels;
+        has_range = true;
+    }
+    return has_range;
+}
+
+}  // namespace
+
+void add_generated_levels(const Frame& frame, CopyRanges& ranges) {
+    for (const Draw* draw : frame.draws())
+        draw->for_each_unit([&](std::size_t, const TextureUnit& unit) {
+            const Texture& texture = *unit.texture;
+            if (!texture.generate_mipmap || texture.has_copies() || ranges.textures.contains(unit.texture)) return;
+            CopyRanges::OfTexels range{texture, texture};
+            bool has_range = false;
+            for (std::size_t face = 0; face < texture.face_count(); ++face)
+                has_range |= find_range(texture.face(face), range.low.face(face), range.high.face(face));
+            if (has_range) ranges.textures[unit.texture] = std::move(range);
+        });
+}
 
 Frame with_copied_texels(const Frame& frame, const DrawSource& draw, CopyRanges* ranges) {
     return Copier(frame, draw, ranges).result();

@@ -65,6 +65,10 @@ using DrawSource = std::function<CopySource(const Frame&, CopiedBuffer, const Vi
 // that of all earlier copies when `draw` is called.
 Frame with_copied_texels(const Frame& frame, const DrawSource& draw, CopyRanges* ranges = nullptr);
 
+// Adds what other renderers may have in levels that GL_GENERATE_MIPMAP made: 3.8.8 asks for no particular filter, and an image with an
+// odd side cannot be halved.
+void add_generated_levels(const Frame& frame, CopyRanges& ranges);
+
 // The frame itself if it shows no copies; otherwise with_copied_texels().
 class DrawableFrame {
   public:

@@ -1,4 +1,5 @@
 // The edge mask: where two correct rasterisers may choose different triangles (docs/edges.md).
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,6 +7,8 @@
 #include <vector>
 
 #include "../small_frames.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
 
 namespace twinlight::edge_pixels_test {
 namespace {
@@ -166,6 +169,24 @@ TEST(EdgePixels, ForgetWhatWasCleared) {
     Frame frame = frame_of(kSize, kSize, {quad(2.5, 3.5, 10.5, 9.5)});
     frame.items.emplace_back(Clear{.color = true});
     EXPECT_TRUE(marked(reference::allowed_difference(frame).edge).empty());
+}
+
+// 3.8.8 asks for no filter: of three texels in a row the next level has one, which may be any mean of them. Of two it is the mean.
+TEST(AllowedDifference, OfGeneratedLevelsIsAnyMeanWhereASideIsOdd) {
+    const auto allowed_of = [](int texels) {
+        const std::string text = fmt::format(
+            "glTexParameteri(GL_TEXTURE_1D, GL_GENERATE_MIPMAP, GL_TRUE);\n"
+            "glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);\n"
+            "glTexImage1D(GL_TEXTURE_1D, 0, GL_LUMINANCE, {}, 0, GL_LUMINANCE, GL_FLOAT, (GLfloat[]){{0, 0.2, 1}});\n"
+            "glEnable(GL_TEXTURE_1D); glBegin(GL_QUADS); glTexCoord1f(0); glVertex2f(-1, -1); glTexCoord1f(400);\n"
+            "glVertex2f(1, -1); glVertex2f(1, 1); glTexCoord1f(0); glVertex2f(-1, 1); glEnd();",
+            texels);
+        const AllowedDifference allowed = reference::allowed_difference(
+            make_frame(read_scene(text, "scene.gl", "scene"), {.width = kSize, .height = kSize}));
+        return allowed.channels(allowed.index(kSize / 2, kSize / 2))[0];
+    };
+    EXPECT_EQ(allowed_of(2), 0);
+    EXPECT_NEAR(allowed_of(3), 1, 1e-6);
 }
 
 // ---- The colours that an edge pixel may have ----

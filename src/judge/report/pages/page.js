@@ -94,8 +94,9 @@
             const [low, middle, high] = values_at(why, x, y), bits = low + 256 * middle + 65536 * high;
             const reasons = whys.filter((_, bit) => bits >> bit & 1);
             const is_edge = values_at(edges, x, y)[0] > 127;
-            const kind = (is_edge ? ["at an edge", ...reasons].join(": ") : "away from edges")
-                + (!is_edge && reasons.length > 0 ? `, may be off because of ${reasons.join(", ")}` : "");
+            const kind = is_edge
+                ? "at an edge" + (reasons.length > 0 ? ": " + reasons.join("; ") : "")
+                : "away from edges" + (reasons.length > 0 ? "; a channel may be off: " + reasons.join(", ") : "");
             element("pixel").innerHTML = `Pixel ${x}, ${y} <span>${kind}${state.held ? ", selected" : ""}</span>`;
             for (const {picture, context, output} of magnifiers) {
                 context.imageSmoothingEnabled = false;
