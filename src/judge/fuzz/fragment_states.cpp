@@ -379,7 +379,8 @@ class Builder {
             add("glTexParameteri({}, GL_TEXTURE_WRAP_{}, {});", target, axis, wraps[depths_.below(4)]);
         add("glTexParameterfv({}, GL_TEXTURE_BORDER_COLOR, (GLfloat[]){{{:.4f}, 1, 0, 0}});", target,
             depths_.uniform(0, 1));
-        add("glTexParameteri({}, GL_DEPTH_TEXTURE_MODE, {});", target, modes[depths_.below(3)]);
+        const int mode = depths_.below(3);
+        add("glTexParameteri({}, GL_DEPTH_TEXTURE_MODE, {});", target, modes[shows(kModeOfCopies) ? 2 : mode]);
         if (flat || depths_.chance(0.8))
             add("glTexParameteri({0}, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE); "
                 "glTexParameteri({0}, GL_TEXTURE_COMPARE_FUNC, {1});",
@@ -408,7 +409,10 @@ class Builder {
             depths_.uniform(-0.2, 0.2), depths_.uniform(-0.2, 0.2), depths_.uniform(-0.2, 0.05),
             depths_.uniform(-0.2, 0.4));
         add("glTexGeni(GL_R, GL_TEXTURE_GEN_MODE, GL_EYE_LINEAR); glEnable(GL_TEXTURE_GEN_R); glPopMatrix();");
-        text_ += batch();
+        if (shows(kModeOfCopies))
+            add("glDisable(GL_DEPTH_TEST); glDisable(GL_BLEND); glDisable(GL_ALPHA_TEST); glDisable(GL_CULL_FACE); "
+                "glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);");
+        text_ += shows(kModeOfCopies) ? whole_window() : batch();
     }
 
     // A picture in a texture, by a framebuffer object, on further primitives; last, as copied().
