@@ -25,7 +25,7 @@ struct CompareArguments {
     std::optional<Size> size;
     RecordedPart part;
     std::string step;
-    MemoryBudget memory{.bytes_of_pixel = 400, .bytes_of_step_pixel = 160};
+    MemoryBudget memory{.bytes_of_pixel = 450, .bytes_of_step_pixel = 170};
     std::string folder;
     double budget = PlanOptions{}.budget;
     bool precise = false, json = false;

@@ -226,7 +226,8 @@ class OpenPixels {
             }
         double change = 0;
         if (piece.shape == Shape::kTriangle)
-            change = stages_.border * (std::abs(piece.planes().depth.x) + std::abs(piece.planes().depth.y));
+            change = stages_.border * (std::abs(piece.planes().depth.x) + std::abs(piece.planes().depth.y)) +
+                     offset_doubt(piece);
         if (piece.shape == Shape::kLine) {
             const glm::dvec3 d = glm::abs(piece.ends().to.position_window - piece.ends().from.position_window);
             change = 2 * kHalfLineSquare * d.z / std::max({d.x, d.y, 1.0});
@@ -242,12 +243,17 @@ class OpenPixels {
                 const glm::dvec3 between = piece.planes().depth - other.planes().depth;
                 // Appendix A: geometry that is drawn twice has the same depths; 3.5.5: r keeps offset depths apart. But
                 // a driver may cut a quadrilateral differently depending on flat shading or display lists.
+                // Appendix A speaks of the same state. Offsets in another one may have another m.
+                const bool same_state = stages_.draw_of(piece).raster == stages_.draw_of(other).raster;
+                const double doubt = same_state ? 0 : offset_doubt(piece) + offset_doubt(other);
                 if (same_triangle(piece, other) && !is_quadrilaterals(stages_.draw_of(piece))) {
+                    if (doubt > 0) return reference::depth_outcome(depth_func, widened(between.z, doubt));
                     // An offset of less than r need not be noticeable.
                     if (between.z != 0 && std::abs(between.z) < kDepthStep) return Outcome::kOpen;
                     return compares(depth_func, between.z, 0) ? Outcome::kPasses : Outcome::kFails;
                 }
-                const double change = stages_.border * (std::abs(between.x) + std::abs(between.y));
+                const double change = stages_.border * (std::abs(between.x) + std::abs(between.y)) +
+                                      offset_doubt(piece) + offset_doubt(other);
                 const glm::dvec2& centre = fragment.position_window;
                 const double difference = depth_at(piece, centre) - depth_at(other, centre);
                 return reference::depth_outcome(depth_func, widened(difference, change));
@@ -299,6 +305,24 @@ class OpenPixels {
 
   protected:
     const StagedFrame& stages() const { return stages_; }
+
+    // 3.5.5: by how much a polygon's offset may be another. m may be the larger of |dz/dx| and |dz/dy| or the gradient's length, and
+    // it follows from corners that rasterisers round, which matters where a polygon is small or narrow.
+    double offset_doubt(const Piece& piece) const {
+        const PolygonOffset& offset = stages_.draw_of(piece).raster.polygon_offset;
+        if (!offset.fill || offset.factor == 0) return 0;
+        const glm::dvec2 gradient(piece.planes().depth);
+        const double m = std::max(std::abs(gradient.x), std::abs(gradient.y)), length = glm::length(gradient);
+        double twice_area = 0, around = 0;
+        for (std::size_t i = 0; i < piece.corners.size(); ++i) {
+            const glm::dvec2 from = piece.corners.position_window(i),
+                             to = piece.corners.position_window(i + 1 < piece.corners.size() ? i + 1 : 0);
+            twice_area += from.x * to.y - from.y * to.x;
+            around += glm::distance(from, to);
+        }
+        const double share = std::min(1.0, 2 * stages_.border * around / std::abs(twice_area));
+        return std::abs(offset.factor) * (length - m + share * length);
+    }
 
   private:
     static constexpr char kSettled = 0, kOpen = 1, kUnknown = 2;
@@ -471,7 +495,7 @@ class OpenDepths : public OpenPixels {
         const glm::dvec3 plane = glm::abs(piece.planes().depth);
         const glm::dvec2 place = glm::abs(fragment.position_window);
         return widened(depth_at(piece, fragment.position_window),
-                       stages().border * (plane.x + plane.y) +
+                       stages().border * (plane.x + plane.y) + offset_doubt(piece) +
                            kRoundings * (plane.x * place.x + plane.y * place.y + std::abs(plane.z)));
     }
     void set_depth(std::size_t at, StepId id, const Interval& depth, Outcome outcome) {

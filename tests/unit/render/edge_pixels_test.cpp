@@ -189,6 +189,24 @@ TEST(AllowedDifference, OfGeneratedLevelsIsAnyMeanWhereASideIsOdd) {
     EXPECT_NEAR(allowed_of(3), 1, 1e-6);
 }
 
+// The same triangle has the same offset depths (appendix A), but in another state a driver may find another slope.
+TEST(AllowedDifference, OfTwoOffsetsIsOpenWhereTheStatesDiffer) {
+    const auto is_edge = [](const std::string& state) {
+        const std::string triangle =
+            "glBegin(GL_TRIANGLES); glVertex3f(-1, -1, -0.5); glVertex3f(1, -1, 0.5); glVertex3f(0, 1, 0.2); "
+            "glEnd();\n";
+        const std::string text = "glEnable(GL_DEPTH_TEST); glEnable(GL_POLYGON_OFFSET_FILL); glPolygonOffset(1, 0);\n" +
+                                 triangle + "glDepthFunc(GL_NOTEQUAL); glColor3f(1, 0, 0);" + state + triangle;
+        const AllowedDifference allowed = reference::allowed_difference(
+            make_frame(read_scene(text, "scene.gl", "scene"), {.width = kSize, .height = kSize}));
+        return static_cast<bool>(allowed.edge[allowed.index(kSize / 2, kSize / 2)]);
+    };
+    EXPECT_TRUE(is_edge("glEnable(GL_POLYGON_STIPPLE);"));
+    EXPECT_TRUE(is_edge("glPolygonOffset(1, 0.5);"));
+    EXPECT_FALSE(is_edge("glPolygonOffset(3, 0);")) << "twice the slope is more than a driver may be off";
+    EXPECT_FALSE(is_edge("glDisable(GL_POLYGON_OFFSET_FILL);"));
+}
+
 // ---- The colours that an edge pixel may have ----
 
 using Ranges = std::vector<AllowedRange>;
