@@ -132,6 +132,11 @@ const std::vector<FragmentCase>& fragment_cases() {
             glEnable(GL_DEPTH_TEST); glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 16e6);
             glBegin(GL_TRIANGLES); glVertex3f(-0.8, -0.8, 0.5); glVertex3f(0.8, -0.8, 0.5); glVertex3f(-0.8, 0.8, 0.5);
             glEnd();)"},
+        // White.
+        {"glColor right before glPopAttrib", R"(
+            glPushAttrib(GL_CURRENT_BIT); glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 1, 0, 1});
+            glColor3f(0, 0.8, 0.5); glPopAttrib();
+            glBegin(GL_TRIANGLES); glVertex2f(-1, -1); glVertex2f(1, -1); glVertex2f(0, 1); glEnd();)"},
         // A front face, filled and opaque, and a back face.
         {"polygons as smooth lines", R"(
             glPolygonMode(GL_BACK, GL_LINE); glEnable(GL_LINE_SMOOTH); glBegin(GL_TRIANGLES);

@@ -238,7 +238,7 @@ constexpr Departure kDepartures[] = {
     {"glColor3 after glColor4", alpha_of_glcolor3},
     {"glTexCoord1 to 3 after glTexCoord4", components_of_tex_coord},
     {"the transposed texture matrix of another unit", transposed_texture_matrix},
-    {"glMaterial or glColor right before glPopAttrib", material_before_pop},
+    {"glMaterial right before glPopAttrib", material_before_pop},
     {"GL_COLOR_SUM after glPopAttrib", color_sum_after_pop},
     {"GL_FOG_COORD_SRC after glPopAttrib", fog_coord_source_after_pop},
     {"lights after glPopAttrib of GL_ENABLE_BIT", lights_after_pop},

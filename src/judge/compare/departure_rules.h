@@ -10,12 +10,12 @@ namespace twinlight::compare {
 
 // ---- In the order of commands ----
 
-MakeCommandRule mixes_glcolor3_and_4, mixes_tex_coords, sets_values_before_pop, sets_material_before_tracking,
-    shades_after_pop_in_list, switches_lights_before_pop, generates_mipmaps_after_pop, restores_tracked_color,
-    sets_sides_apart, sets_both_sides_after_vertex, sets_color_before_new_mode, tracks_color_before_list,
-    lists_edge_flags, shows_cut_of_rectangles, shades_evaluated_meshes_flat, draws_others_beside_sprites,
-    maps_drawn_pixels, mirrors_stenciled_pixels, transfers_stencil_values, copies_depths_after_mode,
-    stipples_after_framebuffer, enables_incomplete_texture, sets_base_above_greatest_level;
+MakeCommandRule mixes_glcolor3_and_4, mixes_tex_coords, sets_material_before_pop, sets_color_before_pop,
+    sets_material_before_tracking, shades_after_pop_in_list, switches_lights_before_pop, generates_mipmaps_after_pop,
+    restores_tracked_color, sets_sides_apart, sets_both_sides_after_vertex, sets_color_before_new_mode,
+    tracks_color_before_list, lists_edge_flags, shows_cut_of_rectangles, shades_evaluated_meshes_flat,
+    draws_others_beside_sprites, maps_drawn_pixels, mirrors_stenciled_pixels, transfers_stencil_values,
+    copies_depths_after_mode, stipples_after_framebuffer, enables_incomplete_texture, sets_base_above_greatest_level;
 
 bool enables_color_material(const Command& command);
 bool draws_other_than_points(const Command& command);

@@ -167,19 +167,25 @@ CommandRule mixes_tex_coords() {
     });
 }
 
-// A value that glPopAttrib restores, set right before it.
-CommandRule sets_values_before_pop() {
-    return any_command([kept = KeptValues(), masks = std::vector<Enum>()](const Command& command) mutable {
+namespace {
+
+// A value of this group set right before the glPopAttrib that restores it.
+CommandRule sets_before_pop(Enum group, bool (KeptValues::*is_set)() const) {
+    return any_command([=, kept = KeptValues(), masks = std::vector<Enum>()](const Command& command) mutable {
         kept.see(command);
         if (command.id == Id::glPushAttrib && masks.size() < kAttributeStackDepth)
             masks.push_back(command.enumerant(0));
         if (command.id != Id::glPopAttrib || masks.empty()) return false;
         const Enum mask = masks.back();
         masks.pop_back();
-        return ((mask & kGL_LIGHTING_BIT) != 0 && kept.has_material()) ||
-               ((mask & kGL_CURRENT_BIT) != 0 && kept.has_current());
+        return (mask & group) != 0 && (kept.*is_set)();
     });
 }
+
+}  // namespace
+
+CommandRule sets_material_before_pop() { return sets_before_pop(kGL_LIGHTING_BIT, &KeptValues::has_material); }
+CommandRule sets_color_before_pop() { return sets_before_pop(kGL_CURRENT_BIT, &KeptValues::has_current); }
 
 // glMaterial, then glEnable(GL_COLOR_MATERIAL) before anything is drawn, and no glColor while it is enabled.
 CommandRule sets_material_before_tracking() {

@@ -98,6 +98,12 @@ class Builder {
             text_ += stencil_pixels(stencil_pixels_, departure_);
         if (shows("depths in one dimension") || shows(kModeOfCopies) || (departure_.empty() && depths_.chance(0.1)))
             depths();
+        if (shows("glColor right before glPopAttrib"))
+            add("glDisable(GL_LIGHTING); glDisable(GL_TEXTURE_2D); glDisable(GL_DEPTH_TEST); glDisable(GL_CULL_FACE); "
+                "glDisable(GL_BLEND); glColor4f(1, 1, 1, 1); glPushAttrib(GL_CURRENT_BIT); "
+                "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 1, 0, 1}); glColor4f(0, 0.8, 0.5, 1); glPopAttrib(); "
+                "glBegin(GL_TRIANGLES); glVertex3f(-30, -30, -5); glVertex3f(30, -30, -5); glVertex3f(0, 40, -5); "
+                "glEnd();");
         if (shows(kStippleAfterObject) || (departure_.empty() && objects_.chance(0.1))) object();
         if (has_quadric_) add("gluDeleteQuadric(quadric);");
         return std::move(text_);

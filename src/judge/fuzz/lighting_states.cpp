@@ -315,7 +315,7 @@ class LightingState {
 
     // Known bugs of glPushAttrib and glPopAttrib.
     void about_stacks() {
-        if (shows("glMaterial or glColor right before glPopAttrib")) {
+        if (shows("glMaterial right before glPopAttrib")) {
             add(Id::glPushAttrib, {kGL_LIGHTING_BIT});
             add(Id::glShadeModel, {kGL_FLAT});
             color(Id::glMaterialfv, {kGL_FRONT_AND_BACK, kGL_EMISSION});

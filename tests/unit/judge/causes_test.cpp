@@ -35,7 +35,7 @@ std::string named(std::string_view name) { return fmt::format("{} ({})", name, d
 using Names = std::vector<std::string>;
 
 constexpr const char* kEarlyTracking = "glMaterial before glEnable(GL_COLOR_MATERIAL)";
-constexpr const char* kBeforePop = "glMaterial or glColor right before glPopAttrib";
+constexpr const char* kColorBeforePop = "glColor right before glPopAttrib";
 constexpr const char* kRectangle = "glRect as a quadrilateral";
 
 struct Row {
@@ -62,7 +62,7 @@ const Row kRows[] = {
                          "glMaterialfv(GL_FRONT, GL_DIFFUSE, (GLfloat[]){1, 0, 0, 1});\n"
                          "glEnable(GL_COLOR_MATERIAL); glDisable(GL_COLOR_MATERIAL);\n" +
                          kTriangle},
-    {kBeforePop,
+    {kColorBeforePop,
      "glPushAttrib(GL_CURRENT_BIT); glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 1, 0, 1});\n"
      "glColor3f(0, 0.8, 0.5); glPopAttrib();\n" +
          kTriangle},
@@ -78,7 +78,7 @@ const Row kRows[] = {
     {"glColor before a new glColorMaterial", "", "state-color-material-mode"},
     {"colour material after glPopAttrib", "", "state-color-material-after-pop"},
     {"lights after glPopAttrib of GL_ENABLE_BIT", "", "state-lights-after-pop"},
-    {kBeforePop, "", "state-material-before-pop"},
+    {"glMaterial right before glPopAttrib", "", "state-material-before-pop"},
     {"vertex materials that differ between two sides", "", "face-material-back-in-begin"},
     {"glColor3 after glColor4",
      "glEnable(GL_BLEND); glBlendFunc(GL_SRC_ALPHA, GL_ZERO);\n"
