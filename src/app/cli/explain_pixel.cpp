@@ -51,9 +51,11 @@ std::vector<Rendered> rendered(const Frame& picture, const PlanOptions& options)
 explain::AllowedPixel allowed_at(const Frame& frame, const Look& look, const Pixel& pixel) {
     const AllowedDifference allowed = reference::allowed_difference(frame, reference::Options{look});
     const std::size_t at = allowed.index(pixel.x, pixel.y);
-    explain::AllowedPixel result{.edge = allowed.edge[at], .open = allowed.open[at], .channels = allowed.channels(at)};
-    for (const AllowedPart& part : allowed.parts)
-        if (allowed.allows(part.why, at)) result.parts.push_back(part.why);
+    explain::AllowedPixel result{.edge = allowed.edge[at], .channels = allowed.channels(at)};
+    for (int bit = 0; bit < kWhys; ++bit) {
+        const auto why = static_cast<Why>(bit);
+        if ((allowed.open[at] & bit_of(why)) != 0 || allowed.allows(why, at)) result.why.push_back(why);
+    }
     if (allowed.is_undefined(at))
         if (const auto undefined = reference::first_undefined_color(frame))
             result.undefined = reference::words_of(*undefined);

@@ -28,11 +28,7 @@ class WithoutBugs {
         : scene_(scene), trial_(trial), options_{.width = scene.frame.width, .height = scene.frame.height} {}
 
     Image picture(const std::vector<const Departure*>& bugs) const {
-        Scene less{rewritten_for(bugs), {}};
-        less.frame.width = scene_.frame.width;
-        less.frame.height = scene_.frame.height;
-        less.frame.lists_called_before_made = scene_.frame.lists_called_before_made;
-        return trial_.draw_fixed(less);
+        return trial_.draw_fixed(with_commands(scene_, rewritten_for(bugs)));
     }
     bool is_right(const std::vector<const Departure*>& bugs) const {
         return trial_.is_right(picture(bugs)) && trial_.is_same(last_frame(*rewritten_for(bugs), options_));
@@ -63,10 +59,10 @@ bool Causes::is_innocent(const Departure& departure) const {
     return std::ranges::find(innocent, &departure) != innocent.end();
 }
 
-Causes find_causes(const Scene& scene, const Driver& driver, const Trial& trial) {
+Causes find_causes(const Scene& scene, const std::vector<const Departure*>& known, const Trial& trial) {
     const WithoutBugs without(scene, trial);
     Causes causes;
-    std::vector<const Departure*> suspects = known_departures_in(scene, driver);
+    std::vector<const Departure*> suspects = known;
     std::erase_if(suspects, [](const Departure* departure) { return departure->rewrite == nullptr; });
     const auto innocent = std::ranges::stable_partition(suspects, [&](const Departure* suspect) {
         return !suspect->rewrite->is_whole || !without.is_as_wrong(*suspect);

@@ -30,7 +30,7 @@ struct Causes {
     bool is_innocent(const Departure& departure) const;
 };
 
-// Tries the rewrite of each known bug that may show in the scene, then all of them together, and leaves out those that are not needed.
-Causes find_causes(const Scene& scene, const Driver& driver, const Trial& trial);
+// `known`: the known bugs that may show in the scene. Tries the rewrite of each, then all of them together, and leaves out those that are not needed.
+Causes find_causes(const Scene& scene, const std::vector<const Departure*>& known, const Trial& trial);
 
 }  // namespace twinlight::compare

@@ -116,12 +116,9 @@ Render render(const PlannedRender& planned, const Scene& scene, const CompareOpt
 // Draws what Comparison::changed_by_missing needs.
 PixelMask changed_by_missing(const Scene& scene, const Render& fixed, const CompareOptions& options,
                              const Renderers& renderers) {
-    Scene less{without_missing(scene.recording, scene.frame.unsupported), {}};
-    if (!less.recording) return {};
-    less.frame.width = scene.frame.width;
-    less.frame.height = scene.frame.height;
-    less.frame.lists_called_before_made = scene.frame.lists_called_before_made;
-    return changed_pixels(fixed.image, renderers.fixed(less, {look_of(false, options).shading}));
+    const auto less = without_missing(scene.recording, scene.frame.unsupported);
+    if (!less) return {};
+    return changed_pixels(fixed.image, renderers.fixed(with_commands(scene, less), {look_of(false, options).shading}));
 }
 
 // Whether only one of the two lacks something that only the fixed function draws.
@@ -162,8 +159,9 @@ bool may_cause_difference(const Comparison& comparison, const Departure& departu
 std::string named(const Departure& departure) { return fmt::format("{} ({})", departure.name, departure.section); }
 
 // `allowed`: between the fixed function and the reference. `differing`: where the former differs.
-Causes causes_of(const Comparison& comparison, const Scene& scene, const AllowedDifference& allowed,
-                 const PixelMask& differing, const CompareOptions& options, const Renderers& renderers) {
+Causes causes_of(const Comparison& comparison, const Scene& scene, const std::vector<const Departure*>& known,
+                 const AllowedDifference& allowed, const PixelMask& differing, const CompareOptions& options,
+                 const Renderers& renderers) {
     const Render &fixed = comparison.renders.front(), &right = comparison.renders[kReference];
     const auto is_right = [&](const Image& image) {
         if (!right.other_cut) return is_within(difference(image, right.image, allowed), comparison.tolerance);
@@ -171,7 +169,7 @@ Causes causes_of(const Comparison& comparison, const Scene& scene, const Allowed
         return is_within(difference(image, nearer, allowed), comparison.tolerance);
     };
     const Look look = look_of(false, options);
-    return find_causes(scene, parse_driver_name(options.driver),
+    return find_causes(scene, known,
                        {.draw_fixed = [&](const Scene& less) { return renderers.fixed(less, {look.shading}); },
                         .is_right = is_right,
                         .is_same = [&](const Frame& frame) { return is_right(renderers.reference(frame, {look})); },
@@ -293,12 +291,14 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     if (std::ranges::any_of(result.pairs, [](const Pair& pair) { return pair.judged.undefined > 0; }))
         if (const auto undefined = reference::first_undefined_color(frame)) result.undefined = words_of(*undefined);
     if (result.verdict() == Verdict::kWithin) return result;
-    const Causes causes =
-        of_fixed && all ? causes_of(result, scene, *of_fixed, differing_from_fixed, options, renderers) : Causes{};
+    const std::vector<const Departure*> known = known_departures_in(scene, driver);
+    const Causes causes = of_fixed && all
+                              ? causes_of(result, scene, known, *of_fixed, differing_from_fixed, options, renderers)
+                              : Causes{};
     for (const Departure* cause : causes.proved) result.proved_causes.push_back(named(*cause));
     const std::vector<const Draw*> draws =
         result.verdict() == Verdict::kBeyond ? draws_that_differ(frame, differing_from_fixed) : frame.draws();
-    for (const Departure* departure : known_departures_in(scene, driver)) {
+    for (const Departure* departure : known) {
         if (causes.is_innocent(*departure)) continue;
         const bool is_seen =
             departure->cause != Cause::kFixedFunction || departure->command_rule != nullptr ||

@@ -42,11 +42,15 @@ struct Corners {
     double slope;     // m of 3.5.5, which is infinite then
 };
 
+glm::dvec4 clip_position(const Draw& draw, std::uint32_t vertex) {
+    return draw.clip_from_eye * draw.eye_from_object * draw.vertices[vertex].position_object;
+}
+
 // Of three vertices: Corners::determinant.
 double determinant_of(const Draw& draw, const std::array<std::uint32_t, 3>& vertices) {
     glm::dmat3 xyw(0);
     for (int k = 0; const std::uint32_t vertex : vertices) {
-        const glm::dvec4 clip = draw.clip_from_eye * draw.eye_from_object * draw.vertices[vertex].position_object;
+        const glm::dvec4 clip = clip_position(draw, vertex);
         const glm::dvec3 direction(clip.x, clip.y, clip.w);
         xyw[k++] = glm::length(direction) > 0 ? glm::normalize(direction) : direction;
     }
@@ -65,15 +69,10 @@ bool any_corners(const Draw& draw, const std::function<bool(const Corners&)>& ar
     for (std::size_t i = 2; i < draw.count(); ++i) {
         for (const std::size_t first : {std::size_t{0}, i - 2}) {
             Corners corners{};
-            glm::dmat3 xyw(0);
-            for (int k = 0; const std::size_t corner : {first, i - 1, i}) {
-                const glm::dvec4 clip =
-                    draw.clip_from_eye * draw.eye_from_object * draw.vertices[draw.index(corner)].position_object;
-                const glm::dvec3 direction(clip.x, clip.y, clip.w);
-                xyw[k] = glm::length(direction) > 0 ? glm::normalize(direction) : direction;
-                corners.window.at(static_cast<std::size_t>(k++)) = window(clip);
-            }
-            corners.determinant = glm::determinant(xyw);
+            const std::array<std::uint32_t, 3> vertices{draw.index(first), draw.index(i - 1), draw.index(i)};
+            for (std::size_t k = 0; k < vertices.size(); ++k)
+                corners.window[k] = window(clip_position(draw, vertices[k]));
+            corners.determinant = determinant_of(draw, vertices);
             const glm::dvec3 normal =
                 glm::cross(corners.window[1] - corners.window[0], corners.window[2] - corners.window[0]);
             const double rise = std::max(std::abs(normal.x), std::abs(normal.y)), area = std::abs(normal.z);

@@ -91,6 +91,14 @@ std::shared_ptr<const Recording> without_missing(std::shared_ptr<const Recording
     return std::make_shared<const Without>(std::move(recording), std::move(kinds));
 }
 
+Scene with_commands(const Scene& scene, std::shared_ptr<const Recording> recording) {
+    Scene result{std::move(recording), {}};
+    result.frame.width = scene.frame.width;
+    result.frame.height = scene.frame.height;
+    result.frame.lists_called_before_made = scene.frame.lists_called_before_made;
+    return result;
+}
+
 PixelMask changed_pixels(const Image& with, const Image& without) {
     PixelMask changed(with.pixels.size());
     for (std::size_t i = 0; i < with.pixels.size(); ++i)

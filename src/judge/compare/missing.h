@@ -10,6 +10,7 @@
 #include "base/image/image.h"
 #include "scene/command/command.h"
 #include "scene/state/frame.h"
+#include "scene/state/scene.h"
 
 namespace twinlight::compare {
 
@@ -17,6 +18,9 @@ namespace twinlight::compare {
 // none, or if one cannot be left out by its name, or if the other renderers do more than ignore it.
 std::shared_ptr<const Recording> without_missing(std::shared_ptr<const Recording> recording,
                                                  const std::vector<Unsupported>& missing);
+
+// For the fixed function: other commands in the scene's window.
+Scene with_commands(const Scene& scene, std::shared_ptr<const Recording> recording);
 
 // The pixels in which the two pictures differ, in whole codes. Both have one size.
 PixelMask changed_pixels(const Image& with, const Image& without);

@@ -32,9 +32,8 @@ struct Rendered {
 // What correct renderers may draw at a pixel: AllowedDifference's.
 struct AllowedPixel {
     bool edge = false;
-    Whys open = 0;                       // why it is at an edge
     Rgba channels{};                     // what a channel may be off by, away from edges
-    std::vector<Why> parts{};            // why
+    std::vector<Why> why{};              // why it is at an edge, or a channel may be off
     std::string undefined{};             // why OpenGL leaves the colour undefined; "" if it does not
     std::vector<AllowedRange> ranges{};  // at an edge; none: any colour
 };

@@ -81,10 +81,7 @@ Json json_of(const Scene& scene, const PixelExplanation& explanation) {
         Json& allowed = json["allowed"] = {{"edge", explanation.allowed->edge}};
         if (!explanation.allowed->edge) allowed["difference"] = explanation.allowed->channels;
         allowed["why"] = Json::array();
-        for (int bit = 0; bit <= static_cast<int>(Why::kMissing); ++bit)
-            if ((explanation.allowed->open & bit_of(static_cast<Why>(bit))) != 0)
-                allowed["why"].push_back(words_of(static_cast<Why>(bit)));
-        for (const Why why : explanation.allowed->parts) allowed["why"].push_back(words_of(why));
+        for (const Why why : explanation.allowed->why) allowed["why"].push_back(words_of(why));
         if (!explanation.allowed->undefined.empty()) allowed["undefined"] = explanation.allowed->undefined;
         if (explanation.allowed->edge) allowed["colors"] = Json::array();
         for (const AllowedRange& range : explanation.allowed->ranges)

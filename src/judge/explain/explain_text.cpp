@@ -143,6 +143,12 @@ std::string codes_text(float low, float high) {
     return from == to ? fmt::format("{}", from) : fmt::format("{} to {}", from, to);
 }
 
+std::string joined(const std::vector<Why>& whys, std::string_view between) {
+    std::string text;
+    for (const Why why : whys) text += fmt::format("{}{}", text.empty() ? "" : between, words_of(why));
+    return text;
+}
+
 std::string allowed_text(const AllowedPixel& allowed) {
     std::string text = "\nWhat OpenGL leaves open here (docs/edges.md)\n";
     if (!allowed.undefined.empty()) text += fmt::format("  the colour, because {}\n", allowed.undefined);
@@ -150,18 +156,11 @@ std::string allowed_text(const AllowedPixel& allowed) {
         const float most = std::max({allowed.channels[0], allowed.channels[1], allowed.channels[2]});
         if (most == 0)
             return allowed.undefined.empty() ? text + "  nothing but rounding: the pixel is away from edges\n" : text;
-        std::string whys;
-        for (const Why why : allowed.parts) whys += fmt::format("{}{}", whys.empty() ? "" : ", ", words_of(why));
-        return text + fmt::format("  away from edges, a channel may be off by {:.1f}/255: {}\n", 255 * most, whys);
+        return text + fmt::format("  away from edges, a channel may be off by {:.1f}/255: {}\n", 255 * most,
+                                  joined(allowed.why, ", "));
     }
     text += "  the pixel is at an edge";
-    const char* between = ": ";
-    for (int bit = 0; bit <= static_cast<int>(Why::kMissing); ++bit) {
-        const auto why = static_cast<Why>(bit);
-        if ((allowed.open & bit_of(why)) == 0) continue;
-        text += fmt::format("{}{}", between, words_of(why));
-        between = "; ";
-    }
+    if (!allowed.why.empty()) text += ": " + joined(allowed.why, "; ");
     if (allowed.ranges.empty()) return text + ". It may have any colour\n";
     text += allowed.ranges.size() == 1 ? ". It has a colour in this range, in 8-bit values:\n"
                                        : ". It has one of these colours, in 8-bit values:\n";

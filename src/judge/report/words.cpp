@@ -144,7 +144,7 @@ Answer partial_answer(const Comparison& comparison) {
     return answer;
 }
 
-// Of the pair in which most such pixels differ.
+// How many pixels differ where the colour is undefined: in the pair that has the most of them.
 void add_undefined(const Comparison& comparison, std::vector<std::string>& details) {
     std::size_t most = 0;
     for (const Pair& pair : comparison.pairs)
