@@ -126,7 +126,7 @@ TEST(ExportedC, DrawsWhatTheFixedFunctionDraws) {
             EXPECT_LE(found.edge.differing_share(), kBorderlineOfAnotherRelease);
             continue;
         }
-        // Both libraries are of one Mesa. But a window counts its rows from the top, so positions are rounded in another way.
+        // Both libraries come from the same Mesa. But a window counts its rows from the top, so it rounds positions differently.
         constexpr double kBorderline = 0.0001;
         EXPECT_LE(found.interior.max, 1.001 / 255) << "at " << found.interior.worst_x << "," << found.interior.worst_y;
         EXPECT_LE(static_cast<double>(found.interior.differing + found.edge.differing),

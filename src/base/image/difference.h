@@ -104,7 +104,7 @@ struct AllowedDifference {
     Image channels() const;
     // Whether any channel of the pixel may be off because of this.
     bool allows(Why why, std::size_t i) const;
-    // The part of this cause; makes it if there is none.
+    // The part with this cause. If there is none yet, adds one in which nothing is allowed.
     Image& part(Why why);
 };
 
