@@ -64,8 +64,10 @@ Codes nearer(const Codes& a, const Codes& b) { return std::ranges::max(b) < std:
 
 // What is left at a pixel that is judged (ImageDifference::beyond_allowed).
 Codes beyond_allowed(const Image& a, const Image& b, const AllowedDifference& allowed, std::size_t i) {
+    const Codes codes = absolute_difference(a.pixels[i], b.pixels[i]);
+    if (codes == Codes{}) return codes;
     const Rgba channels = allowed.channels(i);
-    const Codes left = excess(absolute_difference(a.pixels[i], b.pixels[i]), channels);
+    const Codes left = excess(codes, channels);
     if (!allowed.edge[i] || std::ranges::max(left) == 0) return left;
     const std::vector<AllowedRange>& ranges = allowed.ranges.at(i);
     return nearer(left, farther(distance(a.pixels[i], ranges, channels), distance(b.pixels[i], ranges, channels)));
@@ -79,6 +81,10 @@ struct Region {
     bool has_colors = false;
 
     void add(const Codes& codes, int x, int y) {
+        if (codes == Codes{} && max >= 0) {  // fast path for most pixels
+            ++pixels;
+            return;
+        }
         const int largest = *std::ranges::max_element(codes);
         ++pixels;
         differing += largest > 0 ? 1 : 0;

@@ -14,9 +14,11 @@ AllowedDifference allowed_of_drivers(AllowedDifference allowed, const Render& re
     return allowed;
 }
 
-AllowedDifference with_plans(AllowedDifference allowed, const Render& a, const Render& b, const Render& reference) {
+std::optional<AllowedDifference> with_plans(const AllowedDifference& before_plans, const Render& a, const Render& b,
+                                            const Render& reference) {
     const double error = error_bound(a.plan) + error_bound(b.plan);
-    if (error == 0) return allowed;
+    if (error == 0) return std::nullopt;
+    AllowedDifference allowed = before_plans;
     const Image before = allowed.channels();
     Image& plan = allowed.part(Why::kPlan);
     for (std::size_t i = 0; i < plan.pixels.size(); ++i) {

@@ -2,6 +2,8 @@
 // that plans skip, and for pairs of two drivers.
 #pragma once
 
+#include <optional>
+
 #include "base/image/difference.h"
 #include "judge/compare/comparison.h"
 
@@ -12,7 +14,8 @@ namespace twinlight::compare {
 AllowedDifference allowed_of_drivers(AllowedDifference allowed, const Render& reference);
 
 // Adds the plans' own bounds on what they skip (PlanOptions::budget), at pixels where that can change the 8-bit value: where the
-// right value is that close to halfway between two of them, or where a difference is allowed already.
-AllowedDifference with_plans(AllowedDifference allowed, const Render& a, const Render& b, const Render& reference);
+// right value is that close to halfway between two of them, or where a difference is allowed already. Empty if they skip nothing.
+std::optional<AllowedDifference> with_plans(const AllowedDifference& before_plans, const Render& a, const Render& b,
+                                            const Render& reference);
 
 }  // namespace twinlight::compare

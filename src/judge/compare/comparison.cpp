@@ -258,28 +258,30 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
         const AllowedDifference& allowed = is_of_drivers(planned) ? of_drivers
                                            : planned.phong        ? of_phong
                                                                   : result.allowed;
-        AllowedDifference of_pair = with_plans(allowed, result.a(pair), result.b(pair),
-                                               result.renders[planned.phong ? kReferencePhong : kReference]);
-        pair.difference = difference(result.a(pair).image, result.counterpart(pair), of_pair);
+        const Image counterpart = result.counterpart(pair);
+        std::optional<AllowedDifference> changed = with_plans(
+            allowed, result.a(pair), result.b(pair), result.renders[planned.phong ? kReferencePhong : kReference]);
+        pair.difference = difference(result.a(pair).image, counterpart, changed ? *changed : allowed);
         if (planned.judged && !result.changed_by_missing.empty() && differ_in_missing(result, pair)) {
-            for (std::size_t i = 0; i < of_pair.edge.size(); ++i) {
+            if (!changed) changed = allowed;
+            for (std::size_t i = 0; i < changed->edge.size(); ++i) {
                 if (!result.changed_by_missing[i]) continue;
-                of_pair.edge[i] = true;
-                if (!of_pair.open.empty()) of_pair.open[i] = bit_of(Why::kMissing);
-                of_pair.ranges.erase(i);
+                changed->edge[i] = true;
+                if (!changed->open.empty()) changed->open[i] = bit_of(Why::kMissing);
+                changed->ranges.erase(i);
             }
-            pair.difference.beyond_allowed =
-                difference(result.a(pair).image, result.counterpart(pair), of_pair).beyond_allowed;
+            pair.difference.beyond_allowed = difference(result.a(pair).image, counterpart, *changed).beyond_allowed;
         }
+        const AllowedDifference& of_pair = changed ? *changed : allowed;
         pair.judged = planned.phong ? judged_per_pixel : judged_per_vertex;
         pair.judged.undefined = pair.difference.undefined;
         if (planned.judged) pair.verdict = judge(result, pair);
         if (pair.verdict == Verdict::kBeyond && result.a(pair).path == Path::kFixed) {
-            const PixelMask beyond = pixels_beyond_allowed(result.a(pair).image, result.counterpart(pair), of_pair);
+            const PixelMask beyond = pixels_beyond_allowed(result.a(pair).image, counterpart, of_pair);
             differing_from_fixed.resize(beyond.size());
             for (std::size_t i = 0; i < beyond.size(); ++i)
                 differing_from_fixed[i] = differing_from_fixed[i] || beyond[i];
-            if (pair.b == kReference) of_fixed = std::move(of_pair);
+            if (pair.b == kReference) of_fixed = of_pair;
         }
         // A large difference in an edge pixel must not make the differences away from edges invisible.
         pair.factor = amplification_for(pair.difference.interior.max);

@@ -1,11 +1,13 @@
 // Writes the files of a report.
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <string_view>
 #include <system_error>
 
 #include "base/image/file.h"
 #include "base/image/png.h"
+#include "base/threads/threads.h"
 #include "judge/report/report.h"
 
 namespace twinlight::report {
@@ -47,14 +49,23 @@ std::string difference_file(const Comparison& comparison, const Pair& pair) {
 }
 
 EncodedPictures encode_pictures(const Comparison& comparison) {
-    EncodedPictures pictures;
-    for (const Render& render : comparison.renders) pictures.renders.push_back(encode_png(render.image));
-    for (const Pair& pair : comparison.pairs) {
-        pictures.differences.push_back(
-            encode_png(difference_picture(comparison.a(pair).image, comparison.counterpart(pair), pair.factor)));
+    EncodedPictures pictures{.renders = std::vector<std::string>(comparison.renders.size()),
+                             .differences = std::vector<std::string>(comparison.pairs.size()),
+                             .edges = {},
+                             .why = {}};
+    std::vector<std::function<void()>> pieces;
+    for (std::size_t i = 0; i < comparison.renders.size(); ++i)
+        pieces.emplace_back([&, i] { pictures.renders[i] = encode_png(comparison.renders[i].image); });
+    for (std::size_t i = 0; i < comparison.pairs.size(); ++i) {
+        pieces.emplace_back([&, i] {
+            const Pair& pair = comparison.pairs[i];
+            pictures.differences[i] =
+                encode_png(difference_picture(comparison.a(pair).image, comparison.counterpart(pair), pair.factor));
+        });
     }
-    pictures.edges = encode_png(edge_picture(comparison));
-    pictures.why = encode_png(why_picture(comparison));
+    pieces.emplace_back([&] { pictures.edges = encode_png(edge_picture(comparison)); });
+    pieces.emplace_back([&] { pictures.why = encode_png(why_picture(comparison)); });
+    for_each_on_threads(static_cast<int>(pieces.size()), [&](int piece) { pieces[static_cast<std::size_t>(piece)](); });
     return pictures;
 }
 
