@@ -170,7 +170,7 @@ Draw planned(const Draw& draw, const Plan& plan) {
         if (!effects.ambient) light.ambient = glm::dvec4(0);
         if (!effects.diffuse) light.diffuse = glm::dvec4(0), light.diffuse_illuminant = {};
         if (!effects.specular) light.specular = glm::dvec4(0), light.specular_illuminant = {};
-        if (!effects.directional && !effects.spot) light.spot_cutoff_deg = 180;
+        if (!effects.directional && effects.cone != SpotCone::kGl) light.spot_cutoff_deg = 180;
     }
     return rest;
 }

@@ -21,9 +21,9 @@ std::string text_of(const glm::dvec3& v) { return fmt::format("{:.4g}, {:.4g}, {
 
 // "point light, cone of 14 degrees"
 std::string kind_of(const LightSource& light) {
-    std::string kind = light.position_eye.w == 0 ? "directional" : "point";
-    if (light.spot_cutoff_deg != 180) kind += fmt::format(", cone of {:.4g} degrees", light.spot_cutoff_deg);
-    if (light.position_eye.w != 0 && !light.has_initial_attenuation()) kind += ", attenuated";
+    std::string kind = light.is_directional() ? "directional" : "point";
+    if (light.has_cutoff()) kind += fmt::format(", cone of {:.4g} degrees", light.spot_cutoff_deg);
+    if (light.is_attenuated()) kind += ", attenuated";
     return kind;
 }
 
@@ -84,9 +84,7 @@ void LightsPanel::label(session::Session& session, const char* text, const SetBy
 }
 
 const SetBy& LightsPanel::set_by(int light, Enum pname) const {
-    const auto found = std::ranges::find(session::kLightPnames, pname);
-    return values_->lights[static_cast<std::size_t>(light)]
-        .set_by[static_cast<std::size_t>(found - session::kLightPnames.begin())];
+    return values_->lights[static_cast<std::size_t>(light)].set_by_of(pname);
 }
 
 void LightsPanel::edit_light(session::Session& session, int light, Enum pname, const std::vector<double>& numbers) {
@@ -185,7 +183,7 @@ void LightsPanel::show_light_details(session::Session& session, int light) {
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("the modelview matrix at the call, times what was typed (2.14.1); w = 0: a direction");
 
-    if (source.position_eye.w != 0) {
+    if (!source.is_directional()) {
         const struct {
             const char* text;
             Enum pname;
@@ -221,10 +219,10 @@ void LightsPanel::show_spot(session::Session& session, int light) {
 
     label(session, "cone", set_by(light, kGL_SPOT_CUTOFF));
     ImGui::SameLine(at_scale(kLabelWidth));
-    bool is_spot = source.spot_cutoff_deg != kNoCone;
+    bool is_spot = source.has_cutoff();
     if (ImGui::Checkbox("##cone", &is_spot))
         edit_light(session, light, kGL_SPOT_CUTOFF, {is_spot ? kNewCone : kNoCone});
-    if (!is_spot || source.spot_cutoff_deg == kNoCone) return;
+    if (!is_spot || !source.has_cutoff()) return;
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     if (number_edit("##cutoff", source.spot_cutoff_deg, 0, 90, "cutoff %.3g degrees", number))

@@ -37,7 +37,7 @@ void LightsPanel::show_face(session::Session& session, Enum face) {
     const session::FaceValues& values = face == kGL_BACK ? values_->back : values_->front;
     const Enum edited_face =
         face == kGL_FRONT && !values_->state.light_model.two_side ? static_cast<Enum>(kGL_FRONT_AND_BACK) : face;
-    const SetBy &ambient = values.set_by[0], &diffuse = values.set_by[1];
+    const SetBy &ambient = values.set_by_of(kGL_AMBIENT), &diffuse = values.set_by_of(kGL_DIFFUSE);
     const bool is_joint = ambient.source == Source::kCommand && ambient.command == diffuse.command;
     struct Row {
         const char* text;
@@ -53,8 +53,8 @@ void LightsPanel::show_face(session::Session& session, Enum face) {
         rows.push_back({"ambient", kGL_AMBIENT, material.ambient, ambient});
         rows.push_back({"diffuse", kGL_DIFFUSE, material.diffuse, diffuse});
     }
-    rows.push_back({"specular", kGL_SPECULAR, material.specular, values.set_by[2]});
-    rows.push_back({"emission", kGL_EMISSION, material.emission, values.set_by[3]});
+    rows.push_back({"specular", kGL_SPECULAR, material.specular, values.set_by_of(kGL_SPECULAR)});
+    rows.push_back({"emission", kGL_EMISSION, material.emission, values.set_by_of(kGL_EMISSION)});
     std::vector<double> edited;
     for (const Row& row : rows) {
         label(session, row.text, row.by);
@@ -71,7 +71,7 @@ void LightsPanel::show_face(session::Session& session, Enum face) {
         }
         ImGui::PopID();
     }
-    label(session, "shininess", values.set_by[4]);
+    label(session, "shininess", values.set_by_of(kGL_SHININESS));
     begin_value();
     double number = 0;
     if (number_edit("##shininess", material.shininess, 0, 128, kNumberFormat, number))
@@ -129,7 +129,7 @@ void LightsPanel::show_model(session::Session& session) {
             edit(session, session::toggle_light_model(commands(session), pname), "switch " + enum_name(pname));
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
     };
-    label(session, "ambient", values_->ambient);
+    label(session, "ambient", values_->light_model_set_by(kGL_LIGHT_MODEL_AMBIENT));
     begin_value();
     std::vector<double> edited;
     if (color_edit("##ambient", model.ambient, edited))

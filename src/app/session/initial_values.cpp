@@ -8,6 +8,7 @@
 #include "app/session/argument_places.h"
 #include "scene/command/memory.h"
 #include "scene/state/answers.h"
+#include "scene/state/lighting_parameters.h"
 #include "scene/state/state.h"
 
 namespace twinlight::session {
@@ -79,11 +80,7 @@ std::vector<double> initial_parameter(const Command& command, Owner owner, Enum 
             return fresh.get_light(is_extra ? kGL_LIGHT1 : command.enumerant(0), pname);
         }
         case Owner::kMaterial: return fresh.get_material(kGL_FRONT, pname);
-        case Owner::kLightModel: {
-            const LightModel& model = fresh.lighting().light_model;
-            if (pname == kGL_LIGHT_MODEL_AMBIENT) return components(model.ambient);
-            return one(pname == kGL_LIGHT_MODEL_COLOR_CONTROL ? model.color_control : 0);
-        }
+        case Owner::kLightModel: return values_of(LightModel(), *find_lighting_parameter<LightModel>(pname));
         case Owner::kFog: {
             const Fog fog;
             switch (pname) {

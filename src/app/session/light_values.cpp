@@ -29,32 +29,22 @@ bool tracks_color(const LightingState& state, Enum face, Enum pname) {
 struct Origins {
     std::vector<LightValues> lights = std::vector<LightValues>(kMaxLights);
     FaceValues front, back;
-    SetBy lighting, shade_model, ambient, local_viewer, two_side, color_control, color_material, color_material_mode,
-        normalize, rescale_normal;
-
-    SetBy* capability(Enum cap) {
-        if (cap >= kGL_LIGHT0 && cap < kGL_LIGHT0 + kMaxLights) return &lights[cap - kGL_LIGHT0].enabled;
-        switch (cap) {
-            case kGL_LIGHTING: return &lighting;
-            case kGL_COLOR_MATERIAL: return &color_material;
-            case kGL_NORMALIZE: return &normalize;
-            case kGL_RESCALE_NORMAL: return &rescale_normal;
-            default: return nullptr;
-        }
-    }
+    std::array<SetBy, kLightModelParameters.size()> light_model{};
+    SetBy color_material, color_material_mode;
 
     void set_color(const LightingState& state, std::size_t command) {
         for (const auto& [face, values] : {std::pair(kGL_FRONT, &front), {kGL_BACK, &back}})
-            for (std::size_t i = 0; i < kMaterialPnames.size(); ++i)
-                if (tracks_color(state, face, kMaterialPnames[i])) values->set_by[i] = {Source::kOldColor, command};
+            for (std::size_t i = 0; i < kMaterialParameters.size(); ++i)
+                if (tracks_color(state, face, kMaterialParameters[i].pname))
+                    values->set_by[i] = {Source::kOldColor, command};
     }
 
     void set_material(const Command& command, const LightingState& state, std::size_t index) {
         const Enum given = command.enumerant(0), pname = command.enumerant(1);
         for (const auto& [face, values] : {std::pair(kGL_FRONT, &front), {kGL_BACK, &back}}) {
             if (given != face && given != kGL_FRONT_AND_BACK) continue;
-            for (std::size_t i = 0; i < kMaterialPnames.size(); ++i) {
-                const Enum here = kMaterialPnames[i];
+            for (std::size_t i = 0; i < kMaterialParameters.size(); ++i) {
+                const Enum here = kMaterialParameters[i].pname;
                 const bool sets =
                     pname == here || (pname == kGL_AMBIENT_AND_DIFFUSE && (here == kGL_AMBIENT || here == kGL_DIFFUSE));
                 if (sets && !tracks_color(state, face, here)) values->set_by[i] = {Source::kCommand, index};
@@ -67,27 +57,23 @@ struct Origins {
         const SetBy here{Source::kCommand, index};
         if (kSetsLight.contains(command.id)) {
             const Enum light = command.enumerant(0) - kGL_LIGHT0;
-            const auto pname = std::ranges::find(kLightPnames, command.enumerant(1));
-            if (light < kMaxLights && pname != kLightPnames.end())
-                lights[light].set_by[static_cast<std::size_t>(pname - kLightPnames.begin())] = here;
+            const std::size_t number = number_of_parameter<LightSource>(command.enumerant(1));
+            if (light < kMaxLights && number < kLightParameters.size()) lights[light].set_by[number] = here;
         } else if (kSetsMaterial.contains(command.id)) {
             set_material(command, state, index);
         } else if (kSetsLightModel.contains(command.id)) {
-            switch (command.enumerant(0)) {
-                case kGL_LIGHT_MODEL_AMBIENT: ambient = here; break;
-                case kGL_LIGHT_MODEL_LOCAL_VIEWER: local_viewer = here; break;
-                case kGL_LIGHT_MODEL_TWO_SIDE: two_side = here; break;
-                case kGL_LIGHT_MODEL_COLOR_CONTROL: color_control = here; break;
-                default: break;
-            }
-        } else if (command.id == CommandId::glShadeModel) {
-            shade_model = here;
+            const std::size_t number = number_of_parameter<LightModel>(command.enumerant(0));
+            if (number < light_model.size()) light_model[number] = here;
         } else if (command.id == CommandId::glColorMaterial) {
             color_material_mode = here;
             set_color(state, index);
         } else if (command.id == CommandId::glEnable || command.id == CommandId::glDisable) {
-            if (SetBy* const of = capability(command.enumerant(0))) *of = here;
-            if (command.enumerant(0) == kGL_COLOR_MATERIAL) set_color(state, index);
+            const Enum cap = command.enumerant(0);
+            if (cap >= kGL_LIGHT0 && cap < kGL_LIGHT0 + kMaxLights) lights[cap - kGL_LIGHT0].enabled = here;
+            if (cap == kGL_COLOR_MATERIAL) {
+                color_material = here;
+                set_color(state, index);
+            }
         } else if (kSetsColor.contains(command.id)) {
             set_color(state, index);
         }
@@ -98,46 +84,23 @@ struct Origins {
         const auto take = [&](bool is_changed, SetBy& of, const SetBy* from) {
             if (is_changed) of = from ? *from : other;
         };
+        const auto take_all = [&](const auto& a, const auto& b, auto& of, const auto* from) {
+            const auto rows = lighting_parameters<std::remove_cvref_t<decltype(a)>>();
+            for (std::size_t i = 0; i < rows.size(); ++i)
+                take(!has_equal(a, b, rows[i]), of[i], from ? &(*from)[i] : nullptr);
+        };
         for (std::size_t l = 0; l < lights.size(); ++l) {
             const LightSource &a = before.lights[l], &b = after.lights[l];
-            const bool changed[] = {a.ambient != b.ambient,
-                                    a.diffuse != b.diffuse,
-                                    a.specular != b.specular,
-                                    a.position_eye != b.position_eye,
-                                    a.spot_direction_eye != b.spot_direction_eye,
-                                    a.spot_exponent != b.spot_exponent,
-                                    a.spot_cutoff_deg != b.spot_cutoff_deg,
-                                    a.constant_attenuation != b.constant_attenuation,
-                                    a.linear_attenuation != b.linear_attenuation,
-                                    a.quadratic_attenuation != b.quadratic_attenuation};
-            static_assert(std::size(changed) == kLightPnames.size());
-            for (std::size_t i = 0; i < std::size(changed); ++i)
-                take(changed[i], lights[l].set_by[i], origin ? &origin->lights[l].set_by[i] : nullptr);
+            take_all(a, b, lights[l].set_by, origin ? &origin->lights[l].set_by : nullptr);
             take(a.enabled != b.enabled, lights[l].enabled, origin ? &origin->lights[l].enabled : nullptr);
         }
-        const auto take_material = [&](const Material& a, const Material& b, FaceValues& of, const FaceValues* from) {
-            const bool changed[] = {a.ambient != b.ambient, a.diffuse != b.diffuse, a.specular != b.specular,
-                                    a.emission != b.emission, a.shininess != b.shininess};
-            static_assert(std::size(changed) == kMaterialPnames.size());
-            for (std::size_t i = 0; i < std::size(changed); ++i)
-                take(changed[i], of.set_by[i], from ? &from->set_by[i] : nullptr);
-        };
-        take_material(before.front, after.front, front, origin ? &origin->front : nullptr);
-        take_material(before.back, after.back, back, origin ? &origin->back : nullptr);
-        const LightModel &a = before.light_model, &b = after.light_model;
-        take(before.enabled != after.enabled, lighting, origin ? &origin->lighting : nullptr);
-        take(before.shade_model != after.shade_model, shade_model, origin ? &origin->shade_model : nullptr);
-        take(a.ambient != b.ambient, ambient, origin ? &origin->ambient : nullptr);
-        take(a.local_viewer != b.local_viewer, local_viewer, origin ? &origin->local_viewer : nullptr);
-        take(a.two_side != b.two_side, two_side, origin ? &origin->two_side : nullptr);
-        take(a.color_control != b.color_control, color_control, origin ? &origin->color_control : nullptr);
-        take(before.color_material.enabled != after.color_material.enabled, color_material,
-             origin ? &origin->color_material : nullptr);
-        take(before.color_material.mode != after.color_material.mode ||
-                 before.color_material.face != after.color_material.face,
-             color_material_mode, origin ? &origin->color_material_mode : nullptr);
-        take(before.normalize != after.normalize, normalize, origin ? &origin->normalize : nullptr);
-        take(before.rescale_normal != after.rescale_normal, rescale_normal, origin ? &origin->rescale_normal : nullptr);
+        take_all(before.front, after.front, front.set_by, origin ? &origin->front.set_by : nullptr);
+        take_all(before.back, after.back, back.set_by, origin ? &origin->back.set_by : nullptr);
+        take_all(before.light_model, after.light_model, light_model, origin ? &origin->light_model : nullptr);
+        const ColorMaterial &a = before.color_material, &b = after.color_material;
+        take(a.enabled != b.enabled, color_material, origin ? &origin->color_material : nullptr);
+        take(a.mode != b.mode || a.face != b.face, color_material_mode,
+             origin ? &origin->color_material_mode : nullptr);
     }
 };
 
@@ -257,29 +220,17 @@ std::optional<LightingValues> lighting_values(const CommandList& commands, std::
     values.front.material = first.lighting.front;
     values.back.material = first.lighting.back;
     for (const auto& [face, of] : {std::pair(kGL_FRONT, &values.front), {kGL_BACK, &values.back}}) {
-        for (std::size_t i = 0; i < kMaterialPnames.size(); ++i) {
-            if (!tracks_color(first.lighting, face, kMaterialPnames[i])) continue;
+        for (std::size_t i = 0; i < kMaterialParameters.size(); ++i) {
+            const LightingParameter<Material>& row = kMaterialParameters[i];
+            if (!tracks_color(first.lighting, face, row.pname)) continue;
             of->set_by[i] = {Source::kColor, values.color_command};
             const glm::dvec4 color = first.vertices.empty() ? glm::dvec4(1) : first.vertices.front().color;
-            switch (kMaterialPnames[i]) {
-                case kGL_AMBIENT: of->material.ambient = color; break;
-                case kGL_DIFFUSE: of->material.diffuse = color; break;
-                case kGL_SPECULAR: of->material.specular = color; break;
-                case kGL_EMISSION: of->material.emission = color; break;
-                default: break;
-            }
+            set_parameter(of->material, row, std::span(&color[0], 4));
         }
     }
-    values.lighting = origins.lighting;
-    values.shade_model = origins.shade_model;
-    values.ambient = origins.ambient;
-    values.local_viewer = origins.local_viewer;
-    values.two_side = origins.two_side;
-    values.color_control = origins.color_control;
+    values.light_model = origins.light_model;
     values.color_material = origins.color_material;
     values.color_material_mode = origins.color_material_mode;
-    values.normalize = origins.normalize;
-    values.rescale_normal = origins.rescale_normal;
     return values;
 }
 
@@ -303,10 +254,9 @@ std::string color_material_words(const LightingValues& values) {
 
 CommandList with_light_parameter(const CommandList& commands, const LightingValues& values, int light, Enum pname,
                                  const std::vector<double>& numbers) {
-    const auto found = std::ranges::find(kLightPnames, pname);
-    if (light < 0 || light >= kMaxLights || found == kLightPnames.end()) return commands;
+    if (light < 0 || light >= kMaxLights || !find_lighting_parameter<LightSource>(pname)) return commands;
     const LightValues& of = values.lights[static_cast<std::size_t>(light)];
-    const SetBy& set_by = of.set_by[static_cast<std::size_t>(found - kLightPnames.begin())];
+    const SetBy& set_by = of.set_by_of(pname);
     if (set_by.source == Source::kCommand)
         return with_command(commands, *set_by.command, with_values(commands.commands[*set_by.command], 2, numbers));
     // Where the light's other parameters are set, or else where it is enabled: with the same modelview matrix.
@@ -323,10 +273,9 @@ CommandList with_light_parameter(const CommandList& commands, const LightingValu
 CommandList with_material_parameter(const CommandList& commands, const LightingValues& values, Enum face, Enum pname,
                                     const std::vector<double>& numbers) {
     const Enum looked_up = pname == kGL_AMBIENT_AND_DIFFUSE ? kGL_DIFFUSE : pname;
-    const auto found = std::ranges::find(kMaterialPnames, looked_up);
-    if (found == kMaterialPnames.end()) return commands;
+    if (!find_lighting_parameter<Material>(looked_up)) return commands;
     const FaceValues& of = face == kGL_BACK ? values.back : values.front;
-    const SetBy& set_by = of.set_by[static_cast<std::size_t>(found - kMaterialPnames.begin())];
+    const SetBy& set_by = of.set_by_of(looked_up);
     std::size_t index = values.drawing.command;
     if (set_by.source == Source::kCommand) {
         const Command& command = commands.commands[*set_by.command];
@@ -347,7 +296,7 @@ CommandList with_light_model(const CommandList& commands, const LightingValues& 
     arguments.insert(arguments.end(), numbers.begin(), numbers.end());
     Command call =
         new_command(numbers.size() == 1 ? CommandId::glLightModeli : CommandId::glLightModelfv, std::move(arguments));
-    const SetBy& by = pname == kGL_LIGHT_MODEL_AMBIENT ? values.ambient : values.color_control;
+    const SetBy& by = values.light_model_set_by(pname);
     if (by.source != Source::kCommand) return with_inserted(commands, 0, std::move(call));
     call.place = commands.commands[*by.command].place;
     return with_command(commands, *by.command, std::move(call));

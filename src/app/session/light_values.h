@@ -10,6 +10,7 @@
 
 #include "scene/command/command.h"
 #include "scene/state/frame.h"
+#include "scene/state/lighting_parameters.h"
 
 namespace twinlight::session {
 
@@ -38,30 +39,21 @@ struct SetBy {
     std::optional<std::size_t> command{};  // index into the commands; empty for kInitial
 };
 
-// The parameters in the order in which panels show them.
-inline constexpr std::array<Enum, 10> kLightPnames = {kGL_AMBIENT,
-                                                      kGL_DIFFUSE,
-                                                      kGL_SPECULAR,
-                                                      kGL_POSITION,
-                                                      kGL_SPOT_DIRECTION,
-                                                      kGL_SPOT_EXPONENT,
-                                                      kGL_SPOT_CUTOFF,
-                                                      kGL_CONSTANT_ATTENUATION,
-                                                      kGL_LINEAR_ATTENUATION,
-                                                      kGL_QUADRATIC_ATTENUATION};
-inline constexpr std::array<Enum, 5> kMaterialPnames = {kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_EMISSION,
-                                                        kGL_SHININESS};
-
+// What set each value, in the order of the rows of lighting_parameters.h.
 struct LightValues {
     LightSource stored;  // position and spot direction in eye space, as GL stores them
     TypedLight typed;    // as glLight was given them
     SetBy enabled;
-    std::array<SetBy, kLightPnames.size()> set_by{};
+    std::array<SetBy, kLightParameters.size()> set_by{};
+
+    const SetBy& set_by_of(Enum pname) const { return set_by[number_of_parameter<LightSource>(pname)]; }
 };
 
 struct FaceValues {
     Material material;  // with GL_COLOR_MATERIAL: the first vertex's
-    std::array<SetBy, kMaterialPnames.size()> set_by{};
+    std::array<SetBy, kMaterialParameters.size()> set_by{};
+
+    const SetBy& set_by_of(Enum pname) const { return set_by[number_of_parameter<Material>(pname)]; }
 };
 
 struct LightingValues {
@@ -69,9 +61,11 @@ struct LightingValues {
     LightingState state;  // of the first Draw
     std::vector<LightValues> lights;
     FaceValues front, back;
-    SetBy lighting, shade_model, ambient, local_viewer, two_side, color_control, color_material, color_material_mode,
-        normalize, rescale_normal;
+    std::array<SetBy, kLightModelParameters.size()> light_model{};
+    SetBy color_material, color_material_mode;   // glEnable(GL_COLOR_MATERIAL), glColorMaterial
     std::optional<std::size_t> color_command{};  // the last glColor before the first vertex
+
+    const SetBy& light_model_set_by(Enum pname) const { return light_model[number_of_parameter<LightModel>(pname)]; }
 };
 // For the drawing command with this index; nullopt if it draws nothing.
 std::optional<LightingValues> lighting_values(const CommandList& commands, std::size_t drawing_command);

@@ -7,6 +7,7 @@
 
 #include "app/session/edits.h"
 #include "scene/command/command_set.h"
+#include "scene/state/lighting_parameters.h"
 
 namespace twinlight::session {
 namespace {
@@ -53,17 +54,7 @@ Command material_call(Enum face, Enum pname, std::vector<double> values) {
 std::vector<double> opaque(const std::array<double, 3>& color) { return {color[0], color[1], color[2], 1}; }
 
 std::vector<double> property_of(const Material& material, Enum pname) {
-    const auto four = [](const glm::dvec4& c) { return std::vector<double>{c.r, c.g, c.b, c.a}; };
-    switch (pname) {
-        case kGL_AMBIENT: return four(material.ambient);
-        case kGL_DIFFUSE: return four(material.diffuse);
-        case kGL_SPECULAR: return four(material.specular);
-        default: return {material.shininess};
-    }
-}
-
-std::size_t number_of(Enum pname) {
-    return static_cast<std::size_t>(std::ranges::find(kMaterialPnames, pname) - kMaterialPnames.begin());
+    return values_of(material, *find_lighting_parameter<Material>(pname));
 }
 
 // Whether the preset sets all that this glMaterial sets.
@@ -84,7 +75,7 @@ std::vector<Command> restoring(const CommandList& commands, const LightingValues
     if (!later) return calls;
     for (const Enum pname : kPresetPnames) {
         const auto needs = [&](const FaceValues& face) {
-            const SetBy& by = face.set_by[number_of(pname)];
+            const SetBy& by = face.set_by_of(pname);
             return by.source != Source::kColor && (!by.command || *by.command < values.drawing.command);
         };
         const bool front = needs(later->front), back = needs(later->back);

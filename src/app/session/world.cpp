@@ -93,7 +93,7 @@ Surroundings surroundings_of(const World& world, Box3 box, const Frame& frame) {
     if (world.camera_world) add_near(*world.camera_world);
     for (const Draw* draw : frame.draws()) {
         for (const LightSource& light : draw->lighting.lights)
-            if (draw->lighting.enabled && light.enabled && light.position_eye.w != 0)
+            if (draw->lighting.enabled && light.enabled && !light.is_directional())
                 add_near(glm::dvec3(world_from_eye * light.position_eye) / light.position_eye.w);
     }
     Surroundings around{box.middle(), box.radius(), {}};
@@ -112,7 +112,7 @@ std::optional<LightMarker> marker_of(const LightSource& light, int number, const
     LightMarker marker;
     marker.number = number;
     marker.typed = light.typed;
-    marker.is_directional = light.position_eye.w == 0;
+    marker.is_directional = light.is_directional();
     const glm::dvec4 position_world = world_from_eye * light.position_eye;
     if (marker.is_directional) {
         const glm::dvec3 dir = unit(glm::dvec3(position_world));
@@ -121,7 +121,7 @@ std::optional<LightMarker> marker_of(const LightSource& light, int number, const
     } else {
         marker.place_world = glm::dvec3(position_world) / position_world.w;
         const glm::dvec3 spot_dir = unit(glm::dmat3(world_from_eye) * light.spot_direction_eye);
-        if (light.spot_cutoff_deg != 180 && glm::length(spot_dir) > 0) {
+        if (light.has_cutoff() && glm::length(spot_dir) > 0) {
             marker.cutoff_deg = light.spot_cutoff_deg;
             marker.spot_dir_world = spot_dir;
         }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "judge/compare/departure_rules.h"
+#include "render/lighting_of.h"
 #include "render/reference/vertex_stage.h"
 
 namespace twinlight::compare {
@@ -18,15 +19,14 @@ bool copies(const Draw& draw, CopiedBuffer buffer) {
     return draw.pixels && draw.pixels->copied && draw.pixels->copied->source.pixels->buffer == buffer;
 }
 
-bool is_positional(const LightSource& light) { return light.position_eye.w != 0; }
-
 }  // namespace
 
 bool has_fog_at_raster_position(const Draw& draw) { return draw.pixels && draw.fog.enabled; }
 
 bool has_raster_position_in_eye_coordinates(const Draw& draw) {
     return is_lit_label(draw) && draw.eye_from_object != glm::dmat4(1) &&
-           (draw.lighting.light_model.local_viewer || any_light(draw, is_positional));
+           (draw.lighting.light_model.local_viewer ||
+            any_light(draw, [](const LightSource& light) { return !light.is_directional(); }));
 }
 
 // The driver takes the current values of glBitmap and glDrawPixels, which a Draw does not know.
@@ -79,21 +79,10 @@ bool has_long_normal_at_raster_position(const Draw& draw) {
 // The driver leaves a light out if attenuation and spot make it weaker than a thousandth.
 bool has_dim_light_at_raster_position(const Draw& draw) {
     return is_lit_label(draw) && any_light(draw, [&](const LightSource& light) {
-               if (light.position_eye.w == 0 && !light.has_cone()) return false;
                const glm::dvec4 eye = draw.eye_from_object * draw.vertices[0].position_object;
-               const glm::dvec3 to_light =
-                   is_positional(light)
-                       ? glm::dvec3(light.position_eye) / light.position_eye.w - glm::dvec3(eye) / eye.w
-                       : glm::dvec3(light.position_eye);
-               const double d = glm::length(to_light);
-               double reach = is_positional(light) ? 1 / (light.constant_attenuation + light.linear_attenuation * d +
-                                                          light.quadratic_attenuation * d * d)
-                                                   : 1;
-               if (light.has_cone())
-                   reach *= std::pow(std::max(-glm::dot(to_light / d, glm::normalize(light.spot_direction_eye)), 0.0),
-                                     light.spot_exponent);
                constexpr double kDim = 1.1e-3;
-               return reach < kDim;
+               const double reach = arrival_at(glm::dvec3(eye) / eye.w, light).reach();
+               return reach > 0 && reach < kDim;
            });
 }
 

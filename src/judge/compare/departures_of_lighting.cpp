@@ -25,7 +25,7 @@ glm::dvec3 eye_normal(const Draw& draw, const Vertex& vertex) {
 
 glm::dvec3 toward(const LightSource& light, const glm::dvec3& position_eye) {
     const glm::dvec3 p(light.position_eye);
-    return glm::normalize(light.position_eye.w == 0 ? p : p / light.position_eye.w - position_eye);
+    return glm::normalize(light.is_directional() ? p : p / light.position_eye.w - position_eye);
 }
 
 // Whether `predicate` is true for any vertex's materials, (front, back).
@@ -49,7 +49,7 @@ double cosine_to_axis(const LightSource& light, const Draw& draw, const Vertex& 
 
 bool is_at_edge_of_cone(const Draw& draw, const Vertex& vertex) {
     return any_light(draw, [&](const LightSource& light) {
-        return light.spot_cutoff_deg != 180 &&
+        return light.has_cutoff() &&
                std::abs(cosine_to_axis(light, draw, vertex) - std::cos(light.spot_cutoff_deg * M_PI / 180)) < kJump;
     });
 }
@@ -92,12 +92,8 @@ bool has_shininess_0_with_factors(const Draw& draw) {
     const bool has_0 = any_material(draw, [&](const Material& front, const Material& back) {
         return front.shininess == 0 || (two_side && back.shininess == 0);
     });
-    return has_0 && any_light(draw, [](const LightSource& light) {
-               const bool attenuated =
-                   light.position_eye.w != 0 && (light.constant_attenuation != 1 || light.linear_attenuation != 0 ||
-                                                 light.quadratic_attenuation != 0);
-               return attenuated || light.spot_cutoff_deg != 180;
-           });
+    return has_0 &&
+           any_light(draw, [](const LightSource& light) { return light.is_attenuated() || light.has_cutoff(); });
 }
 
 bool has_shininess_0_on_one_side(const Draw& draw) {
@@ -117,17 +113,17 @@ bool has_w_under_positional_light(const Draw& draw, const Vertex& vertex) {
     const double w = (draw.eye_from_object * vertex.position_object).w;
     return std::abs(w - 1) > 1e-9 &&
            (draw.lighting.light_model.local_viewer ||
-            any_light(draw, [](const LightSource& light) { return light.position_eye.w != 0; }));
+            any_light(draw, [](const LightSource& light) { return !light.is_directional(); }));
 }
 
 bool has_w_0_under_directional_light(const Draw& draw, const Vertex& vertex) {
     return (draw.eye_from_object * vertex.position_object).w == 0 &&
-           any_light(draw, [](const LightSource& light) { return light.position_eye.w == 0; });
+           any_light(draw, [](const LightSource& light) { return light.is_directional(); });
 }
 
 bool has_w_0_under_positional_light(const Draw& draw, const Vertex& vertex) {
     return (draw.eye_from_object * vertex.position_object).w == 0 &&
-           any_light(draw, [](const LightSource& light) { return light.position_eye.w != 0; });
+           any_light(draw, [](const LightSource& light) { return !light.is_directional(); });
 }
 
 bool has_extreme_direction(const Draw& draw, const Vertex& vertex) {
@@ -187,12 +183,12 @@ bool has_no_answer(const Draw& draw, const Vertex& vertex) {
     if (vertex.normal_object == glm::dvec3(0) || glm::determinant(glm::dmat3(draw.eye_from_object)) == 0) return true;
     return any_light(draw, [&](const LightSource& light) {
         const glm::dvec3 p(light.position_eye);
-        const bool is_here = light.position_eye.w == 0
+        const bool is_here = light.is_directional()
                                  ? p == glm::dvec3(0)
                                  : glm::length(p / light.position_eye.w - eye_position(draw, vertex)) < 1e-3;
         const double attenuation = light.constant_attenuation + light.linear_attenuation + light.quadratic_attenuation;
-        const bool has_axis = light.spot_cutoff_deg == 180 || light.spot_direction_eye != glm::dvec3(0);
-        return is_here || !has_axis || (light.position_eye.w != 0 && attenuation == 0);
+        const bool has_axis = !light.has_cutoff() || light.spot_direction_eye != glm::dvec3(0);
+        return is_here || !has_axis || (!light.is_directional() && attenuation == 0);
     });
 }
 

@@ -37,8 +37,8 @@ struct LightAt {
         axis_deg = angle_deg(geometry.cosine_to_axis, 1);
     }
 
-    bool directional() const { return source.position_eye.w == 0; }
-    bool is_spot() const { return source.spot_cutoff_deg != 180 || has_smooth_cone; }
+    bool directional() const { return source.is_directional(); }
+    bool is_spot() const { return source.has_cutoff() || has_smooth_cone; }
     reference::Vec ambient() const { return rgb_of(source.ambient); }
     reference::Vec diffuse() const { return rgb_of(source.diffuse); }
     reference::Vec specular() const { return rgb_of(source.specular); }

@@ -25,6 +25,7 @@
 #include "judge/oracle/oracle.h"
 #include "render/context/driver_name.h"
 #include "render/effect/vertex_facts.h"
+#include "render/lighting_of.h"
 #include "render/programmable/wide_range.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
@@ -300,9 +301,7 @@ class Judged {
             }
             interpolated |= per_pixel && distance < 0x1p-18 * size;
             if (directions) continue;
-            const double divisor = light.constant_attenuation +
-                                   distance * (light.linear_attenuation + distance * light.quadratic_attenuation);
-            denormal |= is_denormal(divisor);
+            denormal |= is_denormal(lighting::attenuation_denominator(lighting_of(light), distance));
             // The reference in floats starts from eye coordinates; all others take the difference in doubles, or of object coordinates.
             cancels |= distance > 0 && distance < (type == NumberType::kFloat ? 0x1p-16 : 0x1p-45) * size;
             wide |= !(distance > 0x1p-8 * size) || !(size < 1e9) || !(size > 1e-9);

@@ -11,6 +11,7 @@
 
 #include "base/math/directions.h"
 #include "judge/lesson/work.h"
+#include "render/lighting_of.h"
 #include "render/reference/reference.h"
 #include "render/reference/vertex_stage.h"
 
@@ -193,7 +194,7 @@ Measure vertex_error(Box box) {
 
 Measure light_away(int shape, glm::dvec3 point_world) {
     return on_light(shape, [=](const Draw& draw, const LightSource& light) -> double {
-        if (light.position_eye.w == 0) return std::numeric_limits<double>::infinity();
+        if (light.is_directional()) return std::numeric_limits<double>::infinity();
         const glm::dvec4 wanted = draw.eye_from_object * glm::dvec4(point_world, 1);
         return glm::distance(glm::dvec3(wanted), glm::dvec3(light.position_eye) / light.position_eye.w);
     });
@@ -212,11 +213,8 @@ Measure spot_cutoff(int shape) {
     return on_light(shape, [](const Draw&, const LightSource& light) { return light.spot_cutoff_deg; });
 }
 Measure arrival(int shape) {
-    // att_i, section 2.14.1.
-    return on_light(shape, [](const Draw& draw, const LightSource& light) -> double {
-        if (light.position_eye.w == 0) return 1;
-        const double d = glm::length(to_light_eye(draw, light));
-        return 1 / (light.constant_attenuation + light.linear_attenuation * d + light.quadratic_attenuation * d * d);
+    return on_light(shape, [](const Draw& draw, const LightSource& light) {
+        return arrival_at(origin_eye(draw), light).attenuation;
     });
 }
 Measure directions_apart(std::vector<int> shapes) {

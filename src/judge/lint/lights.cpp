@@ -48,7 +48,7 @@ class BeforeCamera : public Watch {
             const auto at = static_cast<std::size_t>(light);
             if (!typed_[at] || typed_[at]->camera.line == 0) continue;
             const bool is_direction = pname_ == kGL_SPOT_DIRECTION;
-            if (is_direction && (!position_at_[at] || draw.lighting.lights[at].spot_cutoff_deg == 180)) continue;
+            if (is_direction && (!position_at_[at] || !draw.lighting.lights[at].has_cutoff())) continue;
             const Typed& typed = *typed_[at];
             warn({.place = typed.place,
                   .message =
@@ -143,8 +143,7 @@ class InEveryDraw : public Watch {
 
 class AttenuationOfDirectional : public InEveryDraw {
     bool is_wrong(const LightSource& light) const override {
-        return light.position_eye.w == 0 &&
-               (light.constant_attenuation != 1 || light.linear_attenuation != 0 || light.quadratic_attenuation != 0);
+        return light.is_directional() && !light.has_initial_attenuation();
     }
     void report(int light, const Parameters& parameters) override {
         const Place* place =
@@ -158,9 +157,7 @@ class AttenuationOfDirectional : public InEveryDraw {
 };
 
 class SpotOfDirectional : public InEveryDraw {
-    bool is_wrong(const LightSource& light) const override {
-        return light.position_eye.w == 0 && light.spot_cutoff_deg != 180;
-    }
+    bool is_wrong(const LightSource& light) const override { return light.is_directional() && light.has_cutoff(); }
     void report(int light, const Parameters& parameters) override {
         const Place* place = last_of(parameters, {kGL_SPOT_CUTOFF});
         if (!place) return;
@@ -173,9 +170,7 @@ class SpotOfDirectional : public InEveryDraw {
 };
 
 class SpotWithoutCutoff : public InEveryDraw {
-    bool is_wrong(const LightSource& light) const override {
-        return light.spot_cutoff_deg == 180 && !light.smooth_cone;
-    }
+    bool is_wrong(const LightSource& light) const override { return !light.is_spot(); }
     void report(int light, const Parameters& parameters) override {
         const Place* place = last_of(parameters, {kGL_SPOT_DIRECTION, kGL_SPOT_EXPONENT});
         if (!place || parameters.contains(kGL_SPOT_CUTOFF)) return;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "judge/lint/watch.h"
+#include "render/lighting_of.h"
 #include "render/reference/primitive_assembly.h"
 #include "render/reference/reference.h"
 #include "render/reference/vertex_stage.h"
@@ -150,22 +151,18 @@ enum class Dark : std::uint8_t { kNot, kFacesAway, kLightInside, kOutsideCone, k
 
 double largest(const glm::dvec3& color) { return std::max({color.r, color.g, color.b}); }
 
-double reach(const LightSource& light, const EyeVertex& vertex) {
-    return attenuation_at(light, vertex.position) * spot_at(light, vertex.position);
-}
-
 Dark dark_reason(const Draw& draw, const LightSource& light, const EyeVertex& vertex, const Vertex& given) {
     const Material& material = draw.materials.empty() ? draw.lighting.front : draw.materials[given.material].front;
     const glm::dvec3 diffuse =
         draw.lighting.color_material.enabled ? glm::dvec3(given.color) : glm::dvec3(material.diffuse);
     const glm::dvec3 ambient =
         draw.lighting.color_material.enabled ? glm::dvec3(given.color) : glm::dvec3(material.ambient);
-    const double facing = glm::dot(vertex.normal, to_light(light, vertex.position));
-    const double attenuation = attenuation_at(light, vertex.position);
+    const Arrival arrival = arrival_at(vertex.position, light);
+    const double facing = glm::dot(vertex.normal, arrival.to_light_dir);
     const double brightest = std::max({largest(light.ambient), largest(light.diffuse), largest(light.specular)});
-    if (spot_at(light, vertex.position) == 0) return Dark::kOutsideCone;
-    if (attenuation * brightest < kInvisible) return Dark::kAttenuated;
-    if (largest(ambient * glm::dvec3(light.ambient)) * attenuation >= kInvisible) return Dark::kNot;
+    if (arrival.spot == 0) return Dark::kOutsideCone;
+    if (arrival.attenuation * brightest < kInvisible) return Dark::kAttenuated;
+    if (largest(ambient * glm::dvec3(light.ambient)) * arrival.attenuation >= kInvisible) return Dark::kNot;
     if (facing <= 0 && !(draw.lighting.light_model.two_side && facing < 0)) return Dark::kFacesAway;
     const glm::dvec3 both =
         diffuse * glm::dvec3(light.diffuse) + glm::dvec3(material.specular) * glm::dvec3(light.specular);
@@ -194,18 +191,19 @@ std::map<int, const Draw*> lost_spots(const Frame& frame) {
     std::set<int> found;
     const std::vector<const Draw*> draws = frame.draws();
     const auto is_spot = [](const LightSource& light) {
-        return light.spot_cutoff_deg < 90 && light.position_eye.w != 0 && !is_black(light);
+        return light.spot_cutoff_deg < 90 && !light.is_directional() && !is_black(light);
     };
     const auto lights = [](const LightSource& light, const EyeVertex& point) {
-        return reach(light, point) > 0.05 && glm::dot(point.normal, to_light(light, point.position)) > 0.05;
+        const Arrival arrival = arrival_at(point.position, light);
+        return arrival.reach() > 0.05 && glm::dot(point.normal, arrival.to_light_dir) > 0.05;
     };
     for (const Draw* draw : draws) {
         for (const int number : enabled_lights(*draw)) {
             const LightSource& light = draw->lighting.lights[static_cast<std::size_t>(number)];
             if (!is_spot(light) || found.contains(number)) continue;
             const std::vector<EyeVertex> vertices = eye_vertices(*draw);
-            if (std::ranges::any_of(vertices,
-                                    [&](const EyeVertex& vertex) { return spot_at(light, vertex.position) > 0; })) {
+            if (std::ranges::any_of(
+                    vertices, [&](const EyeVertex& vertex) { return arrival_at(vertex.position, light).spot > 0; })) {
                 found.insert(number);
                 continue;
             }
@@ -347,7 +345,8 @@ class SpotBetweenVertices : public Watch {
 
 // (n . h)^s with attenuation and cone, section 2.14.1.
 double highlight(const Draw& draw, const LightSource& light, const EyeVertex& point, bool local_viewer) {
-    const glm::dvec3 way = to_light(light, point.position);
+    const Arrival arrival = arrival_at(point.position, light);
+    const glm::dvec3 way = arrival.to_light_dir;
     if (glm::dot(point.normal, way) <= 0) return 0;
     glm::dvec3 eye(0, 0, 1);
     if (local_viewer && glm::length(point.position) > 0) eye = -glm::normalize(point.position);
@@ -355,7 +354,7 @@ double highlight(const Draw& draw, const LightSource& light, const EyeVertex& po
     if (glm::length(half) == 0) return 0;
     const double cosine = std::max(0.0, glm::dot(point.normal, glm::normalize(half)));
     const Material& front = draw.lighting.front;
-    return std::pow(cosine, front.shininess) * reach(light, point) *
+    return std::pow(cosine, front.shininess) * arrival.reach() *
            largest(glm::dvec3(light.specular) * glm::dvec3(front.specular));
 }
 
@@ -430,7 +429,7 @@ class HighlightEverywhere : public Watch {
                front.shininess >= 1 && !draw.lighting.light_model.local_viewer && draw.clip_from_eye[2][3] != 0 &&
                draw.lighting.shade_model == kGL_SMOOTH && draw.materials.empty() &&
                std::ranges::none_of(draw.lighting.lights, [](const LightSource& light) {
-                   return light.enabled && light.position_eye.w != 0 && !is_black(light.specular);
+                   return light.enabled && !light.is_directional() && !is_black(light.specular);
                });
     }
 

@@ -81,29 +81,4 @@ std::vector<EyeVertex> eye_vertices(const Draw& draw) {
     return vertices;
 }
 
-glm::dvec3 to_light(const LightSource& light, const glm::dvec3& point) {
-    const glm::dvec4& at = light.position_eye;
-    const glm::dvec3 way = at.w == 0 ? glm::dvec3(at) : glm::dvec3(at) / at.w - point;
-    const double length = glm::length(way);
-    return length > 0 ? way / length : glm::dvec3(0);
-}
-
-// att_i, section 2.14.1.
-double attenuation_at(const LightSource& light, const glm::dvec3& point) {
-    if (light.position_eye.w == 0) return 1;
-    const double d = glm::length(glm::dvec3(light.position_eye) / light.position_eye.w - point);
-    const double sum = light.constant_attenuation + light.linear_attenuation * d + light.quadratic_attenuation * d * d;
-    return sum == 0 ? 0 : 1 / sum;
-}
-
-// spot_i, section 2.14.1.
-double spot_at(const LightSource& light, const glm::dvec3& point) {
-    if (light.spot_cutoff_deg == 180) return 1;
-    const double length = glm::length(light.spot_direction_eye);
-    if (length == 0) return 0;
-    const double cosine = std::max(0.0, -glm::dot(to_light(light, point), light.spot_direction_eye / length));
-    if (cosine < cos_deg(light.spot_cutoff_deg)) return 0;
-    return light.spot_exponent == 0 ? 1 : std::pow(cosine, light.spot_exponent);
-}
-
 }  // namespace twinlight::lint

@@ -94,9 +94,4 @@ struct EyeVertex {
 };
 std::vector<EyeVertex> eye_vertices(const Draw& draw);
 
-// The direction from a point to a light, of length 1; and how much of the light arrives: attenuation and cone.
-glm::dvec3 to_light(const LightSource& light, const glm::dvec3& point);
-double attenuation_at(const LightSource& light, const glm::dvec3& point);
-double spot_at(const LightSource& light, const glm::dvec3& point);
-
 }  // namespace twinlight::lint

@@ -36,7 +36,7 @@ bool shines(const Draw& draw) {
            });
 }
 
-bool is_place(const LightSource& light) { return light.position_eye.w != 0; }
+bool is_place(const LightSource& light) { return !light.is_directional(); }
 
 // The middle of a round shape is the origin of its object space, for all of its parts.
 glm::dvec3 middle_eye(const Draw& draw) {
@@ -90,24 +90,10 @@ constexpr LightingChangeRow kChanges[] = {
     {LightingChange::kDirectional, "directional", "directional lights",
      [](const Draw& draw) { return any_light(draw, is_place); }, make_directional},
     {LightingChange::kNoAttenuation, "no-attenuation", "no attenuation",
-     [](const Draw& draw) {
-         return any_light(draw, [](const LightSource& light) {
-             return is_place(light) && (light.linear_attenuation != 0 || light.quadratic_attenuation != 0 ||
-                                        light.constant_attenuation != 1);
-         });
-     },
-     [](Draw& draw) {
-         for_lights(draw, [](LightSource& light) {
-             light.constant_attenuation = 1;
-             light.linear_attenuation = light.quadratic_attenuation = 0;
-         });
-     }},
+     [](const Draw& draw) { return any_light(draw, [](const LightSource& light) { return light.is_attenuated(); }); },
+     [](Draw& draw) { for_lights(draw, [](LightSource& light) { light.clear_attenuation(); }); }},
     {LightingChange::kNoSpots, "no-spots", "no spotlight cones",
-     [](const Draw& draw) {
-         return any_light(draw, [](const LightSource& light) {
-             return light.spot_cutoff_deg != 180 || light.smooth_cone.has_value();
-         });
-     },
+     [](const Draw& draw) { return any_light(draw, [](const LightSource& light) { return light.is_spot(); }); },
      [](Draw& draw) {
          for_lights(draw, [](LightSource& light) {
              light.spot_cutoff_deg = 180;

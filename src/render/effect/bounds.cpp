@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "base/math/directions.h"
-#include "lighting/light_setup.h"
+#include "render/lighting_of.h"
 
 namespace twinlight {
 namespace {
@@ -162,8 +162,7 @@ double largest_spot(const LightSource& light, double cosine) {
 }
 
 void find_spot(const LightSource& light, const Cone& to_light, LightFactors& factors) {
-    const bool is_spot = light.has_cone() || light.smooth_cone;
-    if (!is_spot) return;
+    if (light.cone() == SpotCone::kNone) return;
     const double cutoff = (light.smooth_cone ? light.smooth_cone->outer_deg : light.spot_cutoff_deg) * kPi / 180;
     const glm::dvec3 axis_dir = unit(light.spot_direction_eye);
     double nearest = 0, farthest = kPi;
@@ -273,13 +272,8 @@ double largest_attenuation(const LightSource& light, double nearest, double fart
 }
 
 double directional_spot(const LightSource& source) {
-    if (source.spot_cutoff_deg == 180 && !source.smooth_cone) return 1;
-    using Vec = Vec3<double>;
-    lighting::Light<double> light;
-    place(light, vec3_cast<Vec>(source.position_eye), 0.0);
-    aim(light, vec3_cast<Vec>(source.spot_direction_eye), source.spot_cutoff_deg);
-    light.spot_exponent = source.spot_exponent;
-    if (source.smooth_cone) soften(light, source.smooth_cone->inner_deg, source.smooth_cone->outer_deg);
+    if (source.cone() == SpotCone::kNone) return 1;
+    const lighting::Light<double> light = lighting_of(source, true);
     return lighting::spot(light, light.position_eye);
 }
 
@@ -288,7 +282,7 @@ LightFactors quick_factors(const DrawBounds& bounds, const LightSource& light) {
     const double length = bounds.longest_normal_eye;
     factors.n_dot_vp = {length, length};
     factors.highlight.fill(bounds.unit_normals && !bounds.reflection ? kUp : kInfinity);
-    if (light.position_eye.w == 0) {
+    if (light.is_directional()) {
         factors.reach = directional_spot(light) * kUp;
     } else {
         const LightPlace place = place_of(bounds, light);
@@ -302,7 +296,7 @@ LightFactors light_factors(const DrawBounds& bounds, const LightSource& light, c
                            int face_count) {
     LightFactors factors;
     Cone to_light{.half_angle = kPi};
-    if (light.position_eye.w == 0) {
+    if (light.is_directional()) {
         factors.reach = directional_spot(light) * kUp;
         to_light = {.axis_dir = unit(glm::dvec3(light.position_eye)), .half_angle = 0};
         if (to_light.axis_dir == glm::dvec3(0)) to_light.half_angle = kPi;

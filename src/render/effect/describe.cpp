@@ -16,10 +16,10 @@ std::string describe(const LightEffects& light) {
     };
     add(light.meets_directions, "vertices with w = 0");
     add(light.attenuated, "attenuated");
-    add(light.spot, "spot");
+    add(light.cone == SpotCone::kGl, "spot");
     add(light.spot_exponent == Power::kWhole, "integer spot exponent");
     add(light.spot_exponent == Power::kReal, "spot exponent");
-    add(light.smooth_cone, "smooth cone");
+    add(light.cone == SpotCone::kSmooth, "smooth cone");
     add(light.ambient, "ambient");
     add(light.diffuse, "diffuse");
     add(light.specular, "specular");

@@ -19,8 +19,8 @@
 //   tracks_*, varies_*                       that property of the material is used; at most one of the two
 //   lights[i].meets_directions               the light is not directional, and not attenuated
 //   lights[i].attenuated                     the light is positional
-//   lights[i].spot                           the light is positional; for_any_pose: any light
-//   lights[i].spot without an exponent       part of the Draw is outside its cone; for_any_pose: always
+//   lights[i].cone                           the light is positional; for_any_pose: any light
+//   lights[i].cone kGl without an exponent   part of the Draw is outside its cone; for_any_pose: always
 //   lights[i].ambient, .diffuse              the texture does not replace the primary colour's red, green and blue
 //   texture.*                                texture.environment
 //   texture.texels kIntensity                the environment is kBlend or kAdd; otherwise kColorAndAlpha is used
@@ -78,10 +78,9 @@ struct LightEffects {
     bool meets_directions = false;
     // By a linear or quadratic factor; a constant factor is part of the colour products, except for_any_pose.
     bool attenuated = false;
-    bool spot = false;  // cutoff other than 180 degrees
-    Power spot_exponent = Power::kZero;
-    bool smooth_cone = false;  // the lecture's cone instead of GL's
-    bool ambient = false;      // an ambient term that is not the same at every vertex
+    SpotCone cone = SpotCone::kNone;
+    Power spot_exponent = Power::kZero;  // of GL's cone
+    bool ambient = false;                // an ambient term that is not the same at every vertex
     bool diffuse = false;
     bool specular = false;
 

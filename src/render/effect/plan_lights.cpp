@@ -78,13 +78,10 @@ class LightsPlanner {
         Candidate candidate{.planned = {.number = static_cast<int>(number)}, .entry = number};
         LightEffects& effects = candidate.effects;
         effects.meets_directions = meets_directions(light);
-        effects.directional = light.position_eye.w == 0 && !effects.meets_directions;
-        effects.attenuated =
-            light.position_eye.w != 0 &&
-            (light.constant_attenuation != 1 || light.linear_attenuation != 0 || light.quadratic_attenuation != 0);
-        effects.smooth_cone = light.smooth_cone.has_value();
-        effects.spot = light.has_cone() && !effects.smooth_cone;
-        if (effects.spot) effects.spot_exponent = power_of(light.spot_exponent);
+        effects.directional = light.is_directional() && !effects.meets_directions;
+        effects.attenuated = light.is_attenuated();
+        effects.cone = light.cone();
+        if (effects.cone == SpotCone::kGl) effects.spot_exponent = power_of(light.spot_exponent);
         const bool ambient = given_.primary && meets(ambient_of(light), &FaceRange::ambient);
         effects.ambient = ambient && !is_unattenuated();
         effects.diffuse = given_.primary && meets(diffuse_of(light), &FaceRange::diffuse);
@@ -96,7 +93,7 @@ class LightsPlanner {
         decide(candidate, {}, folded, false);
     }
 
-    bool meets_directions(const LightSource& light) const { return given_.has_directions && light.position_eye.w == 0; }
+    bool meets_directions(const LightSource& light) const { return given_.has_directions && light.is_directional(); }
 
     void plan_light(std::size_t number) {
         if (given_.for_any_pose) return plan_light_for_any_pose(number);
@@ -104,8 +101,7 @@ class LightsPlanner {
         // Its direction depends on the vertex, like that of a positional light that nothing attenuates.
         LightSource positional = source(number);
         positional.position_eye.w = 1;
-        positional.constant_attenuation = 1;
-        positional.linear_attenuation = positional.quadratic_attenuation = 0;
+        positional.clear_attenuation();
         plan_light(number, positional);
     }
 
@@ -114,17 +110,15 @@ class LightsPlanner {
         LightEffects& effects = candidate.effects;
         effects.meets_directions = meets_directions(source(number));
         double& constant_reach = candidate.planned.constant_reach;
-        const bool is_spot = light.has_cone() || light.smooth_cone;
-        effects.directional = light.position_eye.w == 0;
+        effects.directional = light.is_directional();
         if (effects.directional) {
             constant_reach = directional_spot(light);
         } else {
             effects.attenuated = light.linear_attenuation != 0 || light.quadratic_attenuation != 0;
             if (!effects.attenuated)
                 constant_reach = lighting::inverse_or_zero(light.constant_attenuation, lighting::Ruling::kAttenuation);
-            effects.spot = is_spot && !light.smooth_cone;
-            effects.smooth_cone = light.smooth_cone.has_value();
-            if (effects.spot) effects.spot_exponent = power_of(light.spot_exponent);
+            effects.cone = light.cone();
+            if (effects.cone == SpotCone::kGl) effects.spot_exponent = power_of(light.spot_exponent);
         }
         const bool reaches = constant_reach > 0;
         const bool ambient = given_.primary && meets(ambient_of(light), &FaceRange::ambient);
@@ -152,8 +146,8 @@ class LightsPlanner {
             if (!within_share) {
                 factors = light_factors(given_.bounds, light, given_.faces, static_cast<int>(face_count_));
                 // A cone that contains the whole Draw and does not fall off has no effect.
-                if (effects.spot && effects.spot_exponent == Power::kZero && factors.cone_holds_all)
-                    effects.spot = false;
+                if (effects.cone == SpotCone::kGl && effects.spot_exponent == Power::kZero && factors.cone_holds_all)
+                    effects.cone = SpotCone::kNone;
                 find_range();
             }
         }
@@ -164,7 +158,7 @@ class LightsPlanner {
     }
 
     bool is_constant(const LightEffects& effects) const {
-        return is_unattenuated() || !(effects.attenuated || effects.spot || effects.smooth_cone);
+        return is_unattenuated() || !(effects.attenuated || effects.cone != SpotCone::kNone);
     }
 
     void decide(const Candidate& candidate, const LightFactors& factors, bool folded, bool within_share) {
@@ -174,11 +168,11 @@ class LightsPlanner {
         constexpr double kDegPerRad = 180 / std::numbers::pi;
         if (!effects.ambient && !effects.diffuse && !effects.specular) {
             const bool reaches = candidate.planned.constant_reach > 0;
-            entry.fate = folded                      ? LightFate::kAmbientOnly
-                         : !given_.primary           ? LightFate::kReplaced
-                         : reaches                   ? LightFate::kBlack
-                         : light.position_eye.w == 0 ? LightFate::kOutsideCone
-                                                     : LightFate::kNoReach;
+            entry.fate = folded                   ? LightFate::kAmbientOnly
+                         : !given_.primary        ? LightFate::kReplaced
+                         : reaches                ? LightFate::kBlack
+                         : light.is_directional() ? LightFate::kOutsideCone
+                                                  : LightFate::kNoReach;
         } else if (entry.largest() == 0 && factors.cone_misses_by > 0) {
             entry.fate = LightFate::kConeMisses;
             entry.deg = factors.cone_misses_by * kDegPerRad;
@@ -245,7 +239,6 @@ class LightsPlanner {
         const auto note = [&](const char* what, std::string_view why, bool is_off = false) {
             plan_.leave_out(fmt::format("{}'s {}", light_name(candidate.planned.number), what), why, is_off);
         };
-        const bool is_spot = light.spot_cutoff_deg != 180 || light.smooth_cone;
         const double reach = candidate.planned.constant_reach;
         if (effects.directional || effects.meets_directions)
             note("attenuation", "the light is directional (its position has w = 0)", light.has_initial_attenuation());
@@ -254,13 +247,13 @@ class LightsPlanner {
                  fmt::format("its factors are {}, 0, 0, so it is {:.6g} at every vertex", light.constant_attenuation,
                              reach),
                  light.has_initial_attenuation());
-        if (!is_spot)
+        if (!light.is_spot())
             note("cone", "GL_SPOT_CUTOFF is 180", true);
         else if (effects.directional)
             note("cone", fmt::format("the light is directional, so its spot factor is {:.6g} everywhere", reach));
-        else if (!effects.spot && !effects.smooth_cone)
+        else if (effects.cone == SpotCone::kNone)
             note("cone", "the whole draw is inside it, and GL_SPOT_EXPONENT is 0");
-        if (effects.spot && effects.spot_exponent == Power::kZero)
+        if (effects.cone == SpotCone::kGl && effects.spot_exponent == Power::kZero)
             note("fall-off inside the cone", "GL_SPOT_EXPONENT is 0");
         if (!effects.ambient && meets(ambient_of(light), &FaceRange::ambient))
             note("ambient term", "it is the same at every vertex, so it is part of the scene's ambient light");

@@ -21,10 +21,9 @@ LightSource scrubbed_light(const Plan& plan, std::size_t i) {
             *color = with_rgb(reach * glm::dvec3(*color), *color);
         for (LightSource::Illuminant* illuminant : {&light.diffuse_illuminant, &light.specular_illuminant})
             illuminant->scale *= reach;
-        light.constant_attenuation = 1;
-        light.linear_attenuation = light.quadratic_attenuation = 0;
+        light.clear_attenuation();
     }
-    if (!effects.spot) light.spot_cutoff_deg = 180;
+    if (effects.cone != SpotCone::kGl) light.spot_cutoff_deg = 180;
     light.enabled = true;
     return light;
 }

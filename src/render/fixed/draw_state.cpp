@@ -1,32 +1,31 @@
 #include "render/fixed/draw_state.h"
 
+#include <algorithm>
+#include <array>
+
 #include "render/context/gl.h"
+#include "scene/state/lighting_parameters.h"
 
 namespace twinlight::fixed {
 namespace {
 
+// Calls set(pname, its values as floats) for all parameters of a light, a material or the light model.
+template <class Owner, class Set>
+void set_all(const Owner& owner, const Set& set) {
+    for (const LightingParameter<Owner>& parameter : lighting_parameters<Owner>()) {
+        std::array<float, 4> values{};
+        std::ranges::transform(values_of(owner, parameter), values.begin(),
+                               [](double value) { return static_cast<float>(value); });
+        set(parameter.pname, values.data());
+    }
+}
+
 void set_light(GLenum name, const LightSource& light) {
-    const auto number = [&](GLenum what, double value) { glLightf(name, what, static_cast<float>(value)); };
-    const auto vector = [&](GLenum what, const glm::vec4& v) { glLightfv(name, what, &v[0]); };
-    vector(GL_AMBIENT, light.ambient);
-    vector(GL_DIFFUSE, light.diffuse);
-    vector(GL_SPECULAR, light.specular);
-    vector(GL_POSITION, light.position_eye);
-    vector(GL_SPOT_DIRECTION, glm::vec4(light.spot_direction_eye, 0));
-    number(GL_SPOT_EXPONENT, light.spot_exponent);
-    number(GL_SPOT_CUTOFF, light.spot_cutoff_deg);
-    number(GL_CONSTANT_ATTENUATION, light.constant_attenuation);
-    number(GL_LINEAR_ATTENUATION, light.linear_attenuation);
-    number(GL_QUADRATIC_ATTENUATION, light.quadratic_attenuation);
+    set_all(light, [&](GLenum pname, const float* values) { glLightfv(name, pname, values); });
 }
 
 void set_material(GLenum face, const Material& material) {
-    const auto vector = [&](GLenum what, const glm::vec4& v) { glMaterialfv(face, what, &v[0]); };
-    vector(GL_AMBIENT, material.ambient);
-    vector(GL_DIFFUSE, material.diffuse);
-    vector(GL_SPECULAR, material.specular);
-    vector(GL_EMISSION, material.emission);
-    glMaterialf(face, GL_SHININESS, static_cast<float>(material.shininess));
+    set_all(material, [&](GLenum pname, const float* values) { glMaterialfv(face, pname, values); });
 }
 
 }  // namespace
@@ -48,11 +47,7 @@ void set_lighting(const LightingState& lighting, bool also_off) {
         set_enabled(name, light.enabled);
         if (light.enabled || also_off) set_light(name, light);
     }
-    const LightModel& model = lighting.light_model;
-    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, &glm::vec4(model.ambient)[0]);
-    glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, model.local_viewer);
-    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, model.two_side);
-    glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, static_cast<GLint>(model.color_control));
+    set_all(lighting.light_model, [](GLenum pname, const float* values) { glLightModelfv(pname, values); });
     set_material(GL_FRONT, lighting.front);
     set_material(GL_BACK, lighting.back);
     // Mesa executes glMaterial late, and would overwrite a material that colours have changed meanwhile. A query forces

@@ -571,7 +571,7 @@ class DrawUniforms {
         double length_unit = 1;
     };
     Placed placed(const LightSource& light) {
-        if (light.position_eye.w == 0)  // only "toward" counts
+        if (light.is_directional())  // only "toward" counts
             return Placed{.place = glm::dvec3(0), .nearest = {}, .length_unit = unit_};
         const glm::dvec3 eye = rgb(light.position_eye) / light.position_eye.w;
         Placed result{.place = point(eye), .nearest = {}, .length_unit = unit_};

@@ -37,7 +37,7 @@ bool needs_light_cosine(const EffectSet& effects, std::size_t i) {
 
 bool needs_light_direction(const EffectSet& effects, std::size_t i) {
     const LightEffects& light = effects.lights[i];
-    return light.spot || light.smooth_cone || needs_light_cosine(effects, i) ||
+    return light.cone != SpotCone::kNone || needs_light_cosine(effects, i) ||
            (light.specular && effects.shininess != Power::kZero);
 }
 
@@ -55,11 +55,11 @@ LightValues values_of_light(const EffectSet& effects, const Form& form, std::siz
     values.add(kNearVertex, is_near && form.wide_range);
     values.add(kWay, is_near && form.wide_range);
     values.add(kAttenuation, light.attenuated);
-    values.add(kSpotDir, light.spot || light.smooth_cone);
-    values.add(kCosCutoff, light.spot && !light.smooth_cone);
-    values.add(kSpotExponent, light.spot && !light.smooth_cone && light.spot_exponent != Power::kZero);
-    values.add(kCosOuter, light.smooth_cone);
-    values.add(kConeSlope, light.smooth_cone);
+    values.add(kSpotDir, light.cone != SpotCone::kNone);
+    values.add(kCosCutoff, light.cone == SpotCone::kGl);
+    values.add(kSpotExponent, light.cone == SpotCone::kGl && light.spot_exponent != Power::kZero);
+    values.add(kCosOuter, light.cone == SpotCone::kSmooth);
+    values.add(kConeSlope, light.cone == SpotCone::kSmooth);
     values.add(kAmbient, light.ambient);
     values.add(kDiffuse, light.diffuse);
     values.add(kSpecular, light.specular);

@@ -119,10 +119,10 @@ class Writer : LightingWriter {
             reach = names_.position_is_homogeneous() ? fmt::format("attenuation_of({}, vp, {}.w)", k, names_.position())
                                                      : fmt::format("attenuation({}, length(vp))", k);
         }
-        if (!light.spot && !light.smooth_cone) return reach;
+        if (light.cone == SpotCone::kNone) return reach;
         if (!reach.empty()) reach += " *\n            ";
         const std::string spot_dir = names_.light(i, LightValue::kSpotDir);
-        if (light.smooth_cone) {
+        if (light.cone == SpotCone::kSmooth) {
             const std::string cos_outer = names_.light(i, LightValue::kCosOuter);
             const std::string slope = names_.light(i, LightValue::kConeSlope);
             return reach + fmt::format("smooth_cone({}, {}, {}, vp_dir)", spot_dir, cos_outer, slope);

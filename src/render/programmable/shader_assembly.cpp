@@ -819,7 +819,7 @@ class Assembler {
     std::vector<Definition> library(const Words& words) const {
         bool has_whole = effects_.shininess == Power::kWhole, has_real = effects_.shininess == Power::kReal;
         for (const LightEffects& light : effects_.lights)
-            if (light.spot) (light.spot_exponent == Power::kReal ? has_real : has_whole) = true;
+            if (light.cone == SpotCone::kGl) (light.spot_exponent == Power::kReal ? has_real : has_whole) = true;
         std::vector<Definition> library = uniforms(words);
         std::set<std::string> names;
         std::vector<const char*> files = lighting_.libraries;

@@ -6,32 +6,13 @@
 #include <glm/common.hpp>
 #include <iterator>
 
-#include "lighting/light_setup.h"
+#include "render/lighting_of.h"
 
 namespace twinlight::reference {
 
 namespace {
 
 Vec rgb(const glm::dvec4& color) { return vec3_cast<Vec>(color); }
-
-// Table 2.10: the parameters of one light. Cosines and the spot's unit vector are computed once, here.
-template <class Real>
-lighting::Light<Real> light_of(const LightSource& source, bool lecture_variants) {
-    using Vec = Vec3<Real>;
-    lighting::Light<Real> light;
-    light.ambient = vec3_cast<Vec>(source.ambient);
-    light.diffuse = vec3_cast<Vec>(source.diffuse);
-    light.specular = vec3_cast<Vec>(source.specular);
-    place(light, vec3_cast<Vec>(source.position_eye), Real(source.position_eye.w));
-    aim(light, vec3_cast<Vec>(source.spot_direction_eye), source.spot_cutoff_deg);
-    light.spot_exponent = source.spot_exponent;
-    light.constant_attenuation = source.constant_attenuation;
-    light.linear_attenuation = source.linear_attenuation;
-    light.quadratic_attenuation = source.quadratic_attenuation;
-    if (lecture_variants && source.smooth_cone)
-        soften(light, source.smooth_cone->inner_deg, source.smooth_cone->outer_deg);
-    return light;
-}
 
 // 2.14.3: which properties of `face` follow the current colour.
 bool tracks(const ColorMaterial& color_material, Face face, Enum property) {
@@ -45,7 +26,7 @@ template <class Real>
 std::vector<lighting::Light<Real>> lights_of(const LightingState& state, bool lecture_variants) {
     std::vector<lighting::Light<Real>> lights;
     for (const LightSource& source : state.lights)
-        if (source.enabled) lights.push_back(light_of<Real>(source, lecture_variants));
+        if (source.enabled) lights.push_back(lighting_of<Real>(source, lecture_variants));
     return lights;
 }
 

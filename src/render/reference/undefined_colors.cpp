@@ -5,6 +5,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "base/math/normal_matrix.h"
+#include "render/lighting_of.h"
 
 namespace twinlight::reference {
 
@@ -25,12 +26,11 @@ bool has_no_normals(const Draw& draw) { return draw.lighting.enabled && is_singu
 
 std::optional<Undefined> by_light(const LightSource& light, const glm::dvec4& eye) {
     const glm::dvec4& place = light.position_eye;
-    if (light.spot_cutoff_deg != 180 && light.spot_direction_eye == glm::dvec3(0)) return Undefined::kSpotDirection;
-    if (place.w == 0)
+    if (light.has_cutoff() && light.spot_direction_eye == glm::dvec3(0)) return Undefined::kSpotDirection;
+    if (light.is_directional())
         return glm::dvec3(place) == glm::dvec3(0) ? std::optional(Undefined::kLightDirection) : std::nullopt;
     const double d = eye.w == 0 ? 0 : glm::length(glm::dvec3(place) / place.w - glm::dvec3(eye) / eye.w);
-    const double divisor =
-        light.constant_attenuation + light.linear_attenuation * d + light.quadratic_attenuation * d * d;
+    const double divisor = lighting::attenuation_denominator(lighting_of(light), d);
     if (eye.w != 0 && d == 0) return Undefined::kLightDirection;
     return divisor == 0 && eye.w != 0 ? std::optional(Undefined::kAttenuation) : std::nullopt;
 }

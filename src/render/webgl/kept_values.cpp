@@ -8,6 +8,7 @@
 #include "base/math/directions.h"
 #include "render/programmable/draw_values.h"
 #include "render/programmable/light_values.h"
+#include "scene/state/lighting_parameters.h"
 
 namespace twinlight::webgl {
 namespace {
@@ -29,28 +30,20 @@ Json list_of(const glm::dmat4& m) {
     return list;
 }
 
-void add_material(Json& values, const std::string& face, const Material& m) {
-    values[face + ".emission"] = list_of(m.emission);
-    values[face + ".ambient"] = list_of(m.ambient);
-    values[face + ".diffuse"] = list_of(m.diffuse);
-    values[face + ".specular"] = list_of(m.specular);
-    values[face + ".shininess"] = list_of(m.shininess);
+// The members of GLSL's gl_LightSource or gl_FrontMaterial.
+template <class Owner>
+void add_members(Json& values, const std::string& variable, const Owner& owner) {
+    for (const LightingParameter<Owner>& parameter : lighting_parameters<Owner>()) {
+        Json& list = values[variable + "." + std::string(parameter.glsl)] = Json::array();
+        for (const double value : values_of(owner, parameter)) list.push_back(short_number(value));
+    }
 }
 
 Json light_of(const LightSource& light, int number) {
-    const std::string source = fmt::format("LightSource[{}].", number);
+    const std::string source = fmt::format("LightSource[{}]", number);
     Json values;
-    values[source + "ambient"] = list_of(light.ambient);
-    values[source + "diffuse"] = list_of(light.diffuse);
-    values[source + "specular"] = list_of(light.specular);
-    values[source + "position"] = list_of(light.position_eye);
-    values[source + "spotDirection"] = list_of(light.spot_direction_eye);
-    values[source + "spotExponent"] = list_of(light.spot_exponent);
-    values[source + "spotCutoff"] = list_of(light.spot_cutoff_deg);
-    values[source + "spotCosCutoff"] = list_of(cos_deg(light.spot_cutoff_deg));
-    values[source + "constantAttenuation"] = list_of(light.constant_attenuation);
-    values[source + "linearAttenuation"] = list_of(light.linear_attenuation);
-    values[source + "quadraticAttenuation"] = list_of(light.quadratic_attenuation);
+    add_members(values, source, light);
+    values[source + ".spotCosCutoff"] = list_of(cos_deg(light.spot_cutoff_deg));
     if (light.smooth_cone) {
         const programmable::SmoothConeValues cone = programmable::smooth_cone_values(light);
         values[programmable::kept_cone_name(number, programmable::LightValue::kCosOuter)] = list_of(cone.cos_outer);
@@ -87,8 +80,8 @@ std::vector<Json> kept_values(const Draw& draw, const Plan& plan, const programm
         {{"ModelViewMatrix", list_of(draw.eye_from_object)}, {"ProjectionMatrix", list_of(draw.clip_from_eye)}}};
     if (code.effects.lighting) {
         groups.push_back({{"LightModel.ambient", list_of(glm::dvec4(plan.constant_ambient, 1))}});
-        add_material(groups.back(), "FrontMaterial", plan.lighting.front);
-        if (code.effects.two_side) add_material(groups.back(), "BackMaterial", plan.lighting.back);
+        add_members(groups.back(), "FrontMaterial", plan.lighting.front);
+        if (code.effects.two_side) add_members(groups.back(), "BackMaterial", plan.lighting.back);
         for (const int number : code.form.kept->lights)
             groups.push_back(light_of(plan.lighting.lights[static_cast<std::size_t>(number)], number));
     }

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "base/math/as_float.h"
+#include "scene/state/lighting_parameters.h"
 #include "scene/state/pixel_unpacking.h"
 
 namespace twinlight {
@@ -26,11 +27,9 @@ Answer one(Number value) {
 }
 
 Answer of_lighting(const LightingState& lighting, Enum pname) {
+    if (const auto* const of_model = find_lighting_parameter<LightModel>(pname))
+        return values_of(lighting.light_model, *of_model);
     switch (pname) {
-        case kGL_LIGHT_MODEL_AMBIENT: return list(lighting.light_model.ambient);
-        case kGL_LIGHT_MODEL_LOCAL_VIEWER: return one(lighting.light_model.local_viewer);
-        case kGL_LIGHT_MODEL_TWO_SIDE: return one(lighting.light_model.two_side);
-        case kGL_LIGHT_MODEL_COLOR_CONTROL: return one(lighting.light_model.color_control);
         case kGL_COLOR_MATERIAL_FACE: return one(lighting.color_material.face);
         case kGL_COLOR_MATERIAL_PARAMETER: return one(lighting.color_material.mode);
         case kGL_SHADE_MODEL: return one(lighting.shade_model);

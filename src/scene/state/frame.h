@@ -58,6 +58,9 @@ struct Material {  // 2.14.2, table 2.10
     friend bool operator==(const Material&, const Material&) = default;
 };
 
+// What makes a light weaker away from an axis: nothing, GL's cone (2.14.1), or the lecture's smooth cone, which replaces GL's.
+enum class SpotCone : std::uint8_t { kNone, kGl, kSmooth };
+
 struct LightSource {  // 2.14.2, table 2.10; GL_LIGHT0 has white diffuse and specular (LightingState sets it)
     bool enabled = false;
     std::uint32_t typed = 0;  // index into Frame::typed_lights
@@ -92,11 +95,21 @@ struct LightSource {  // 2.14.2, table 2.10; GL_LIGHT0 has white diffuse and spe
     Illuminant diffuse_illuminant, specular_illuminant;
 
     friend bool operator==(const LightSource&, const LightSource&) = default;
-    // Whether spot_i (2.14.1) is less than 1 anywhere. A cosine that is clamped to 0 is never less than cos 90, and 0^0 is 1.
-    bool has_cone() const { return spot_cutoff_deg != 180 && (spot_cutoff_deg != 90 || spot_exponent != 0); }
+    bool is_directional() const { return position_eye.w == 0; }
     bool has_initial_attenuation() const {
         return constant_attenuation == 1 && linear_attenuation == 0 && quadratic_attenuation == 0;
     }
+    // Whether att_i (2.14.1) has factors that count and may be other than 1.
+    bool is_attenuated() const { return !is_directional() && !has_initial_attenuation(); }
+    void clear_attenuation() {
+        constant_attenuation = 1;
+        linear_attenuation = quadratic_attenuation = 0;
+    }
+    bool has_cutoff() const { return spot_cutoff_deg != 180; }
+    bool is_spot() const { return has_cutoff() || smooth_cone; }
+    // Whether spot_i (2.14.1) is less than 1 anywhere. A cosine that is clamped to 0 is never less than cos 90, and 0^0 is 1.
+    bool has_cone() const { return has_cutoff() && (spot_cutoff_deg != 90 || spot_exponent != 0); }
+    SpotCone cone() const { return smooth_cone ? SpotCone::kSmooth : has_cone() ? SpotCone::kGl : SpotCone::kNone; }
 };
 
 // What glLight was given for GL_POSITION and GL_SPOT_DIRECTION. LightSource has the same in eye coordinates: the product

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "scene/state/lighting_parameters.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -17,17 +18,6 @@ namespace twinlight {
 namespace {
 
 glm::dvec4 vec4(const std::vector<double>& v) { return {v[0], v[1], v[2], v[3]}; }
-
-// The colour that a pname names; null for GL_SHININESS and GL_AMBIENT_AND_DIFFUSE.
-glm::dvec4* color_of(Material& material, Enum pname) {
-    switch (pname) {
-        case kGL_AMBIENT: return &material.ambient;
-        case kGL_DIFFUSE: return &material.diffuse;
-        case kGL_SPECULAR: return &material.specular;
-        case kGL_EMISSION: return &material.emission;
-        default: return nullptr;
-    }
-}
 
 // The reflectance that a pname names; null for other properties.
 const Spectrum** reflectance_of(Material& material, Enum pname) {
@@ -39,10 +29,11 @@ const Spectrum** reflectance_of(Material& material, Enum pname) {
     }
 }
 
-// Sets a colour and the reflectance it was computed from (null if it was given as numbers).
-void set_color(Material& material, Enum pname, const glm::dvec4& color, const Spectrum* reflectance = nullptr) {
-    *color_of(material, pname) = color;
-    if (const Spectrum** of = reflectance_of(material, pname)) *of = reflectance;
+// Sets a property and the reflectance it was computed from (null if it was given as numbers).
+void set_property(Material& material, const LightingParameter<Material>& property, std::span<const double> values,
+                  const Spectrum* reflectance = nullptr) {
+    set_parameter(material, property, values);
+    if (const Spectrum** of = reflectance_of(material, property.pname)) *of = reflectance;
 }
 
 // The properties that a pname or a mode of glColorMaterial includes.
@@ -57,25 +48,6 @@ bool tracks(const ColorMaterial& color_material, Enum one_face, Enum property) {
     const std::vector<Enum> tracked = properties(color_material.mode);
     return color_material.enabled && covers(color_material.face, one_face) &&
            std::find(tracked.begin(), tracked.end(), property) != tracked.end();
-}
-
-// The members of a light that a pname sets; none for an unknown pname.
-template <class Source>
-auto numbers_of(Source& source, Enum pname) {
-    using Numbers = std::span<std::conditional_t<std::is_const_v<Source>, const double, double>>;
-    switch (pname) {
-        case kGL_AMBIENT: return Numbers(&source.ambient[0], 4);
-        case kGL_DIFFUSE: return Numbers(&source.diffuse[0], 4);
-        case kGL_SPECULAR: return Numbers(&source.specular[0], 4);
-        case kGL_POSITION: return Numbers(&source.position_eye[0], 4);
-        case kGL_SPOT_DIRECTION: return Numbers(&source.spot_direction_eye[0], 3);
-        case kGL_SPOT_EXPONENT: return Numbers(&source.spot_exponent, 1);
-        case kGL_SPOT_CUTOFF: return Numbers(&source.spot_cutoff_deg, 1);
-        case kGL_CONSTANT_ATTENUATION: return Numbers(&source.constant_attenuation, 1);
-        case kGL_LINEAR_ATTENUATION: return Numbers(&source.linear_attenuation, 1);
-        case kGL_QUADRATIC_ATTENUATION: return Numbers(&source.quadratic_attenuation, 1);
-        default: return Numbers();
-    }
 }
 
 }  // namespace
@@ -145,7 +117,7 @@ void State::set_light(const Command& c, LightSource& source, Enum pname, const s
         if (note_typed(c, source, typed))
             source.spot_direction_eye = glm::dmat3(modelview()) * typed.spot_direction.value;
     } else {
-        std::ranges::copy(values, numbers_of(source, pname).begin());
+        set_parameter(source, *find_lighting_parameter<LightSource>(pname), values);
     }
     if (pname == kGL_DIFFUSE) source.diffuse_illuminant = {};
     if (pname == kGL_SPECULAR) source.specular_illuminant = {};
@@ -191,12 +163,12 @@ void State::set_material(const Command& c, const Spectrum* reflectance) {
     for (Enum one_face : {kGL_FRONT, kGL_BACK}) {
         if (!covers(face, one_face)) continue;
         Material& material = one_face == kGL_FRONT ? a_.lighting.front : a_.lighting.back;
-        if (pname == kGL_SHININESS) material.shininess = values->front();
         if (pname == kGL_COLOR_INDEXES) material.color_indexes = {(*values)[0], (*values)[1], (*values)[2]};
         for (Enum property : properties(pname)) {
             // 2.14.3: glMaterial does not change a property that tracks the current colour.
-            if (color_of(material, property) && !tracks(a_.lighting.color_material, one_face, property))
-                set_color(material, property, vec4(*values), reflectance);
+            const LightingParameter<Material>* const row = find_lighting_parameter<Material>(property);
+            if (row && !tracks(a_.lighting.color_material, one_face, property))
+                set_property(material, *row, *values, reflectance);
         }
     }
     if (!open_) return;
@@ -230,18 +202,11 @@ void State::light_model(const Command& c) {
     const Enum pname = c.enumerant(0);
     const auto values = parameter_values(c, Owner::kLightModel, pname);
     if (!values) return;
-    LightModel& model = a_.lighting.light_model;
-    switch (pname) {
-        case kGL_LIGHT_MODEL_AMBIENT: model.ambient = vec4(*values); break;
-        case kGL_LIGHT_MODEL_LOCAL_VIEWER: model.local_viewer = values->front() != 0; break;
-        case kGL_LIGHT_MODEL_TWO_SIDE: model.two_side = values->front() != 0; break;
-        case kGL_LIGHT_MODEL_COLOR_CONTROL: {
-            const auto control = static_cast<Enum>(std::clamp(values->front(), 0.0, 4294967295.0));
-            if (known(c, control, {kGL_SINGLE_COLOR, kGL_SEPARATE_SPECULAR_COLOR})) model.color_control = control;
-            break;
-        }
-        default: break;
-    }
+    if (pname == kGL_LIGHT_MODEL_COLOR_CONTROL &&
+        !known(c, static_cast<Enum>(std::clamp(values->front(), 0.0, 4294967295.0)),
+               {kGL_SINGLE_COLOR, kGL_SEPARATE_SPECULAR_COLOR}))
+        return;
+    set_parameter(a_.lighting.light_model, *find_lighting_parameter<LightModel>(pname), *values);
 }
 
 void State::shade_model(const Command& c) {
@@ -264,7 +229,9 @@ void State::track_color() {
     for (Enum one_face : {kGL_FRONT, kGL_BACK}) {
         Material& material = one_face == kGL_FRONT ? a_.lighting.front : a_.lighting.back;
         for (Enum property : properties(a_.lighting.color_material.mode))
-            if (covers(a_.lighting.color_material.face, one_face)) set_color(material, property, a_.current.color);
+            if (covers(a_.lighting.color_material.face, one_face))
+                set_property(material, *find_lighting_parameter<Material>(property),
+                             std::span(&a_.current.color[0], 4));
     }
 }
 
@@ -272,18 +239,17 @@ void State::track_color() {
 
 std::vector<double> State::get_light(Enum light, Enum pname) const {
     if (light < kGL_LIGHT0 || light >= kGL_LIGHT0 + kMaxLights) return {};
-    const auto numbers = numbers_of(a_.lighting.lights[light - kGL_LIGHT0], pname);
-    return {numbers.begin(), numbers.end()};
+    const LightingParameter<LightSource>* const row = find_lighting_parameter<LightSource>(pname);
+    return row ? values_of(a_.lighting.lights[light - kGL_LIGHT0], *row) : std::vector<double>{};
 }
 
 std::vector<double> State::get_material(Enum face, Enum pname) const {
     if (face != kGL_FRONT && face != kGL_BACK) return {};
-    Material material = face == kGL_FRONT ? a_.lighting.front : a_.lighting.back;
-    if (pname == kGL_SHININESS) return {material.shininess};
+    const Material& material = face == kGL_FRONT ? a_.lighting.front : a_.lighting.back;
     if (pname == kGL_COLOR_INDEXES)
         return {material.color_indexes.x, material.color_indexes.y, material.color_indexes.z};
-    const glm::dvec4* color = color_of(material, pname);
-    return color ? std::vector<double>{color->r, color->g, color->b, color->a} : std::vector<double>{};
+    const LightingParameter<Material>* const row = find_lighting_parameter<Material>(pname);
+    return row ? values_of(material, *row) : std::vector<double>{};
 }
 
 void State::get_light(const Command& c) {

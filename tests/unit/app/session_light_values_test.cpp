@@ -30,10 +30,7 @@ std::string call(const CommandList& commands, const SetBy& by) {
     return by.command ? print_command(commands.commands.at(*by.command)) : "none";
 }
 
-std::size_t number_of_pname(Enum pname) {
-    return static_cast<std::size_t>(std::ranges::find(kMaterialPnames, pname) - kMaterialPnames.begin());
-}
-const SetBy& front_of(const LightingValues& values, Enum pname) { return values.front.set_by[number_of_pname(pname)]; }
+const SetBy& front_of(const LightingValues& values, Enum pname) { return values.front.set_by_of(pname); }
 
 TEST(SessionLightValues, NamesTheDrawingCommands) {
     const CommandList commands = scene(
@@ -70,8 +67,8 @@ TEST(SessionLightValues, ShowsTypedAndStoredPositions) {
     EXPECT_EQ(values.lights[2].typed.position.value, glm::dvec4(1, 2, 3, 1));
     EXPECT_EQ(values.lights[2].stored.position_eye, glm::dvec4(1, 2, -2, 1));  // 5 nearer to the eye
     EXPECT_EQ(call(commands, values.lights[2].enabled), "glEnable(GL_LIGHT2);");
-    EXPECT_EQ(values.lights[2].set_by[3].source, Source::kCommand);
-    EXPECT_EQ(values.lights[2].set_by[4].source, Source::kInitial);
+    EXPECT_EQ(values.lights[2].set_by_of(kGL_POSITION).source, Source::kCommand);
+    EXPECT_EQ(values.lights[2].set_by_of(kGL_SPOT_DIRECTION).source, Source::kInitial);
     EXPECT_EQ(values.lights[2].typed.spot_direction.value, glm::dvec3(0, 0, -1));
 }
 
@@ -83,7 +80,7 @@ TEST(SessionLightValues, FindsTheCallOfEachMaterialProperty) {
     const LightingValues values = values_of(commands);
     EXPECT_EQ(call(commands, front_of(values, kGL_DIFFUSE)),
               "glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, (GLfloat[]){1, 0, 0, 1});");
-    EXPECT_EQ(call(commands, values.back.set_by[number_of_pname(kGL_DIFFUSE)]),
+    EXPECT_EQ(call(commands, values.back.set_by_of(kGL_DIFFUSE)),
               "glMaterialfv(GL_BACK, GL_AMBIENT_AND_DIFFUSE, (GLfloat[]){0, 1, 0, 1});");
     EXPECT_EQ(front_of(values, kGL_AMBIENT).source, Source::kInitial);
     EXPECT_EQ(values.back.material.ambient, glm::dvec4(0, 1, 0, 1));

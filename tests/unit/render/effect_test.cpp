@@ -48,7 +48,7 @@ TEST(Plan, LetsADirectionalLightsDirectionDependOnVerticesThatAreDirections) {
     draw.vertices.edit()[1].position_object = {0, 0, -2, 0};  // P - V = (0, 0, 1)
     const EffectSet effects = facts(draw);
     ASSERT_EQ(effects.lights.size(), 1u);
-    EXPECT_TRUE(effects.lights[0].meets_directions && effects.lights[0].spot && effects.vertex_w);
+    EXPECT_TRUE(effects.lights[0].meets_directions && effects.lights[0].cone == SpotCone::kGl && effects.vertex_w);
     EXPECT_FALSE(effects.lights[0].directional || effects.lights[0].attenuated);
     draw.vertices.edit()[1].position_object.w = 1e-30;
     EXPECT_TRUE(facts(draw).lights.empty());
@@ -130,7 +130,7 @@ TEST(Plan, CallsForTheConeOfPositionalSpotlights) {
     draw.lighting.lights[0].spot_cutoff_deg = 30;  // from 5 above, the triangle is within atan(1/5)
     EXPECT_EQ(reason(draw, "GL_LIGHT0's cone"), "the whole draw is inside it, and GL_SPOT_EXPONENT is 0");
     draw.lighting.lights[0].spot_cutoff_deg = 10;
-    EXPECT_TRUE(facts(draw).lights[0].spot);
+    EXPECT_EQ(facts(draw).lights[0].cone, SpotCone::kGl);
     EXPECT_EQ(facts(draw).lights[0].spot_exponent, Power::kZero);
     EXPECT_EQ(reason(draw, "GL_LIGHT0's fall-off inside the cone"), "GL_SPOT_EXPONENT is 0");
     draw.lighting.lights[0].spot_exponent = 3;
@@ -139,9 +139,9 @@ TEST(Plan, CallsForTheConeOfPositionalSpotlights) {
     EXPECT_EQ(facts(draw).lights[0].spot_exponent, Power::kReal);
 
     draw.lighting.lights[0].smooth_cone = LightSource::SmoothCone{10, 20};
-    EXPECT_TRUE(facts(draw).lights[0].smooth_cone);
-    EXPECT_FALSE(facts(draw).lights[0].spot);
-    EXPECT_TRUE(facts(draw, kGlAlone).lights[0].spot);
+    EXPECT_EQ(facts(draw).lights[0].cone, SpotCone::kSmooth);
+    EXPECT_NE(facts(draw).lights[0].cone, SpotCone::kGl);
+    EXPECT_EQ(facts(draw, kGlAlone).lights[0].cone, SpotCone::kGl);
 }
 
 TEST(Plan, FoldsTheConeOfADirectionalLightIntoItsProducts) {
@@ -150,7 +150,7 @@ TEST(Plan, FoldsTheConeOfADirectionalLightIntoItsProducts) {
     light.spot_cutoff_deg = 60;
     light.spot_exponent = 2;
     light.spot_direction_eye = {0, std::sqrt(0.5), -std::sqrt(0.5)};  // 45 degrees
-    EXPECT_FALSE(facts(draw).lights[0].spot);
+    EXPECT_NE(facts(draw).lights[0].cone, SpotCone::kGl);
     EXPECT_NEAR(plan_effects(draw, {}).lights.at(0).constant_reach, 0.5, 1e-15);
     light.spot_cutoff_deg = 44;
     EXPECT_EQ(reason(draw, "GL_LIGHT0"), "it is directional, and its direction is outside its cone");

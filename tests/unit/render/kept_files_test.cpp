@@ -44,7 +44,7 @@ TEST(PlanForAnyPose, FollowsTheStateAndNotThePlaces) {
     const EffectSet here = plan_effects(square(attenuated_cone()), for_any_pose()).effects;
     ASSERT_EQ(here.lights.size(), 1U);
     EXPECT_TRUE(here.lights[0].ambient && here.lights[0].diffuse && here.lights[0].specular);
-    EXPECT_TRUE(here.lights[0].attenuated && here.lights[0].spot);
+    EXPECT_TRUE(here.lights[0].attenuated && here.lights[0].cone == SpotCone::kGl);
     EXPECT_TRUE(here.clamp);
 
     LightingState behind = attenuated_cone(), missing = attenuated_cone(), far = attenuated_cone();
@@ -77,7 +77,7 @@ TEST(PlanForAnyPose, KeepsTheConeOfADirectionalLight) {
     lighting.lights[0].position_eye = {0, 0, 1, 0};
     const Plan plan = plan_effects(square(lighting), for_any_pose());
     ASSERT_EQ(plan.effects.lights.size(), 1U);
-    EXPECT_TRUE(plan.effects.lights[0].spot && plan.effects.lights[0].directional);
+    EXPECT_TRUE(plan.effects.lights[0].cone == SpotCone::kGl && plan.effects.lights[0].directional);
     EXPECT_FALSE(plan.effects.lights[0].attenuated);
 }
 

@@ -151,7 +151,7 @@ bool mesa_lights_in_eye_space(const LightingState& lighting, const MesaMatrix& m
     const LightModel& model = lighting.light_model;
     return model.local_viewer || model.color_control != kGL_SINGLE_COLOR || !modelview.keeps_lengths ||
            std::ranges::any_of(lighting.lights, [](const LightSource& light) {
-               return light.enabled && (light.position_eye.w != 0 || light.spot_cutoff_deg != 180);
+               return light.enabled && (!light.is_directional() || light.has_cutoff());
            });
 }
 

@@ -27,11 +27,6 @@ void for_each_light(const LightingState& lighting, const Visit& visit) {
         if (light.enabled) visit(i++, light);
 }
 
-bool is_attenuated(const LightSource& light) {
-    return light.position_eye.w != 0 &&
-           (light.constant_attenuation != 1 || light.linear_attenuation != 0 || light.quadratic_attenuation != 0);
-}
-
 bool is_shiny(const Draw& draw) {
     const auto shiny = [&](const Material& front, const Material& back) {
         return front.shininess != 0 || (draw.lighting.light_model.two_side && back.shininess != 0);
@@ -67,11 +62,10 @@ void set_all_effects(EffectSet& effects, const Draw& draw, const LightingState& 
     effects.lights.clear();
     for_each_light(lighting, [&](std::size_t, const LightSource& light) {
         const bool spot = light.has_cone();
-        effects.lights.push_back({.directional = light.position_eye.w == 0,
-                                  .attenuated = is_attenuated(light),
-                                  .spot = spot,
+        effects.lights.push_back({.directional = light.is_directional(),
+                                  .attenuated = light.is_attenuated(),
+                                  .cone = spot ? SpotCone::kGl : SpotCone::kNone,
                                   .spot_exponent = spot ? Power::kReal : Power::kZero,
-                                  .smooth_cone = false,
                                   .ambient = rgb,
                                   .diffuse = rgb,
                                   .specular = true});

@@ -58,7 +58,7 @@ class Writer : LightingWriter {
         const LightEffects& light = effects_.lights[i];
         std::string reach;
         if (light.attenuated) reach = fmt::format("attenuation({}, vp)", names_.light(i, LightValue::kAttenuation));
-        if (!light.spot) return reach;
+        if (light.cone == SpotCone::kNone) return reach;
         const std::string spot_dir = names_.light(i, LightValue::kSpotDir);
         const std::string cos_cutoff = names_.light(i, LightValue::kCosCutoff);
         const std::string exponent = names_.light(i, LightValue::kSpotExponent);
