@@ -15,6 +15,7 @@
 
 #include "base/image/image.h"
 #include "render/look.h"
+#include "scene/command/command.h"
 #include "scene/state/frame.h"
 
 namespace twinlight::lesson {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "scene/command/names.h"
+#include "scene/command/place.h"
 
 namespace twinlight {
 
@@ -102,20 +103,6 @@ std::optional<CommandId> find_command(std::string_view name);  // a function of 
 // parameters.
 std::optional<CommandId> find_command_or_extension(std::string_view name);
 std::optional<CommandId> find_pragma(std::string_view name);
-
-// The place of a command in its text. Lines and columns count from 1; 0 means unknown. For a command of a recorded
-// program, `line` is the number of the call and `column` is kCallNumber.
-struct Place {
-    static constexpr int kCallNumber = -1;
-
-    std::shared_ptr<const std::string> file;
-    int line = 0;
-    int column = 0;
-
-    std::string str() const;  // "scene.gl:14:22", "program.trace: call 1234"
-
-    friend bool operator==(const Place&, const Place&) = default;
-};
 
 struct Mesh;  // mesh.h
 

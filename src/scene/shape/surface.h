@@ -11,9 +11,10 @@
 #include <vector>
 
 #include "base/math/vec3.h"
-#include "scene/command/command.h"
 
 namespace twinlight {
+
+struct Command;
 
 struct SphereSurface {  // centred at the origin
     double radius;

@@ -23,7 +23,8 @@
 #include <vector>
 
 #include "base/math/arithmetic.h"
-#include "scene/command/command.h"
+#include "scene/command/names.h"
+#include "scene/command/place.h"
 #include "scene/shape/surface.h"
 #include "scene/spectrum/samples.h"
 #include "scene/state/shared_vector.h"

@@ -1,0 +1,23 @@
+// Place: where a command stands in its text. Apart from command.h, so that what only names places does not depend on commands.
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace twinlight {
+
+// The place of a command in its text. Lines and columns count from 1; 0 means unknown. For a command of a recorded
+// program, `line` is the number of the call and `column` is kCallNumber.
+struct Place {
+    static constexpr int kCallNumber = -1;
+
+    std::shared_ptr<const std::string> file;
+    int line = 0;
+    int column = 0;
+
+    std::string str() const;  // "scene.gl:14:22", "program.trace: call 1234"
+
+    friend bool operator==(const Place&, const Place&) = default;
+};
+
+}  // namespace twinlight
