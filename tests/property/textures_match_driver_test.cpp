@@ -14,6 +14,7 @@
 #include "render/fixed/fixed.h"
 #include "scene/command/text.h"
 #include "scene/state/answers.h"
+#include "scene/state/parameter_rows.h"
 #include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
 
@@ -221,8 +222,9 @@ TEST(TexturesMatchDriver, ImagesOfThreeDimensions) {
         store.unpack_skip_rows = builds ? 0 : random.below(2);
         const auto memory = random_memory(random, bytes_read(source, store), source.type);
         std::vector<Command> commands;
-        for (const PixelStoreRow& row : kPixelStoreRows)
-            commands.push_back({CommandId::glPixelStorei, {static_cast<double>(row.pname), row.value(store)}, {}});
+        for (const ParameterRow<PixelStore>& row : kPixelStoreParameters)
+            commands.push_back(
+                {CommandId::glPixelStorei, {static_cast<double>(row.pname), values_of(store, row).front()}, {}});
         commands.push_back({CommandId::glBindTexture, {kGL_TEXTURE_3D, 1}, {}});
         const double internal = builds ? kGL_RGB : one_of(random, kInternalFormats), width = source.width,
                      height = source.height, depth = source.depth;

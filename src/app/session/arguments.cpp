@@ -16,7 +16,7 @@
 #include "scene/command/command_set.h"
 #include "scene/command/memory.h"
 #include "scene/command/print_parts.h"
-#include "scene/state/lighting_parameters.h"
+#include "scene/state/parameter_rows.h"
 #include "scene/state/state.h"
 
 namespace twinlight::session {
@@ -121,7 +121,7 @@ Editing editing_of(const Command& command, std::size_t argument) {
     if (const ParameterInfo* const set = parameter_set(command); set && is_parameter_value(command, argument)) {
         if (set->meaning == Meaning::kEnum) return Editing::kName;
         const Enum pname = set->pname;
-        const auto* const of_model = find_lighting_parameter<LightModel>(pname);
+        const auto* const of_model = find_parameter_row<LightModel>(pname);
         if ((of_model && is_flag(*of_model)) || pname == kGL_GENERATE_MIPMAP) return Editing::kFlag;
     }
     // Numbers of objects, and sizes of memory, hang together with other commands.

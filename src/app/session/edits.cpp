@@ -17,7 +17,7 @@
 #include "render/effect/plan.h"
 #include "scene/command/command_set.h"
 #include "scene/command/memory.h"
-#include "scene/state/lighting_parameters.h"
+#include "scene/state/parameter_rows.h"
 #include "scene/state/state.h"
 
 namespace twinlight::session {
@@ -344,7 +344,7 @@ std::string what_capability_shows(const CommandList& commands, const Frame& fram
 
 std::string what_light_model_shows(const Frame& frame, Enum pname) {
     const auto is_set = [&](const Draw* draw) {
-        return values_of(draw->lighting.light_model, *find_lighting_parameter<LightModel>(pname)).front() != 0;
+        return values_of(draw->lighting.light_model, *find_parameter_row<LightModel>(pname)).front() != 0;
     };
     const std::vector<const Draw*> draws = frame.draws();
     const bool on = std::ranges::any_of(draws, is_set);

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <iterator>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "app/session/argument_places.h"
 #include "scene/command/memory.h"
 #include "scene/state/answers.h"
-#include "scene/state/lighting_parameters.h"
+#include "scene/state/parameter_rows.h"
 #include "scene/state/state.h"
 
 namespace twinlight::session {
@@ -16,50 +19,67 @@ namespace {
 
 std::vector<double> components(const glm::dvec4& v) { return {v.x, v.y, v.z, v.w}; }
 
-// The initial values of all arguments of a command, by its effect; NaN for one without. Empty: none has one.
+// The initial values of all arguments of a command, by its effect: what glGet returns for these names in GL's initial state, ...
+struct QueriedRow {
+    std::string_view effect;
+    std::initializer_list<Enum> names;
+};
+constexpr QueriedRow kQueriedRows[] = {
+    {"color_material", {kGL_COLOR_MATERIAL_FACE, kGL_COLOR_MATERIAL_PARAMETER}},
+    {"shade_model", {kGL_SHADE_MODEL}},
+    {"color", {kGL_CURRENT_COLOR}},
+    {"normal", {kGL_CURRENT_NORMAL}},
+    {"tex_coord", {kGL_CURRENT_TEXTURE_COORDS}},
+    {"secondary_color", {kGL_CURRENT_SECONDARY_COLOR}},
+    {"fog_coord", {kGL_CURRENT_FOG_COORD}},
+    {"edge_flag", {kGL_EDGE_FLAG}},
+    {"matrix_mode", {kGL_MATRIX_MODE}},
+    {"depth_range", {kGL_DEPTH_RANGE}},
+    {"front_face", {kGL_FRONT_FACE}},
+    {"cull_face", {kGL_CULL_FACE_MODE}},
+    {"polygon_offset", {kGL_POLYGON_OFFSET_FACTOR, kGL_POLYGON_OFFSET_UNITS}},
+    {"line_width", {kGL_LINE_WIDTH}},
+    {"point_size", {kGL_POINT_SIZE}},
+    {"line_stipple", {kGL_LINE_STIPPLE_REPEAT, kGL_LINE_STIPPLE_PATTERN}},
+    {"logic_op", {kGL_LOGIC_OP_MODE}},
+    {"depth_func", {kGL_DEPTH_FUNC}},
+    {"depth_mask", {kGL_DEPTH_WRITEMASK}},
+    {"color_mask", {kGL_COLOR_WRITEMASK}},
+    {"clear_color", {kGL_COLOR_CLEAR_VALUE}},
+    {"clear_depth", {kGL_DEPTH_CLEAR_VALUE}},
+    {"alpha_func", {kGL_ALPHA_TEST_FUNC, kGL_ALPHA_TEST_REF}},
+    {"blend_func", {kGL_BLEND_SRC_RGB, kGL_BLEND_DST_RGB, kGL_BLEND_SRC_ALPHA, kGL_BLEND_DST_ALPHA}},
+    {"blend_equation", {kGL_BLEND_EQUATION, kGL_BLEND_EQUATION_ALPHA}},
+    {"blend_color", {kGL_BLEND_COLOR}},
+    {"active_texture", {kGL_ACTIVE_TEXTURE}},
+    {"list_base", {kGL_LIST_BASE}},
+};
+// ... or these; NaN for an argument without.
 struct InitialRow {
     std::string_view effect;
     std::vector<double> values;
 };
 const std::vector<InitialRow>& initial_rows() {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    static const std::vector<InitialRow> rows = {
-        {"color_material", {kGL_FRONT_AND_BACK, kGL_AMBIENT_AND_DIFFUSE}},
-        {"shade_model", {kGL_SMOOTH}},
-        {"color", {1, 1, 1, 1}},
-        {"normal", {0, 0, 1}},
-        {"tex_coord", {0, 0, 0, 1}},
-        {"multi_tex_coord", {kNone, 0, 0, 0, 1}},
-        {"secondary_color", {0, 0, 0}},
-        {"fog_coord", {0}},
-        {"edge_flag", {1}},
-        {"matrix_mode", {kGL_MODELVIEW}},
-        {"depth_range", {0, 1}},
-        {"clip_plane", {kNone, 0, 0, 0, 0}},
-        {"front_face", {kGL_CCW}},
-        {"cull_face", {kGL_BACK}},
-        {"polygon_mode", {kGL_FRONT_AND_BACK, kGL_FILL}},
-        {"polygon_offset", {0, 0}},
-        {"line_width", {1}},
-        {"point_size", {1}},
-        {"line_stipple", {1, 0xFFFF}},
-        {"logic_op", {kGL_COPY}},
-        {"depth_func", {kGL_LESS}},
-        {"depth_mask", {1}},
-        {"color_mask", {1, 1, 1, 1}},
-        {"clear_color", {0, 0, 0, 0}},
-        {"clear_depth", {1}},
-        {"alpha_func", {kGL_ALWAYS, 0}},
-        {"blend_func", {kGL_ONE, kGL_ZERO, kGL_ONE, kGL_ZERO}},
-        {"blend_equation", {kGL_FUNC_ADD, kGL_FUNC_ADD}},
-        {"blend_color", {0, 0, 0, 0}},
-        {"hint", {kNone, kGL_DONT_CARE}},
-        {"active_texture", {kGL_TEXTURE0}},
-        {"list_base", {0}},
-        {"specular_model", {static_cast<double>(Word::half_vector)}},
-        {"ambient_model", {static_cast<double>(Word::attenuated)}},
-        {"transfer", {static_cast<double>(Word::linear)}},
-    };
+    static const std::vector<InitialRow> rows = [] {
+        std::vector<InitialRow> all = {
+            {"multi_tex_coord", {kNone, 0, 0, 0, 1}},
+            {"clip_plane", {kNone, 0, 0, 0, 0}},
+            {"polygon_mode", {kGL_FRONT_AND_BACK, kGL_FILL}},
+            {"hint", {kNone, kGL_DONT_CARE}},
+            {"specular_model", {static_cast<double>(Word::half_vector)}},
+            {"ambient_model", {static_cast<double>(Word::attenuated)}},
+            {"transfer", {static_cast<double>(Word::linear)}},
+        };
+        const State fresh;
+        for (const QueriedRow& queried : kQueriedRows) {
+            InitialRow row{queried.effect, {}};
+            for (const Enum name : queried.names)
+                std::ranges::copy(answer(fresh, name), std::back_inserter(row.values));
+            all.push_back(std::move(row));
+        }
+        return all;
+    }();
     return rows;
 }
 
@@ -80,19 +100,8 @@ std::vector<double> initial_parameter(const Command& command, Owner owner, Enum 
             return fresh.get_light(is_extra ? kGL_LIGHT1 : command.enumerant(0), pname);
         }
         case Owner::kMaterial: return fresh.get_material(kGL_FRONT, pname);
-        case Owner::kLightModel: return values_of(LightModel(), *find_lighting_parameter<LightModel>(pname));
-        case Owner::kFog: {
-            const Fog fog;
-            switch (pname) {
-                case kGL_FOG_MODE: return one(fog.mode);
-                case kGL_FOG_DENSITY: return one(fog.density);
-                case kGL_FOG_START: return one(fog.start);
-                case kGL_FOG_END: return one(fog.end);
-                case kGL_FOG_COLOR: return components(fog.color);
-                case kGL_FOG_COORD_SRC: return one(kGL_FRAGMENT_DEPTH);
-                default: return one(0);
-            }
-        }
+        case Owner::kLightModel: return values_of(LightModel(), *find_parameter_row<LightModel>(pname));
+        case Owner::kFog: return pname == kGL_FOG_INDEX ? std::vector<double>{0} : answer(fresh, pname);
         case Owner::kTexEnv: return tex_env_answer(fresh, kGL_TEXTURE_ENV, pname);
         case Owner::kTexGen: {
             const bool is_known = command.enumerant(0) >= kGL_S && command.enumerant(0) <= kGL_Q;
@@ -101,24 +110,8 @@ std::vector<double> initial_parameter(const Command& command, Owner owner, Enum 
         }
         case Owner::kTexFilterControl:
         case Owner::kPointSprite: return one(0);
-        case Owner::kTexture: {
-            const Texture texture;
-            switch (pname) {
-                case kGL_TEXTURE_MIN_FILTER: return one(texture.min_filter);
-                case kGL_TEXTURE_MAG_FILTER: return one(texture.mag_filter);
-                case kGL_TEXTURE_WRAP_S:
-                case kGL_TEXTURE_WRAP_T:
-                case kGL_TEXTURE_WRAP_R: return one(kGL_REPEAT);
-                case kGL_TEXTURE_BORDER_COLOR: return components(texture.border_color);
-                case kGL_TEXTURE_PRIORITY: return one(texture.priority);
-                case kGL_TEXTURE_MAX_ANISOTROPY_EXT: return one(texture.max_anisotropy);
-                default: return one(0);
-            }
-        }
+        case Owner::kTexture: return tex_parameter_answer(fresh, kGL_TEXTURE_2D, pname);
         case Owner::kPixelStore:
-            for (const PixelStoreRow& row : kPixelStoreRows)
-                if (row.pname == pname) return one(row.value(PixelStore{}));
-            return {};
         case Owner::kPoint: return answer(fresh, pname);
     }
     return {};

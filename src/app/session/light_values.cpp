@@ -85,7 +85,7 @@ struct Origins {
             if (is_changed) of = from ? *from : other;
         };
         const auto take_all = [&](const auto& a, const auto& b, auto& of, const auto* from) {
-            const auto rows = lighting_parameters<std::remove_cvref_t<decltype(a)>>();
+            const auto rows = parameter_rows<std::remove_cvref_t<decltype(a)>>();
             for (std::size_t i = 0; i < rows.size(); ++i)
                 take(!has_equal(a, b, rows[i]), of[i], from ? &(*from)[i] : nullptr);
         };
@@ -221,7 +221,7 @@ std::optional<LightingValues> lighting_values(const CommandList& commands, std::
     values.back.material = first.lighting.back;
     for (const auto& [face, of] : {std::pair(kGL_FRONT, &values.front), {kGL_BACK, &values.back}}) {
         for (std::size_t i = 0; i < kMaterialParameters.size(); ++i) {
-            const LightingParameter<Material>& row = kMaterialParameters[i];
+            const ParameterRow<Material>& row = kMaterialParameters[i];
             if (!tracks_color(first.lighting, face, row.pname)) continue;
             of->set_by[i] = {Source::kColor, values.color_command};
             const glm::dvec4 color = first.vertices.empty() ? glm::dvec4(1) : first.vertices.front().color;
@@ -254,7 +254,7 @@ std::string color_material_words(const LightingValues& values) {
 
 CommandList with_light_parameter(const CommandList& commands, const LightingValues& values, int light, Enum pname,
                                  const std::vector<double>& numbers) {
-    if (light < 0 || light >= kMaxLights || !find_lighting_parameter<LightSource>(pname)) return commands;
+    if (light < 0 || light >= kMaxLights || !find_parameter_row<LightSource>(pname)) return commands;
     const LightValues& of = values.lights[static_cast<std::size_t>(light)];
     const SetBy& set_by = of.set_by_of(pname);
     if (set_by.source == Source::kCommand)
@@ -273,7 +273,7 @@ CommandList with_light_parameter(const CommandList& commands, const LightingValu
 CommandList with_material_parameter(const CommandList& commands, const LightingValues& values, Enum face, Enum pname,
                                     const std::vector<double>& numbers) {
     const Enum looked_up = pname == kGL_AMBIENT_AND_DIFFUSE ? kGL_DIFFUSE : pname;
-    if (!find_lighting_parameter<Material>(looked_up)) return commands;
+    if (!find_parameter_row<Material>(looked_up)) return commands;
     const FaceValues& of = face == kGL_BACK ? values.back : values.front;
     const SetBy& set_by = of.set_by_of(looked_up);
     std::size_t index = values.drawing.command;

@@ -10,7 +10,7 @@
 
 #include "scene/command/command.h"
 #include "scene/state/frame.h"
-#include "scene/state/lighting_parameters.h"
+#include "scene/state/parameter_rows.h"
 
 namespace twinlight::session {
 
@@ -39,7 +39,7 @@ struct SetBy {
     std::optional<std::size_t> command{};  // index into the commands; empty for kInitial
 };
 
-// What set each value, in the order of the rows of lighting_parameters.h.
+// What set each value, in the order of the rows of parameter_rows.h.
 struct LightValues {
     LightSource stored;  // position and spot direction in eye space, as GL stores them
     TypedLight typed;    // as glLight was given them

@@ -7,7 +7,7 @@
 
 #include "app/session/edits.h"
 #include "scene/command/command_set.h"
-#include "scene/state/lighting_parameters.h"
+#include "scene/state/parameter_rows.h"
 
 namespace twinlight::session {
 namespace {
@@ -54,7 +54,7 @@ Command material_call(Enum face, Enum pname, std::vector<double> values) {
 std::vector<double> opaque(const std::array<double, 3>& color) { return {color[0], color[1], color[2], 1}; }
 
 std::vector<double> property_of(const Material& material, Enum pname) {
-    return values_of(material, *find_lighting_parameter<Material>(pname));
+    return values_of(material, *find_parameter_row<Material>(pname));
 }
 
 // Whether the preset sets all that this glMaterial sets.

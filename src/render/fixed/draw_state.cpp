@@ -1,10 +1,7 @@
 #include "render/fixed/draw_state.h"
 
-#include <algorithm>
-#include <array>
-
 #include "render/context/gl.h"
-#include "scene/state/lighting_parameters.h"
+#include "scene/state/parameter_rows.h"
 
 namespace twinlight::fixed {
 namespace {
@@ -12,12 +9,8 @@ namespace {
 // Calls set(pname, its values as floats) for all parameters of a light, a material or the light model.
 template <class Owner, class Set>
 void set_all(const Owner& owner, const Set& set) {
-    for (const LightingParameter<Owner>& parameter : lighting_parameters<Owner>()) {
-        std::array<float, 4> values{};
-        std::ranges::transform(values_of(owner, parameter), values.begin(),
-                               [](double value) { return static_cast<float>(value); });
-        set(parameter.pname, values.data());
-    }
+    for (const ParameterRow<Owner>& parameter : parameter_rows<Owner>())
+        set(parameter.pname, floats_of(owner, parameter).data());
 }
 
 void set_light(GLenum name, const LightSource& light) {

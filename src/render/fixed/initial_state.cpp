@@ -7,6 +7,7 @@
 #include "render/fixed/fixed.h"
 #include "render/stages/fixed_stages.h"
 #include "scene/state/capabilities.h"
+#include "scene/state/parameter_rows.h"
 #include "scene/state/state.h"
 
 namespace twinlight::fixed {
@@ -44,7 +45,8 @@ void reset_stack(GLenum mode, GLenum depth_name) {
 }
 
 void reset_pixels(const PixelStore& store) {
-    for (const PixelStoreRow& row : kPixelStoreRows) glPixelStorei(row.pname, static_cast<GLint>(row.value(store)));
+    for (const ParameterRow<PixelStore>& row : kPixelStoreParameters)
+        glPixelStoref(row.pname, floats_of(store, row).front());
     glPixelZoom(1, 1);
     for (GLenum name : {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE, GL_DEPTH_SCALE})
         glPixelTransferf(name, 1);
@@ -91,24 +93,8 @@ void reset_fragments(const Attributes& start) {
 void reset_texture(GLenum target) {
     const Texture start;
     glBindTexture(target, 0);
-    const auto set = [target](GLenum name, Enum value) { glTexParameteri(target, name, static_cast<GLint>(value)); };
-    set(GL_TEXTURE_MIN_FILTER, start.min_filter);
-    set(GL_TEXTURE_MAG_FILTER, start.mag_filter);
-    set(GL_TEXTURE_WRAP_S, start.wrap_s);
-    set(GL_TEXTURE_WRAP_T, start.wrap_t);
-    set(GL_TEXTURE_WRAP_R, start.wrap_r);
-    glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, &glm::vec4(start.border_color)[0]);
-    glTexParameterf(target, GL_TEXTURE_PRIORITY, static_cast<float>(start.priority));
-    set(GL_GENERATE_MIPMAP, start.generate_mipmap);
-    glTexParameterf(target, GL_TEXTURE_LOD_BIAS, static_cast<float>(start.lod_bias));
-    glTexParameterf(target, GL_TEXTURE_MIN_LOD, static_cast<float>(start.min_lod));
-    glTexParameterf(target, GL_TEXTURE_MAX_LOD, static_cast<float>(start.max_lod));
-    glTexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, static_cast<float>(start.max_anisotropy));
-    set(GL_DEPTH_TEXTURE_MODE, start.depth_mode);
-    set(GL_TEXTURE_COMPARE_MODE, start.compare_mode);
-    set(GL_TEXTURE_COMPARE_FUNC, start.compare_func);
-    glTexParameteri(target, GL_TEXTURE_BASE_LEVEL, start.base_level);
-    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, start.max_level);
+    for (const ParameterRow<Texture>& row : kTextureParameters)
+        glTexParameterfv(target, row.pname, floats_of(start, row).data());
     const bool is_cube = target == GL_TEXTURE_CUBE_MAP;
     const GLint largest = integer(is_cube                   ? GL_MAX_CUBE_MAP_TEXTURE_SIZE
                                   : target == GL_TEXTURE_3D ? GL_MAX_3D_TEXTURE_SIZE

@@ -10,6 +10,7 @@
 #include "render/context/context.h"
 #include "render/context/gl.h"
 #include "render/context/render_target.h"
+#include "scene/state/parameter_rows.h"
 
 namespace twinlight {
 namespace {
@@ -115,18 +116,11 @@ bool are_same(const std::vector<TextureImage>& a, const std::vector<TextureImage
     return std::ranges::equal(a, b, [](const TextureImage& x, const TextureImage& y) { return are_same(x, y); });
 }
 
-// Compares all members, as above.
 bool are_same(const Texture& a, const Texture& b) {
-    const auto& [target, levels, further_faces, min_filter, mag_filter, wrap_s, wrap_t, wrap_r, border_color, priority,
-                 generate_mipmap, lod_bias, min_lod, max_lod, max_anisotropy, depth_mode, compare_mode, compare_func,
-                 base_level, max_level] = a;
-    return target == b.target && min_filter == b.min_filter && mag_filter == b.mag_filter && wrap_s == b.wrap_s &&
-           wrap_t == b.wrap_t && wrap_r == b.wrap_r && border_color == b.border_color && priority == b.priority &&
-           generate_mipmap == b.generate_mipmap && lod_bias == b.lod_bias && min_lod == b.min_lod &&
-           max_lod == b.max_lod && max_anisotropy == b.max_anisotropy && depth_mode == b.depth_mode &&
-           compare_mode == b.compare_mode && compare_func == b.compare_func && base_level == b.base_level &&
-           max_level == b.max_level && are_same(levels, b.levels) &&
-           std::ranges::equal(further_faces, b.further_faces,
+    return a.target == b.target &&
+           std::ranges::all_of(kTextureParameters, [&](const auto& row) { return has_equal(a, b, row); }) &&
+           are_same(a.levels, b.levels) &&
+           std::ranges::equal(a.further_faces, b.further_faces,
                               [](const auto& x, const auto& y) { return are_same(x, y); });
 }
 

@@ -5,7 +5,6 @@
 #include <initializer_list>
 #include <map>
 #include <memory>
-#include <variant>
 
 #include "scene/state/frame.h"
 
@@ -108,34 +107,6 @@ struct PixelStore {
     bool pack_swap_bytes = false, pack_lsb_first = false;
     int pack_row_length = 0, pack_skip_rows = 0, pack_skip_pixels = 0, pack_alignment = 4;
     int pack_image_height = 0, pack_skip_images = 0;
-};
-
-// The member of PixelStore for each pname of glPixelStore.
-struct PixelStoreRow {
-    Enum pname;
-    std::variant<bool PixelStore::*, int PixelStore::*> member;
-
-    double value(const PixelStore& store) const {
-        return std::visit([&](auto at) { return static_cast<double>(store.*at); }, member);
-    }
-};
-inline constexpr PixelStoreRow kPixelStoreRows[] = {
-    {kGL_UNPACK_SWAP_BYTES, &PixelStore::unpack_swap_bytes},
-    {kGL_UNPACK_LSB_FIRST, &PixelStore::unpack_lsb_first},
-    {kGL_UNPACK_ROW_LENGTH, &PixelStore::unpack_row_length},
-    {kGL_UNPACK_SKIP_ROWS, &PixelStore::unpack_skip_rows},
-    {kGL_UNPACK_SKIP_PIXELS, &PixelStore::unpack_skip_pixels},
-    {kGL_UNPACK_ALIGNMENT, &PixelStore::unpack_alignment},
-    {kGL_UNPACK_IMAGE_HEIGHT, &PixelStore::unpack_image_height},
-    {kGL_UNPACK_SKIP_IMAGES, &PixelStore::unpack_skip_images},
-    {kGL_PACK_SWAP_BYTES, &PixelStore::pack_swap_bytes},
-    {kGL_PACK_LSB_FIRST, &PixelStore::pack_lsb_first},
-    {kGL_PACK_ROW_LENGTH, &PixelStore::pack_row_length},
-    {kGL_PACK_SKIP_ROWS, &PixelStore::pack_skip_rows},
-    {kGL_PACK_SKIP_PIXELS, &PixelStore::pack_skip_pixels},
-    {kGL_PACK_ALIGNMENT, &PixelStore::pack_alignment},
-    {kGL_PACK_IMAGE_HEIGHT, &PixelStore::pack_image_height},
-    {kGL_PACK_SKIP_IMAGES, &PixelStore::pack_skip_images},
 };
 
 std::shared_ptr<const PolygonStipple> solid_stipple();  // every bit is 1

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scene/state/state.h"
+#include "scene/state/state_variables.h"
 
 namespace twinlight {
 
@@ -58,36 +59,17 @@ auto* supported_flag(A& a, Enum cap) {
     if (cap >= kGL_LIGHT0 && cap < kGL_LIGHT0 + kMaxLights) return &a.lighting.lights[cap - kGL_LIGHT0].enabled;
     if (cap >= kGL_CLIP_PLANE0 && cap < kGL_CLIP_PLANE0 + kMaxClipPlanes)
         return &a.clip_planes[cap - kGL_CLIP_PLANE0].enabled;
-    if (cap >= kGL_TEXTURE_GEN_S && cap <= kGL_TEXTURE_GEN_Q)
-        return &a.units[a.active_unit].tex_gen[cap - kGL_TEXTURE_GEN_S].enabled;
+    auto& unit = a.units[a.active_unit];
+    if (cap >= kGL_TEXTURE_GEN_S && cap <= kGL_TEXTURE_GEN_Q) return &unit.tex_gen[cap - kGL_TEXTURE_GEN_S].enabled;
     switch (cap) {
-        case kGL_LIGHTING: return &a.lighting.enabled;
-        case kGL_COLOR_MATERIAL: return &a.lighting.color_material.enabled;
-        case kGL_NORMALIZE: return &a.lighting.normalize;
-        case kGL_RESCALE_NORMAL: return &a.lighting.rescale_normal;
-        case kGL_CULL_FACE: return &a.raster.cull_enabled;
-        case kGL_DEPTH_TEST: return &a.raster.depth_test;
-        case kGL_POLYGON_OFFSET_POINT: return &a.raster.polygon_offset.point;
-        case kGL_POLYGON_OFFSET_LINE: return &a.raster.polygon_offset.line;
-        case kGL_POLYGON_OFFSET_FILL: return &a.raster.polygon_offset.fill;
-        case kGL_SCISSOR_TEST: return &a.fragment.scissor.enabled;
-        case kGL_ALPHA_TEST: return &a.fragment.alpha_test;
-        case kGL_STENCIL_TEST: return &a.stencil_enabled;
-        case kGL_LINE_STIPPLE: return &a.line_stipple_enabled;
-        case kGL_POLYGON_STIPPLE: return &a.polygon_stipple_enabled;
-        case kGL_LINE_SMOOTH: return &a.raster.line_smooth;
-        case kGL_POINT_SMOOTH: return &a.raster.point_smooth;
-        case kGL_POINT_SPRITE: return &a.raster.point_sprite;
-        case kGL_COLOR_LOGIC_OP: return &a.logic_op_enabled;
-        case kGL_BLEND: return &a.fragment.blend;
-        case kGL_COLOR_SUM: return &a.fragment.color_sum;
-        case kGL_FOG: return &a.fog.enabled;
-        case kGL_TEXTURE_1D: return &a.units[a.active_unit].enabled_1d;
-        case kGL_TEXTURE_2D: return &a.units[a.active_unit].enabled_2d;
-        case kGL_TEXTURE_3D: return &a.units[a.active_unit].enabled_3d;
-        case kGL_TEXTURE_CUBE_MAP: return &a.units[a.active_unit].enabled_cube;
-        default: return Flag{};
+        case kGL_TEXTURE_1D: return &unit.enabled_1d;
+        case kGL_TEXTURE_2D: return &unit.enabled_2d;
+        case kGL_TEXTURE_3D: return &unit.enabled_3d;
+        case kGL_TEXTURE_CUBE_MAP: return &unit.enabled_cube;
+        default: break;
     }
+    const StateVariable* const row = find_state_variable(cap);
+    return row && row->is_capability() ? const_cast<Flag>(row->flag(a)) : Flag{};  // NOLINT: `a` decides
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "scene/state/lighting_parameters.h"
+#include "scene/state/parameter_rows.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -30,7 +30,7 @@ const Spectrum** reflectance_of(Material& material, Enum pname) {
 }
 
 // Sets a property and the reflectance it was computed from (null if it was given as numbers).
-void set_property(Material& material, const LightingParameter<Material>& property, std::span<const double> values,
+void set_property(Material& material, const ParameterRow<Material>& property, std::span<const double> values,
                   const Spectrum* reflectance = nullptr) {
     set_parameter(material, property, values);
     if (const Spectrum** of = reflectance_of(material, property.pname)) *of = reflectance;
@@ -117,7 +117,7 @@ void State::set_light(const Command& c, LightSource& source, Enum pname, const s
         if (note_typed(c, source, typed))
             source.spot_direction_eye = glm::dmat3(modelview()) * typed.spot_direction.value;
     } else {
-        set_parameter(source, *find_lighting_parameter<LightSource>(pname), values);
+        set_parameter(source, *find_parameter_row<LightSource>(pname), values);
     }
     if (pname == kGL_DIFFUSE) source.diffuse_illuminant = {};
     if (pname == kGL_SPECULAR) source.specular_illuminant = {};
@@ -166,7 +166,7 @@ void State::set_material(const Command& c, const Spectrum* reflectance) {
         if (pname == kGL_COLOR_INDEXES) material.color_indexes = {(*values)[0], (*values)[1], (*values)[2]};
         for (Enum property : properties(pname)) {
             // 2.14.3: glMaterial does not change a property that tracks the current colour.
-            const LightingParameter<Material>* const row = find_lighting_parameter<Material>(property);
+            const ParameterRow<Material>* const row = find_parameter_row<Material>(property);
             if (row && !tracks(a_.lighting.color_material, one_face, property))
                 set_property(material, *row, *values, reflectance);
         }
@@ -206,7 +206,7 @@ void State::light_model(const Command& c) {
         !known(c, static_cast<Enum>(std::clamp(values->front(), 0.0, 4294967295.0)),
                {kGL_SINGLE_COLOR, kGL_SEPARATE_SPECULAR_COLOR}))
         return;
-    set_parameter(a_.lighting.light_model, *find_lighting_parameter<LightModel>(pname), *values);
+    set_parameter(a_.lighting.light_model, *find_parameter_row<LightModel>(pname), *values);
 }
 
 void State::shade_model(const Command& c) {
@@ -230,8 +230,7 @@ void State::track_color() {
         Material& material = one_face == kGL_FRONT ? a_.lighting.front : a_.lighting.back;
         for (Enum property : properties(a_.lighting.color_material.mode))
             if (covers(a_.lighting.color_material.face, one_face))
-                set_property(material, *find_lighting_parameter<Material>(property),
-                             std::span(&a_.current.color[0], 4));
+                set_property(material, *find_parameter_row<Material>(property), std::span(&a_.current.color[0], 4));
     }
 }
 
@@ -239,7 +238,7 @@ void State::track_color() {
 
 std::vector<double> State::get_light(Enum light, Enum pname) const {
     if (light < kGL_LIGHT0 || light >= kGL_LIGHT0 + kMaxLights) return {};
-    const LightingParameter<LightSource>* const row = find_lighting_parameter<LightSource>(pname);
+    const ParameterRow<LightSource>* const row = find_parameter_row<LightSource>(pname);
     return row ? values_of(a_.lighting.lights[light - kGL_LIGHT0], *row) : std::vector<double>{};
 }
 
@@ -248,7 +247,7 @@ std::vector<double> State::get_material(Enum face, Enum pname) const {
     const Material& material = face == kGL_FRONT ? a_.lighting.front : a_.lighting.back;
     if (pname == kGL_COLOR_INDEXES)
         return {material.color_indexes.x, material.color_indexes.y, material.color_indexes.z};
-    const LightingParameter<Material>* const row = find_lighting_parameter<Material>(pname);
+    const ParameterRow<Material>* const row = find_parameter_row<Material>(pname);
     return row ? values_of(material, *row) : std::vector<double>{};
 }
 

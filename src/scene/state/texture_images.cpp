@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "scene/state/parameter_rows.h"
 #include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
 
@@ -64,10 +65,8 @@ void State::pixel_store(const Command& c) {
     const bool is_alignment = pname == kGL_UNPACK_ALIGNMENT || pname == kGL_PACK_ALIGNMENT;
     if (is_alignment && value != 1 && value != 2 && value != 4 && value != 8)
         return raise(kGL_INVALID_VALUE, c, "{} is {}; it must be 1, 2, 4 or 8", enum_name(pname), value);
-    for (const PixelStoreRow& row : kPixelStoreRows) {
-        if (row.pname != pname) continue;
-        std::visit([&]<class T>(T PixelStore::*at) { pixel_store_.*at = static_cast<T>(value); }, row.member);
-    }
+    const double number = value;
+    set_parameter(pixel_store_, *find_parameter_row<PixelStore>(pname), std::span(&number, 1));
 }
 
 // 3.6.4: checks that the format and the type are known and can be used together.
