@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/math/directions.h"
+#include "scene/command/command_set.h"
 
 namespace twinlight::session {
 namespace {
@@ -198,21 +199,10 @@ class CameraWriter {
         return result;
     }
 
+    // Draws, or transforms the raster position.
     static bool draws(const Command& command) {
-        switch (command.id) {
-            case CommandId::glBegin:
-            case CommandId::glArrayElement:
-            case CommandId::glDrawArrays:
-            case CommandId::glDrawElements:
-            case CommandId::glDrawRangeElements:
-            case CommandId::glCallList:
-            case CommandId::glCallLists:
-            case CommandId::glEvalMesh1:
-            case CommandId::glEvalMesh2:
-            case CommandId::pragma_mesh:
-            case CommandId::pragma_shape: return true;
-            default: return command.sig().family == Family::kShape || command.name().starts_with("glRect");
-        }
+        constexpr CommandSet kDrawing = kDrawCommands | kListCommands | CommandSet::of({"raster_pos"});
+        return kDrawing.contains(command.id);
     }
 
     // Moves, turns or scales objects. The projections do not count: a camera before them would turn about a point of

@@ -33,9 +33,7 @@ bool sets_light_model(const Command& command, Enum pname) {
 }
 
 bool starts_drawing(const Command& command) {
-    constexpr CommandSet kDrawing =
-        CommandSet::of({"begin", "rect", "draw_arrays", "call_list", "call_lists", "shape", "quadric_shape",
-                        "eval_mesh", "bitmap", "draw_pixels", "copy_pixels"});
+    constexpr CommandSet kDrawing = kDrawCommands | kListCommands;
     return kDrawing.contains(command.id);
 }
 

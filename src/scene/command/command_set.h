@@ -32,10 +32,22 @@ class CommandSet {
         return set;
     }
 
+    // Those of either.
+    friend constexpr CommandSet operator|(CommandSet a, const CommandSet& b) {
+        for (std::size_t i = 0; i < b.has_.size(); ++i) a.has_[i] = a.has_[i] || b.has_[i];
+        return a;
+    }
+
     constexpr bool contains(CommandId id) const { return has_[static_cast<std::size_t>(id)]; }
 
   private:
     std::array<bool, std::size(kEffects)> has_{};
 };
+
+// The commands that draw primitives or pixels by themselves. A display list may draw, too.
+inline constexpr CommandSet kDrawCommands =
+    CommandSet::of({"begin", "rect", "draw_arrays", "eval_mesh", "shape", "mesh_file", "quadric_shape", "bitmap",
+                    "draw_pixels", "copy_pixels"});
+inline constexpr CommandSet kListCommands = CommandSet::of({"call_list", "call_lists"});
 
 }  // namespace twinlight

@@ -17,8 +17,7 @@ namespace twinlight {
 namespace {
 
 constexpr std::initializer_list<Enum> kFramebufferTargets{kGL_FRAMEBUFFER, kGL_DRAW_FRAMEBUFFER, kGL_READ_FRAMEBUFFER};
-constexpr CommandSet kDraws = CommandSet::of({"begin", "rect", "draw_arrays", "eval_mesh", "clear", "bitmap",
-                                              "draw_pixels", "copy_pixels", "shape", "mesh_file", "quadric_shape"});
+constexpr CommandSet kDraws = kDrawCommands | CommandSet::of({"clear"});
 constexpr CommandSet kReads = CommandSet::of({"copy_tex_image", "copy_tex_sub_image", "copy_pixels"});
 // The commands that may need the picture so far in the object's images, or change what is drawn into.
 constexpr CommandSet kEndsPicture = CommandSet::of(

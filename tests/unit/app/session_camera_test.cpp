@@ -265,6 +265,16 @@ TEST(SessionCamera, ASceneWithoutGluLookAtGetsOneAroundItsPivot) {
     EXPECT_EQ(cameras_in(moved(list + "glCallList(1); glCallList(1);", turned(90, 0))), 1);
 }
 
+// glRasterPos is transformed, so what it draws moves with the camera, even before the first shape.
+TEST(SessionCamera, TheInsertedCameraMovesPixelsToo) {
+    const std::string label = "glRasterPos3f(1, 0, -5); glBitmap(8, 1, 0, 0, 0, 0, (GLubyte[]){255}); ";
+    const CommandList commands = moved(label + "glutSolidCube(1);", turned(10, 0));
+    EXPECT_EQ(cameras_in(commands), 1);
+    const auto at = [&](auto is) { return std::ranges::find_if(commands.commands, is) - commands.commands.begin(); };
+    EXPECT_LT(at([](const Command& c) { return c.id == CommandId::gluLookAt; }),
+              at([](const Command& c) { return c.name().starts_with("glRasterPos"); }));
+}
+
 TEST(SessionCamera, TheInsertedCameraStartsWhereTheSceneHasIt) {
     // A pivot beside the axis, behind the eye, and at it: a move of nearly nothing shows nearly the same.
     const std::string text = "glTranslatef(4, 1, -2);" + kPoint;
