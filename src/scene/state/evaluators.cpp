@@ -133,9 +133,11 @@ EvaluatorMap::Value EvaluatorMap::at(double at_u, double at_v) const {
     return result;
 }
 
-void State::map(const Command& c) {
+void State::map1(const Command& c) { set_map(c, false); }
+void State::map2(const Command& c) { set_map(c, true); }
+
+void State::set_map(const Command& c, bool two) {
     const Enum target = c.enumerant(0);
-    const bool two = c.sig().parameters.size() > 6;
     EvaluatorMap map = initial_map(target);
     if (map.size == 0 || is_of_surfaces(target) != two) {
         return raise(kGL_INVALID_ENUM, c, "{} is given {}; expected GL_MAP{}_VERTEX_3, GL_MAP{}_COLOR_4, ...", c.name(),
@@ -173,23 +175,24 @@ void State::map(const Command& c) {
     maps_[target] = std::move(map);
 }
 
-void State::map_grid(const Command& c) {
-    const auto is_wrong = [&](std::size_t first) {
-        if (c.number(first) >= 1) return false;
-        raise(kGL_INVALID_VALUE, c, "{} is given {} segments; the number must be 1 or more", c.name(), c.number(first));
-        return true;
-    };
-    const auto grid = [&](std::size_t first) {
+std::optional<MapGrid> State::map_grid(const Command& c, std::size_t first) {
+    if (c.number(first) >= 1)
         return MapGrid{static_cast<int>(c.number(first)), c.number(first + 1), c.number(first + 2)};
-    };
-    const bool two = c.arguments.size() > 3;
-    if (is_wrong(0) || (two && is_wrong(3))) return;
-    if (two) {
-        a_.grid2_u = grid(0);
-        a_.grid2_v = grid(3);
-    } else {
-        a_.grid1 = grid(0);
-    }
+    raise(kGL_INVALID_VALUE, c, "{} is given {} segments; the number must be 1 or more", c.name(), c.number(first));
+    return std::nullopt;
+}
+
+void State::map_grid1(const Command& c) {
+    if (const auto grid = map_grid(c, 0)) a_.grid1 = *grid;
+}
+
+void State::map_grid2(const Command& c) {
+    const auto u = map_grid(c, 0);
+    if (!u) return;
+    const auto v = map_grid(c, 3);
+    if (!v) return;
+    a_.grid2_u = *u;
+    a_.grid2_v = *v;
 }
 
 // Values that no enabled map gives are the current ones, which stay as they are. A map of more coordinates goes before

@@ -158,7 +158,7 @@ class State {
     Effect matrix_mode, load_identity, push_matrix, pop_matrix, load_matrix, mult_matrix, rotate, scale, translate,
         frustum, ortho, perspective, ortho_2d, look_at, viewport, clip_plane, load_transpose_matrix,
         mult_transpose_matrix;
-    Effect map, map_grid, eval_coord, eval_point, eval_mesh;
+    Effect map1, map2, map_grid1, map_grid2, eval_coord, eval_point, eval_mesh;
     Effect build_mipmaps, texture_file;
     Effect front_face, cull_face, polygon_mode, depth_func, depth_mask, flush, depth_range, polygon_offset, line_width,
         point_size, point_parameter, edge_flag, hint;
@@ -172,6 +172,9 @@ class State {
     Effect pixel_store, tex_image, tex_sub_image, copy_tex_image, copy_tex_sub_image;
     Effect bind_texture, active_texture, tex_parameter, tex_env, tex_gen, query_tex_env, query_tex_gen,
         query_tex_parameter, gen_textures, delete_textures, prioritize_textures;
+    void set_map(const Command&, bool two);  // glMap1, glMap2
+    // The variable of glMapGrid whose values begin at argument `first`; nothing after an error.
+    std::optional<MapGrid> map_grid(const Command&, std::size_t first);
     // glMaterial; `reflectance` is null or the spectrum that the colour was computed from.
     void set_material(const Command&, const Spectrum* reflectance);
     void set_light(const Command&, LightSource& source, Enum pname, const std::vector<double>& values);
