@@ -2,6 +2,10 @@
 // magnitude that errors are divided by.
 #pragma once
 
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
 #include "lighting/equation.h"
 
 namespace twinlight::lighting {
@@ -25,6 +29,30 @@ MeasuredLit<Real> measured_light(const Model<Real>& model, const Material<Real>&
         if (!model.separate_specular) sum += magnitudes(t.specular);
     });
     return {lit, saturated(sum)};
+}
+
+// A factor of a term, with the symbol that people read.
+struct Factor {
+    enum class Of : std::uint8_t { kAttenuation, kSpot, kCosine, kHighlight, kMaterial, kLight };
+    Of of;
+    std::string_view symbol;
+};
+using Formula = std::vector<Factor>;
+
+// The three products of light_terms(), factor by factor, for `explain --pixel`.
+struct Formulas {
+    Formula ambient, diffuse, specular;
+};
+template <class Real>
+Formulas formulas(const Model<Real>& model) {
+    using enum Factor::Of;
+    const Factor attenuation{kAttenuation, "att"}, spot{kSpot, "spot"},
+        highlight{kHighlight, model.reflection ? "(r.v)^s" : "f(n.h)^s"};
+    Formulas f{.ambient = {{kMaterial, "a_cm"}, {kLight, "a_cli"}},
+               .diffuse = {attenuation, spot, {kCosine, "n.VP"}, {kMaterial, "d_cm"}, {kLight, "d_cli"}},
+               .specular = {attenuation, spot, highlight, {kMaterial, "s_cm"}, {kLight, "s_cli"}}};
+    if (!model.ambient_unattenuated) f.ambient.insert(f.ambient.begin(), {attenuation, spot});
+    return f;
 }
 
 // What light_terms() finds on its way to a light's factors.

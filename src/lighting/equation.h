@@ -214,20 +214,6 @@ LightTerms<Real> light_terms(const Model<Real>& model, const AnyMaterial& materi
     return t;
 }
 
-// The three products of light_terms() as text, for `explain --pixel`.
-struct Formulas {
-    const char* ambient = "att spot a_cm a_cli";
-    const char* diffuse = "att spot n.VP d_cm d_cli";
-    const char* specular = "att spot f(n.h)^s s_cm s_cli";
-};
-template <class Real>
-Formulas formulas(const Model<Real>& model) {
-    Formulas f;
-    if (model.ambient_unattenuated) f.ambient = "a_cm a_cli";
-    if (model.reflection) f.specular = "att spot (r.v)^s s_cm s_cli";
-    return f;
-}
-
 struct IgnoreTerms {
     template <class Terms>
     void operator()(const Terms& /*terms*/) const {}

@@ -123,9 +123,9 @@ std::vector<SumRow> sum_rows(const Derivation& at, std::optional<int> light) {
         const auto found = std::ranges::find(at.lights, *light);
         if (found == at.lights.end()) return rows;
         const lighting::LightTerms<double>& terms = point.terms[static_cast<std::size_t>(found - at.lights.begin())];
-        rows.push_back({"", "ambient", std::string(point.formulas.ambient), terms.ambient});
-        rows.push_back({"+", "diffuse", std::string(point.formulas.diffuse), terms.diffuse});
-        rows.push_back({"+", "specular", std::string(point.formulas.specular), terms.specular});
+        rows.push_back({"", "ambient", explain::formula_text(point.formulas.ambient), terms.ambient});
+        rows.push_back({"+", "diffuse", explain::formula_text(point.formulas.diffuse), terms.diffuse});
+        rows.push_back({"+", "specular", explain::formula_text(point.formulas.specular), terms.specular});
         rows.push_back({"=", light_name(*light), "its share", terms.ambient + terms.diffuse + terms.specular, true});
         return rows;
     }

@@ -76,6 +76,8 @@ void add_after_lighting(const reference::ColorSteps& steps, const Draw& draw, Js
 std::string rulings_text(const std::vector<reference::PixelFragment::Decided>& rulings);
 Json rulings_json(const std::vector<reference::PixelFragment::Decided>& rulings);
 
+// "att spot n.VP d_cm d_cli"
+std::string formula_text(const lighting::Formula& formula);
 // "GL_LIGHT0", "GL_LIGHT3"
 std::vector<std::string> names_of(const std::vector<int>& lights);
 Json color_json(const reference::Vec& c);

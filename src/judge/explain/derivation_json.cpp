@@ -107,9 +107,9 @@ Json derivation_json(const Derivation& at) {
     json["separate_specular"] = state.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
     json["lights"] = Json::array();
     for (std::size_t i = 0; i < at.lights.size(); ++i) json["lights"].push_back(light_json(at, i));
-    json["formulas"] = {{"ambient", point.formulas.ambient},
-                        {"diffuse", point.formulas.diffuse},
-                        {"specular", point.formulas.specular}};
+    json["formulas"] = {{"ambient", formula_text(point.formulas.ambient)},
+                        {"diffuse", formula_text(point.formulas.diffuse)},
+                        {"specular", formula_text(point.formulas.specular)}};
     json["primary_unclamped"] = color_json(point.primary);
     json["primary"] = color_json(clamped_color(point.primary));
     json["secondary_unclamped"] = color_json(point.secondary);

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/mat4x4.hpp>
+#include <initializer_list>
 #include <string_view>
+#include <utility>
 
-#include "base/text/input_text.h"
 #include "judge/explain/derivation_light.h"
 #include "scene/command/names.h"
 
@@ -14,6 +15,15 @@ namespace twinlight::explain {
 
 std::string quadruple(const glm::dvec4& v) {
     return fmt::format("({:.5g}, {:.5g}, {:.5g}, {:.5g})", v.x, v.y, v.z, v.w);
+}
+
+std::string formula_text(const lighting::Formula& formula) {
+    std::string text;
+    for (const lighting::Factor& factor : formula) {
+        if (!text.empty()) text += " ";
+        text += factor.symbol;
+    }
+    return text;
 }
 
 Lines line(std::string what, std::string value, std::string how) {
@@ -25,6 +35,8 @@ Lines color_line(std::string what, std::string how, const reference::Vec& color)
 
 namespace {
 
+using lighting::Factor;
+using lighting::Formula;
 using lighting::LightTerms;
 using reference::LitPoint;
 using reference::Vec;
@@ -182,41 +194,46 @@ Lines highlight_lines(const Derivation& at, const LightAt& light) {
                               : "f is 0 because n.VP is 0");
 }
 
-// "att spot n.VP d_cm d_cli" with its numbers: "0.70423 x 1.00000 x 0.86603 x (0.8 0.5 0.31) x (1 1 1)".
-std::string product_text(const char* formula, const LightTerms<double>& terms, const Vec& material, const Vec& light) {
+// A formula with its numbers: "0.70423 x 1.00000 x 0.86603 x (0.8 0.5 0.31) x (1 1 1)".
+std::string product_text(const Formula& formula, const LightTerms<double>& terms, const Vec& material,
+                         const Vec& light) {
+    const auto number_of = [&](const Factor& factor) {
+        switch (factor.of) {
+            case Factor::Of::kAttenuation: return fmt::format("{:.5f}", terms.attenuation);
+            case Factor::Of::kSpot: return fmt::format("{:.5f}", terms.spot);
+            case Factor::Of::kCosine: return fmt::format("{:.5f}", terms.n_dot_vp);
+            case Factor::Of::kHighlight: return fmt::format("{:.5f}", terms.highlight);
+            case Factor::Of::kMaterial: return short_color(material);
+            case Factor::Of::kLight: return short_color(light);
+        }
+        return std::string();
+    };
     std::string text;
-    InputText words(formula);
-    for (std::string word; words >> word;) {
-        const std::string factor = word.ends_with("_cm")    ? short_color(material)
-                                   : word.ends_with("_cli") ? short_color(light)
-                                   : word == "att"          ? fmt::format("{:.5f}", terms.attenuation)
-                                   : word == "spot"         ? fmt::format("{:.5f}", terms.spot)
-                                   : word == "n.VP"         ? fmt::format("{:.5f}", terms.n_dot_vp)
-                                                            : fmt::format("{:.5f}", terms.highlight);
-        text += (text.empty() ? "" : " x ") + factor;
-    }
+    for (const Factor& factor : formula) text += (text.empty() ? "" : " x ") + number_of(factor);
     return text;
 }
 
+Formula without(Formula formula, std::initializer_list<Factor::Of> factors) {
+    std::erase_if(formula,
+                  [&](const Factor& factor) { return std::ranges::find(factors, factor.of) != factors.end(); });
+    return formula;
+}
+
 // The formula without the factors that are 1 because the scene does not use them.
-std::string used_factors(const char* formula, const LightAt& light, bool whole) {
-    std::string used;
-    InputText words(formula);
-    for (std::string word; words >> word;) {
-        const bool is_idle = (word == "att" && (light.directional() || light.source.has_initial_attenuation())) ||
-                             (word == "spot" && !light.is_spot());
-        if (whole || !is_idle) used += (used.empty() ? "" : " ") + word;
-    }
-    return used;
+Formula used_factors(Formula formula, const LightAt& light) {
+    if (light.directional() || light.source.has_initial_attenuation())
+        formula = without(std::move(formula), {Factor::Of::kAttenuation});
+    return light.is_spot() ? formula : without(std::move(formula), {Factor::Of::kSpot});
 }
 
 bool is_zero(const Vec& c) { return c == Vec{}; }
 
-Lines product_lines(const Derivation& at, const LightAt& light, const char* name, const char* formula,
+Lines product_lines(const Derivation& at, const LightAt& light, const char* name, const Formula& formula,
                     const Vec& material, const Vec& color, const Vec& product, bool whole) {
-    const std::string used = used_factors(formula, light, whole);
-    if (at.is_spectral()) return line(name, used) + color_line("", "multiplied as spectra", product);
-    return line(name, used) + color_line("", product_text(used.c_str(), light.terms, material, color), product);
+    const Formula used = whole ? formula : used_factors(formula, light);
+    const std::string how =
+        at.is_spectral() ? "multiplied as spectra" : product_text(used, light.terms, material, color);
+    return line(name, formula_text(used)) + color_line("", how, product);
 }
 
 Lines light_lines(const Derivation& at, std::size_t i, bool whole) {
@@ -231,7 +248,8 @@ Lines light_lines(const Derivation& at, std::size_t i, bool whole) {
     text += attenuation_lines(light, whole) + spot_lines(light, whole) + diffuse_angle_lines(at, light);
     if (has_specular || whole) text += highlight_lines(at, light);
     const lighting::Formulas& formulas = at.point.formulas;
-    const auto add = [&](const char* name, const char* formula, const Vec& of, const Vec& color, const Vec& product) {
+    const auto add = [&](const char* name, const Formula& formula, const Vec& of, const Vec& color,
+                         const Vec& product) {
         const bool is_black = (is_zero(of) || is_zero(color)) && is_zero(product);
         if (whole || !is_black)
             text += product_lines(at, light, name, formula, of, color, product, whole);
@@ -258,9 +276,8 @@ Lines material_note(const Derivation& at) {
 // The equation, with the formulas of the scene's variants.
 std::string equation(const Derivation& at) {
     const lighting::Formulas& formulas = at.point.formulas;
-    const auto in_brackets = [](std::string_view formula) {
-        constexpr std::string_view kFactor = "att spot ";
-        return std::string(formula.starts_with(kFactor) ? formula.substr(kFactor.size()) : formula);
+    const auto in_brackets = [](const Formula& formula) {
+        return formula_text(without(formula, {Factor::Of::kAttenuation, Factor::Of::kSpot}));
     };
     const std::string rest = in_brackets(formulas.diffuse) + " + " + in_brackets(formulas.specular);
     if (at.has_unattenuated_ambient())

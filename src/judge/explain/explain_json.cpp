@@ -26,9 +26,9 @@ Json mean_json(const LitPoint& mean, const std::vector<int>& lights) {
                                   {"diffuse", color_json(terms.diffuse)},
                                   {"specular", color_json(terms.specular)},
                                   {"formulas",
-                                   {{"ambient", mean.formulas.ambient},
-                                    {"diffuse", mean.formulas.diffuse},
-                                    {"specular", mean.formulas.specular}}}});
+                                   {{"ambient", formula_text(mean.formulas.ambient)},
+                                    {"diffuse", formula_text(mean.formulas.diffuse)},
+                                    {"specular", formula_text(mean.formulas.specular)}}}});
     }
     json["primary_unclamped"] = color_json(mean.primary);
     json["secondary_unclamped"] = color_json(mean.secondary);
