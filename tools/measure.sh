@@ -3,7 +3,7 @@
 # files of each room. Nothing depends on the numbers; they show whether a change made the next one smaller.
 #
 #   tools/measure.sh           all measures
-#   tools/measure.sh HEADER    only what a change of this header compiles again, for example src/scene/state/frame.h
+#   tools/measure.sh HEADER    only what a change of this header compiles again, for example src/scene/frame/frame.h
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -74,13 +74,13 @@ case "${1:-}" in
 "")
     spread
     echo
-    rebuilds src/scene/state/frame.h src/scene/command/command.h src/lighting/equation.h
+    rebuilds src/scene/frame/frame.h src/scene/command/command.h src/lighting/equation.h
     echo
     rooms
     ;;
 -h | --help) sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//p;}' "$0" ;;
 *)
-    [[ -f $1 ]] || { echo "$0: $1: no such header; expected a path such as src/scene/state/frame.h" >&2; exit 2; }
+    [[ -f $1 ]] || { echo "$0: $1: no such header; expected a path such as src/scene/frame/frame.h" >&2; exit 2; }
     rebuilds "$1"
     ;;
 esac

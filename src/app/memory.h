@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "scene/state/picture_memory.h"
+#include "scene/frame/picture_memory.h"
 #include "scene/state/state.h"
 
 namespace twinlight {

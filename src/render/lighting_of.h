@@ -3,7 +3,7 @@
 
 #include "base/math/vec3.h"
 #include "lighting/light_setup.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 

@@ -15,8 +15,8 @@
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
 #include "render/programmable/programmable.h"
+#include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"
-#include "scene/state/recorded_frame.h"
 #include "ways.h"
 
 namespace twinlight::real_bench {

@@ -7,7 +7,7 @@
 #include "ratios.h"
 #include "render/fixed/replay.h"
 #include "render/programmable/shader_options.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::bench {
 

@@ -16,8 +16,8 @@
 #include "base/text/json.h"
 #include "judge/study/study.h"
 #include "scene/command/text.h"
+#include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"
-#include "scene/state/recorded_frame.h"
 #include "scene/state/state.h"
 
 namespace twinlight {

@@ -10,7 +10,7 @@
 #include "../unit/one_pixel.h"
 #include "render/fixed/replay.h"
 #include "scene/command/text.h"
-#include "scene/state/recorded_frame.h"
+#include "scene/recorded/recorded_frame.h"
 
 namespace twinlight::copied_pixels_test {
 namespace {

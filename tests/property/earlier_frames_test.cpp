@@ -1,4 +1,4 @@
-// What a frame shows of the frames before it (scene/state/earlier_frames.h): the driver, the shaders and the reference show the same.
+// What a frame shows of the frames before it (scene/recorded/earlier_frames.h): the driver, the shaders and the reference show the same.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 #include "../unit/frames_of_texts.h"
 #include "../unit/one_pixel.h"
-#include "scene/state/recorded_frame.h"
+#include "scene/recorded/recorded_frame.h"
 
 namespace twinlight::earlier_frames_test {
 namespace {

@@ -16,8 +16,8 @@
 #include "render/programmable/programmable.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
+#include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"
-#include "scene/state/recorded_frame.h"
 
 namespace twinlight {
 

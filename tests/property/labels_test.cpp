@@ -10,8 +10,8 @@
 #include "../unit/compare_three_ways.h"
 #include "../unit/one_pixel.h"
 #include "judge/fuzz/random.h"
+#include "scene/frame/pixel_image.h"
 #include "scene/state/answers.h"
-#include "scene/state/pixel_image.h"
 
 namespace twinlight::labels_test {
 namespace {

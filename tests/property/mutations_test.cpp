@@ -21,8 +21,8 @@
 #include "judge/compare/vertex_colors.h"
 #include "judge/lesson/lesson.h"
 #include "render/reference/reference.h"
+#include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"
-#include "scene/state/recorded_frame.h"
 #include "scene/state/state.h"
 
 namespace twinlight::mutations_test {

@@ -4,7 +4,7 @@
 
 #include "../unit/compare_three_ways.h"
 #include "../unit/one_pixel.h"
-#include "scene/state/resized.h"
+#include "scene/frame/resized.h"
 
 namespace twinlight::pixel_copies_test {
 namespace {

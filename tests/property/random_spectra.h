@@ -5,7 +5,7 @@
 #include <span>
 
 #include "judge/fuzz/random.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 

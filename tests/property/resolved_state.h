@@ -7,7 +7,7 @@
 
 #include "judge/fuzz/random.h"
 #include "scene/command/command.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 

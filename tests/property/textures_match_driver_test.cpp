@@ -13,8 +13,8 @@
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
 #include "scene/command/text.h"
+#include "scene/frame/parameter_rows.h"
 #include "scene/state/answers.h"
-#include "scene/state/parameter_rows.h"
 #include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
 

@@ -15,8 +15,8 @@
 #include "base/text/json.h"
 #include "judge/compare/comparison.h"
 #include "judge/report/words.h"
+#include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"
-#include "scene/state/recorded_frame.h"
 
 namespace twinlight::real_programs_test {
 

@@ -10,7 +10,7 @@
 #include "render/context/context.h"
 #include "render/context/gl.h"
 #include "render/programmable/programmable.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::programmable {
 

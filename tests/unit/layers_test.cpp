@@ -39,7 +39,9 @@ const std::map<std::string, Table>& rooms() {
          {{"command", {}},
           {"spectrum", {}},
           {"shape", {"command", "spectrum"}},
-          {"state", {"command", "spectrum", "shape"}},
+          {"frame", {"command", "spectrum", "shape"}},
+          {"state", {"command", "spectrum", "shape", "frame"}},
+          {"recorded", {"command", "frame", "state"}},
           {"trace", {"command"}},
           {"mesh", {"command"}},
           {"scenes", {"command", "trace", "mesh"}}}},
@@ -70,10 +72,13 @@ const std::map<std::string, Table>& rooms() {
 const Table& narrower() {
     static const Table table = {
         {"render/context", {"base"}},
-        {"render/stages", {"base", "scene"}},
+        // Only the fixed function sees commands and GL's state machine; the others draw a Frame.
         {"render/fixed", {"base", "scene"}},
-        {"render/programmable", {"base", "scene"}},
-        {"render/webgl", {"base", "scene"}},
+        {"render/effect", {"base", "lighting", "scene/frame", "scene/shape"}},
+        {"render/stages", {"base", "scene/frame", "scene/shape"}},
+        {"render/programmable", {"base", "scene/command", "scene/frame"}},  // names of commands in exported C
+        {"render/reference", {"base", "lighting", "scene/frame", "scene/shape", "scene/spectrum"}},
+        {"render/webgl", {"base", "scene/frame"}},
         // The renderers come as functions.
         // It judges everything else that lights, so it shares only the reader of commands.
         {"judge/oracle", {"scene"}},

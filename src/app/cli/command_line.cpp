@@ -20,9 +20,9 @@
 #include "render/context/context.h"
 #include "render/fixed/fixed.h"
 #include "scene/command/text.h"
+#include "scene/frame/picture_memory.h"
+#include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"
-#include "scene/state/picture_memory.h"
-#include "scene/state/recorded_frame.h"
 #include "scene/state/state.h"
 
 namespace twinlight::cli {

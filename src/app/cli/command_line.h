@@ -16,7 +16,7 @@
 #include "base/image/image.h"
 #include "render/look.h"
 #include "scene/command/command.h"
-#include "scene/state/scene.h"
+#include "scene/frame/scene.h"
 #include "scene/state/state.h"
 
 namespace twinlight::cli {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "render/effect/plan.h"
-#include "scene/state/scene.h"
+#include "scene/frame/scene.h"
 
 namespace twinlight::cli {
 

@@ -15,8 +15,8 @@
 #include "render/reference/copied_pixels.h"
 #include "render/webgl/exported_page.h"
 #include "scene/command/text.h"
+#include "scene/recorded/recorded_frame.h"
 #include "scene/shape/written_out.h"
-#include "scene/state/recorded_frame.h"
 
 namespace twinlight::cli {
 

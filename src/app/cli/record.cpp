@@ -9,8 +9,8 @@
 #include "app/cli/command_line.h"
 #include "app/cli/interrupt.h"
 #include "scene/command/text.h"
+#include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"
-#include "scene/state/recorded_frame.h"
 #include "scene/trace/temporary_folder.h"
 
 namespace twinlight::cli {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "judge/study/study.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::session {
 

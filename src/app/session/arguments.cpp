@@ -16,7 +16,7 @@
 #include "scene/command/command_set.h"
 #include "scene/command/memory.h"
 #include "scene/command/print_parts.h"
-#include "scene/state/parameter_rows.h"
+#include "scene/frame/parameter_rows.h"
 #include "scene/state/state.h"
 
 namespace twinlight::session {

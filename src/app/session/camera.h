@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "scene/command/command.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::session {
 

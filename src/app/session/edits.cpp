@@ -17,7 +17,7 @@
 #include "render/effect/plan.h"
 #include "scene/command/command_set.h"
 #include "scene/command/memory.h"
-#include "scene/state/parameter_rows.h"
+#include "scene/frame/parameter_rows.h"
 #include "scene/state/state.h"
 
 namespace twinlight::session {

@@ -10,8 +10,8 @@
 
 #include "app/session/argument_places.h"
 #include "scene/command/memory.h"
+#include "scene/frame/parameter_rows.h"
 #include "scene/state/answers.h"
-#include "scene/state/parameter_rows.h"
 #include "scene/state/state.h"
 
 namespace twinlight::session {

@@ -85,7 +85,7 @@ struct Origins {
             if (is_changed) of = from ? *from : other;
         };
         const auto take_all = [&](const auto& a, const auto& b, auto& of, const auto* from) {
-            const auto rows = parameter_rows<std::remove_cvref_t<decltype(a)>>();
+            const auto rows = kParameterRows<std::remove_cvref_t<decltype(a)>>;
             for (std::size_t i = 0; i < rows.size(); ++i)
                 take(!has_equal(a, b, rows[i]), of[i], from ? &(*from)[i] : nullptr);
         };

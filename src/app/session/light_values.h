@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "scene/command/command.h"
-#include "scene/state/frame.h"
-#include "scene/state/parameter_rows.h"
+#include "scene/frame/frame.h"
+#include "scene/frame/parameter_rows.h"
 
 namespace twinlight::session {
 

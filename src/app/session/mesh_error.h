@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::session {
 

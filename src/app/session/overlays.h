@@ -10,7 +10,7 @@
 
 #include "app/session/session.h"
 #include "render/effect/plan.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::session {
 

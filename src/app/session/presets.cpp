@@ -7,7 +7,7 @@
 
 #include "app/session/edits.h"
 #include "scene/command/command_set.h"
-#include "scene/state/parameter_rows.h"
+#include "scene/frame/parameter_rows.h"
 
 namespace twinlight::session {
 namespace {

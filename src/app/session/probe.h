@@ -9,7 +9,7 @@
 #include "judge/explain/derivation.h"
 #include "judge/explain/explain.h"
 #include "render/look.h"
-#include "scene/state/scene.h"
+#include "scene/frame/scene.h"
 
 namespace twinlight::session {
 

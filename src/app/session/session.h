@@ -15,7 +15,7 @@
 #include "app/session/history.h"
 #include "render/look.h"
 #include "render/path.h"
-#include "scene/state/scene.h"
+#include "scene/frame/scene.h"
 
 namespace twinlight::session {
 

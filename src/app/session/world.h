@@ -10,7 +10,7 @@
 
 #include "app/session/overlays.h"
 #include "scene/command/command.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::session {
 

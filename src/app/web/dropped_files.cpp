@@ -13,8 +13,8 @@
 #include "base/text/json.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
-#include "scene/state/recorded_frame.h"
-#include "scene/state/resized.h"
+#include "scene/frame/resized.h"
+#include "scene/recorded/recorded_frame.h"
 #include "scene/trace/trace.h"
 
 namespace twinlight::web {

@@ -19,12 +19,12 @@
 #include "render/reference/reference.h"
 #include "render/webgl/exported_page.h"
 #include "scene/command/text.h"
+#include "scene/frame/picture_memory.h"
+#include "scene/frame/resized.h"
 #include "scene/scenes/images.h"
 #include "scene/scenes/load.h"
 #include "scene/scenes/meshes.h"
 #include "scene/shape/written_out.h"
-#include "scene/state/picture_memory.h"
-#include "scene/state/resized.h"
 #include "scene/state/state.h"
 
 namespace twinlight::web {

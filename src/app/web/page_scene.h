@@ -16,8 +16,8 @@
 #include "render/reference/reference_options.h"
 #include "render/reference/staged_frame.h"
 #include "render/webgl/webgl_frame.h"
-#include "scene/state/copied_texels.h"
-#include "scene/state/scene.h"
+#include "scene/frame/copied_texels.h"
+#include "scene/frame/scene.h"
 
 namespace twinlight::web {
 

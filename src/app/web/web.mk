@@ -10,7 +10,7 @@ EDITOR_web := $(addprefix $(PAGE)/codemirror/,codemirror.js codemirror.css copyr
 
 # The module has the rooms and files that need neither GL nor processes.
 ROOMS_web := $(addprefix src/,base/image base/math base/text base/threads scene/command scene/mesh scene/scenes scene/shape scene/spectrum \
-    scene/state scene/trace lighting render/effect render/programmable render/programmable/kept render/programmable/precise render/reference render/webgl judge/compare \
+    scene/frame scene/state scene/recorded scene/trace lighting render/effect render/programmable render/programmable/kept render/programmable/precise render/reference render/webgl judge/compare \
     judge/explain judge/lesson judge/lint judge/study app/session app/web)
 # The files of app/session that the page needs.
 SESSION_web := axes camera edits history keys lesson_state scaled session world world_handles

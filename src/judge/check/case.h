@@ -13,7 +13,7 @@
 #include "base/image/embedded.h"
 #include "render/look.h"
 #include "scene/command/command.h"
-#include "scene/state/scene.h"
+#include "scene/frame/scene.h"
 
 namespace twinlight {
 

@@ -20,7 +20,7 @@
 #include "render/fixed/fixed.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
-#include "scene/state/lecture_variants.h"
+#include "scene/frame/lecture_variants.h"
 #include "scene/state/state.h"
 
 namespace twinlight::check {

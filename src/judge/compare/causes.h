@@ -6,7 +6,7 @@
 
 #include "base/image/image.h"
 #include "judge/compare/departures.h"
-#include "scene/state/scene.h"
+#include "scene/frame/scene.h"
 
 namespace twinlight::compare {
 

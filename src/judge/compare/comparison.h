@@ -17,7 +17,7 @@
 #include "render/path.h"
 #include "render/programmable/programmable.h"
 #include "render/reference/reference_options.h"
-#include "scene/state/scene.h"
+#include "scene/frame/scene.h"
 
 namespace twinlight::compare {
 

@@ -11,7 +11,7 @@
 #include "judge/compare/rewrites.h"
 #include "render/context/driver_name.h"
 #include "scene/command/command.h"
-#include "scene/state/scene.h"
+#include "scene/frame/scene.h"
 
 namespace twinlight::compare {
 

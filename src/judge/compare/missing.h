@@ -9,8 +9,8 @@
 
 #include "base/image/image.h"
 #include "scene/command/command.h"
-#include "scene/state/frame.h"
-#include "scene/state/scene.h"
+#include "scene/frame/frame.h"
+#include "scene/frame/scene.h"
 
 namespace twinlight::compare {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/state/scene.h"
+#include "scene/frame/scene.h"
 
 namespace twinlight::compare {
 

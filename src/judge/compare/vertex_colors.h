@@ -10,7 +10,7 @@
 
 #include "render/programmable/programmable.h"
 #include "render/reference/reference.h"
-#include "scene/state/scene.h"
+#include "scene/frame/scene.h"
 
 namespace twinlight::compare {
 

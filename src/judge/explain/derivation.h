@@ -10,7 +10,7 @@
 
 #include "judge/explain/explain.h"
 #include "render/reference/pixel_history.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::explain {
 

@@ -12,7 +12,7 @@
 #include "render/look.h"
 #include "render/path.h"
 #include "render/reference/pixel_history.h"
-#include "scene/state/scene.h"
+#include "scene/frame/scene.h"
 
 namespace twinlight::explain {
 

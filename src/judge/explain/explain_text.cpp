@@ -10,7 +10,7 @@
 #include "judge/explain/derivation_light.h"
 #include "judge/explain/explain.h"
 #include "scene/command/text.h"
-#include "scene/state/lecture_variants.h"
+#include "scene/frame/lecture_variants.h"
 
 namespace twinlight::explain {
 

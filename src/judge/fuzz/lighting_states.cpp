@@ -8,7 +8,7 @@
 #include "base/math/as_float.h"
 #include "judge/compare/departures.h"
 #include "judge/fuzz/random_states.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::fuzz {
 

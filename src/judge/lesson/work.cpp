@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "render/reference/reference.h"
-#include "scene/state/resized.h"
+#include "scene/frame/resized.h"
 #include "scene/state/state.h"
 
 namespace twinlight::lesson {

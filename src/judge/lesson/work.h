@@ -16,7 +16,7 @@
 #include "base/image/image.h"
 #include "render/look.h"
 #include "scene/command/command.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::lesson {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/state/scene.h"
+#include "scene/frame/scene.h"
 
 namespace twinlight::lint {
 

@@ -6,7 +6,7 @@
 #include "base/math/directions.h"
 #include "render/reference/primitive_assembly.h"
 #include "render/reference/vertex_stage.h"
-#include "scene/state/resized.h"
+#include "scene/frame/resized.h"
 
 namespace twinlight::lint {
 

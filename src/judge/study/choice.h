@@ -10,7 +10,7 @@
 #include "render/fixed/replay.h"
 #include "render/programmable/shader_options.h"
 #include "render/reference/reference_options.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::study {
 

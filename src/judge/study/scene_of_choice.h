@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/command/command.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::study {
 

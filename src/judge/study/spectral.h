@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/image/delta_e.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::study {
 

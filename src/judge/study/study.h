@@ -16,7 +16,7 @@
 #include "judge/study/choice.h"
 #include "judge/study/measure.h"
 #include "judge/study/spectral.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::study {
 

@@ -18,7 +18,7 @@
 
 #include "render/effect/color_products.h"
 #include "render/effect/vertex_facts.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 

@@ -58,7 +58,7 @@
 #include <vector>
 
 #include "render/look.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 

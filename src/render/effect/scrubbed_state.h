@@ -12,7 +12,7 @@
 #pragma once
 
 #include "render/effect/plan.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "render/effect/vertex_facts.h"
+#include "scene/frame/frame.h"
 #include "scene/shape/surface.h"
-#include "scene/state/frame.h"
 
 namespace twinlight {
 

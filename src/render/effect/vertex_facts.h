@@ -8,7 +8,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "render/context/gl.h"
-#include "scene/state/attributes.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::fixed {
 

@@ -1,7 +1,7 @@
 #include "render/fixed/draw_state.h"
 
 #include "render/context/gl.h"
-#include "scene/state/parameter_rows.h"
+#include "scene/frame/parameter_rows.h"
 
 namespace twinlight::fixed {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 // Calls set(pname, its values as floats) for all parameters of a light, a material or the light model.
 template <class Owner, class Set>
 void set_all(const Owner& owner, const Set& set) {
-    for (const ParameterRow<Owner>& parameter : parameter_rows<Owner>())
+    for (const ParameterRow<Owner>& parameter : kParameterRows<Owner>)
         set(parameter.pname, floats_of(owner, parameter).data());
 }
 

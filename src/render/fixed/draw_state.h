@@ -1,7 +1,7 @@
 // Sets the state of a Draw in the driver, except what FixedStages sets.
 #pragma once
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::fixed {
 

@@ -14,8 +14,8 @@
 #include "render/stages/accumulation_buffer.h"
 #include "scene/command/command.h"
 #include "scene/command/object_names.h"
+#include "scene/frame/scene.h"
 #include "scene/state/arrays.h"
-#include "scene/state/scene.h"
 
 namespace twinlight::fixed {
 

@@ -6,8 +6,8 @@
 #include "render/fixed/draw_state.h"
 #include "render/fixed/fixed.h"
 #include "render/stages/fixed_stages.h"
+#include "scene/frame/parameter_rows.h"
 #include "scene/state/capabilities.h"
-#include "scene/state/parameter_rows.h"
 #include "scene/state/state.h"
 
 namespace twinlight::fixed {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "scene/state/scene.h"
+#include "scene/frame/scene.h"
 
 namespace twinlight::fixed {
 

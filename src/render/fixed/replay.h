@@ -7,7 +7,7 @@
 
 #include "base/image/image.h"
 #include "render/effect/plan.h"
-#include "scene/state/scene.h"
+#include "scene/frame/scene.h"
 
 namespace twinlight::fixed {
 

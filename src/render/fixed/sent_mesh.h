@@ -9,7 +9,7 @@
 #include "render/effect/effect_set.h"
 #include "render/fixed/replay.h"
 #include "render/stages/elements.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::fixed {
 

@@ -12,7 +12,7 @@
 #include "base/math/normal_matrix.h"
 #include "render/programmable/vertex_attributes.h"
 #include "render/programmable/wide_range.h"
-#include "scene/state/far_from_origin.h"
+#include "scene/frame/far_from_origin.h"
 
 namespace twinlight::programmable {
 namespace {

@@ -1,7 +1,7 @@
 // Pixel rectangles without a point for each pixel.
 #pragma once
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::programmable {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "render/stages/elements.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::programmable {
 

@@ -22,7 +22,7 @@
 #include "render/stages/accumulation_buffer.h"
 #include "render/stages/fixed_stages.h"
 #include "render/stages/textures.h"
-#include "scene/state/copied_texels.h"
+#include "scene/frame/copied_texels.h"
 
 namespace twinlight::programmable {
 namespace {

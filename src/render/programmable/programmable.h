@@ -10,7 +10,7 @@
 #include "base/image/image.h"
 #include "render/effect/explanation.h"
 #include "render/programmable/shader_options.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::programmable {
 

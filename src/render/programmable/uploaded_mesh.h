@@ -8,7 +8,7 @@
 #include "render/programmable/joined_draws.h"
 #include "render/programmable/vertex_attributes.h"
 #include "render/stages/elements.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::programmable {
 

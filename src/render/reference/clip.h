@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::reference {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/reference/reference_options.h"
-#include "scene/state/copied_texels.h"
+#include "scene/frame/copied_texels.h"
 
 namespace twinlight::reference {
 

@@ -13,7 +13,7 @@
 #include "lighting/points.h"
 #include "render/reference/spectral_lighting.h"
 #include "render/reference/vertex_stage.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::reference {
 

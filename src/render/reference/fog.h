@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "render/reference/interval.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::reference {
 

@@ -7,7 +7,7 @@
 
 #include "render/reference/coverage.h"
 #include "render/reference/interval.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::reference {
 

@@ -6,7 +6,7 @@
 #include "render/reference/allowed_difference.h"
 #include "render/reference/copied_pixels.h"
 #include "render/reference/framebuffer.h"
-#include "scene/state/lecture_variants.h"
+#include "scene/frame/lecture_variants.h"
 
 namespace twinlight::reference {
 

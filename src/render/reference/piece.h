@@ -17,7 +17,7 @@
 #include "render/reference/draw_lighting.h"
 #include "render/reference/primitive_assembly.h"
 #include "render/reference/vertex_stage.h"
-#include "scene/state/copied_texels.h"
+#include "scene/frame/copied_texels.h"
 
 namespace twinlight::reference {
 

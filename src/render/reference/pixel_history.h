@@ -14,7 +14,7 @@
 #include "render/reference/color_steps.h"
 #include "render/reference/draw_lighting.h"
 #include "render/reference/reference_options.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::reference {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "render/reference/reference_options.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::reference {
 

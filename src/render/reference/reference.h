@@ -5,7 +5,7 @@
 #include "base/image/difference.h"
 #include "base/image/image.h"
 #include "render/reference/reference_options.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::reference {
 

@@ -5,7 +5,7 @@
 
 #include "base/math/arithmetic.h"
 #include "render/look.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::reference {
 

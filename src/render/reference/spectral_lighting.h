@@ -10,8 +10,8 @@
 
 #include "lighting/breakdown.h"
 #include "lighting/points.h"
+#include "scene/frame/frame.h"
 #include "scene/spectrum/samples.h"
-#include "scene/state/frame.h"
 
 namespace twinlight::reference {
 

@@ -3,7 +3,7 @@
 // In: a vertex, with its position and normal in eye coordinates. Out: (s, t, r, q).
 #pragma once
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::reference {
 

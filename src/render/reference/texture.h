@@ -12,7 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "lighting/real.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::reference {
 

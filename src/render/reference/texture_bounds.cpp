@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "render/reference/fragment_operations.h"
-#include "scene/state/pixel_unpacking.h"
+#include "scene/frame/texture_formats.h"
 
 namespace twinlight::reference {
 

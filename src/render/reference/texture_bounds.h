@@ -16,7 +16,7 @@
 
 #include "render/reference/interval.h"
 #include "render/reference/texture.h"
-#include "scene/state/copied_texels.h"
+#include "scene/frame/copied_texels.h"
 
 namespace twinlight::reference {
 

@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 
 #include "render/reference/interval.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::reference {
 

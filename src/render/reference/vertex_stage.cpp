@@ -9,7 +9,7 @@
 #include "render/reference/draw_lighting.h"
 #include "render/reference/reference.h"
 #include "render/reference/tex_gen.h"
-#include "scene/state/far_from_origin.h"
+#include "scene/frame/far_from_origin.h"
 
 namespace twinlight::reference {
 

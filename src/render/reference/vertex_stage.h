@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lighting/rulings.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::reference {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 

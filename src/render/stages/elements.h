@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "scene/frame/frame.h"
 #include "scene/shape/vertex_order.h"
-#include "scene/state/frame.h"
 
 namespace twinlight {
 

@@ -1,7 +1,7 @@
 // The stages of GL that no shader replaces: rasterisation state and the per-fragment operations (4.1).
 #pragma once
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 

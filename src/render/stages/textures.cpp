@@ -10,7 +10,7 @@
 #include "render/context/context.h"
 #include "render/context/gl.h"
 #include "render/context/render_target.h"
-#include "scene/state/parameter_rows.h"
+#include "scene/frame/parameter_rows.h"
 
 namespace twinlight {
 namespace {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "scene/state/copied_texels.h"
-#include "scene/state/frame.h"
+#include "scene/frame/copied_texels.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 

@@ -7,7 +7,7 @@
 
 #include "base/image/embedded.h"
 #include "render/look.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 

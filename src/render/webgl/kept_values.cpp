@@ -8,7 +8,7 @@
 #include "base/math/directions.h"
 #include "render/programmable/draw_values.h"
 #include "render/programmable/light_values.h"
-#include "scene/state/parameter_rows.h"
+#include "scene/frame/parameter_rows.h"
 
 namespace twinlight::webgl {
 namespace {
@@ -33,7 +33,7 @@ Json list_of(const glm::dmat4& m) {
 // The members of GLSL's gl_LightSource or gl_FrontMaterial.
 template <class Owner>
 void add_members(Json& values, const std::string& variable, const Owner& owner) {
-    for (const ParameterRow<Owner>& parameter : parameter_rows<Owner>()) {
+    for (const ParameterRow<Owner>& parameter : kParameterRows<Owner>) {
         Json& list = values[variable + "." + std::string(parameter.glsl)] = Json::array();
         for (const double value : values_of(owner, parameter)) list.push_back(short_number(value));
     }

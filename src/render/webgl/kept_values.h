@@ -6,7 +6,7 @@
 #include "base/text/json.h"
 #include "render/effect/plan.h"
 #include "render/programmable/form.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::webgl {
 

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "base/text/json.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::webgl {
 

@@ -7,7 +7,7 @@
 
 #include "base/text/json.h"
 #include "render/effect/plan.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::webgl {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/programmable/form.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::webgl {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/webgl/webgl_lines.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::webgl {
 

@@ -8,7 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "base/math/as_float.h"
-#include "scene/state/parameter_rows.h"
+#include "scene/frame/parameter_rows.h"
 #include "scene/state/pixel_unpacking.h"
 #include "scene/state/state_variables.h"
 

@@ -4,8 +4,8 @@
 #include <iterator>
 #include <variant>
 
+#include "scene/frame/parameter_rows.h"
 #include "scene/state/capabilities.h"
-#include "scene/state/parameter_rows.h"
 #include "scene/state/state.h"
 #include "scene/state/state_variables.h"
 

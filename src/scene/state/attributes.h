@@ -6,7 +6,8 @@
 #include <map>
 #include <memory>
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
+#include "scene/frame/parameter_rows.h"
 
 namespace twinlight {
 
@@ -32,8 +33,7 @@ inline constexpr std::size_t kClientAttributeStackDepth = 16;
 
 // GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT: at least 2 (EXT_texture_filter_anisotropic); 16 in Mesa
 inline constexpr double kMaxAnisotropy = 16;
-inline constexpr double kMaxLodBias = 16;           // GL_MAX_TEXTURE_LOD_BIAS: at least 2 (table 6.31); 16 in Mesa
-inline constexpr std::size_t kMaxTextureUnits = 8;  // GL_MAX_TEXTURE_UNITS: at least 2 (table 6.31); 8 in Mesa
+inline constexpr double kMaxLodBias = 16;  // GL_MAX_TEXTURE_LOD_BIAS: at least 2 (table 6.31); 16 in Mesa
 
 // The kinds of textures that all renderers draw.
 inline constexpr std::initializer_list<Enum> kTextureTargets{kGL_TEXTURE_1D, kGL_TEXTURE_2D, kGL_TEXTURE_3D,
@@ -108,6 +108,27 @@ struct PixelStore {
     int pack_row_length = 0, pack_skip_rows = 0, pack_skip_pixels = 0, pack_alignment = 4;
     int pack_image_height = 0, pack_skip_images = 0;
 };
+
+inline constexpr std::array kPixelStoreParameters = {
+    ParameterRow<PixelStore>{kGL_UNPACK_SWAP_BYTES, &PixelStore::unpack_swap_bytes},
+    ParameterRow<PixelStore>{kGL_UNPACK_LSB_FIRST, &PixelStore::unpack_lsb_first},
+    ParameterRow<PixelStore>{kGL_UNPACK_ROW_LENGTH, &PixelStore::unpack_row_length},
+    ParameterRow<PixelStore>{kGL_UNPACK_SKIP_ROWS, &PixelStore::unpack_skip_rows},
+    ParameterRow<PixelStore>{kGL_UNPACK_SKIP_PIXELS, &PixelStore::unpack_skip_pixels},
+    ParameterRow<PixelStore>{kGL_UNPACK_ALIGNMENT, &PixelStore::unpack_alignment},
+    ParameterRow<PixelStore>{kGL_UNPACK_IMAGE_HEIGHT, &PixelStore::unpack_image_height},
+    ParameterRow<PixelStore>{kGL_UNPACK_SKIP_IMAGES, &PixelStore::unpack_skip_images},
+    ParameterRow<PixelStore>{kGL_PACK_SWAP_BYTES, &PixelStore::pack_swap_bytes},
+    ParameterRow<PixelStore>{kGL_PACK_LSB_FIRST, &PixelStore::pack_lsb_first},
+    ParameterRow<PixelStore>{kGL_PACK_ROW_LENGTH, &PixelStore::pack_row_length},
+    ParameterRow<PixelStore>{kGL_PACK_SKIP_ROWS, &PixelStore::pack_skip_rows},
+    ParameterRow<PixelStore>{kGL_PACK_SKIP_PIXELS, &PixelStore::pack_skip_pixels},
+    ParameterRow<PixelStore>{kGL_PACK_ALIGNMENT, &PixelStore::pack_alignment},
+    ParameterRow<PixelStore>{kGL_PACK_IMAGE_HEIGHT, &PixelStore::pack_image_height},
+    ParameterRow<PixelStore>{kGL_PACK_SKIP_IMAGES, &PixelStore::pack_skip_images},
+};
+template <>
+inline constexpr std::span<const ParameterRow<PixelStore>> kParameterRows<PixelStore> = kPixelStoreParameters;
 
 std::shared_ptr<const PolygonStipple> solid_stipple();  // every bit is 1
 

@@ -10,7 +10,7 @@
 #include <memory>
 #include <optional>
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "scene/state/parameter_rows.h"
+#include "scene/frame/parameter_rows.h"
 #include "scene/state/state.h"
 
 namespace twinlight {

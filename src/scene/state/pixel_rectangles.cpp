@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "scene/state/pixel_image.h"
+#include "scene/frame/pixel_image.h"
 #include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
 

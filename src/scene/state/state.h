@@ -10,16 +10,16 @@
 #include <vector>
 
 #include "scene/command/command.h"
+#include "scene/frame/frame.h"
+#include "scene/frame/scene.h"
 #include "scene/shape/quadric.h"
 #include "scene/state/arrays.h"
 #include "scene/state/attributes.h"
 #include "scene/state/evaluators.h"
-#include "scene/state/frame.h"
 #include "scene/state/framebuffers.h"
 #include "scene/state/gl_error.h"
 #include "scene/state/lists.h"
 #include "scene/state/pixel_unpacking.h"
-#include "scene/state/scene.h"
 
 namespace twinlight {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "scene/state/parameter_rows.h"
+#include "scene/frame/parameter_rows.h"
 #include "scene/state/pixel_unpacking.h"
 #include "scene/state/state.h"
 

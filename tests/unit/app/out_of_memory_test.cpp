@@ -22,8 +22,8 @@
 #include "judge/report/report.h"
 #include "refused_memory.h"
 #include "render/reference/reference.h"
+#include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"
-#include "scene/state/recorded_frame.h"
 
 namespace twinlight::out_of_memory_test {
 namespace {

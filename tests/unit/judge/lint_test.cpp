@@ -19,8 +19,8 @@
 #include "base/text/json.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
+#include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"
-#include "scene/state/recorded_frame.h"
 #include "scene/state/state.h"
 
 namespace twinlight::lint_test {

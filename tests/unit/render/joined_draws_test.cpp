@@ -18,8 +18,8 @@
 #include "judge/fuzz/fuzzer.h"
 #include "render/programmable/draw_values.h"
 #include "scene/command/text.h"
+#include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"
-#include "scene/state/recorded_frame.h"
 #include "scene/state/state.h"
 
 namespace twinlight::programmable::joined_draws_test {

@@ -25,9 +25,9 @@
 #include "render/programmable/precise/precise.h"
 #include "render/programmable/program_uniforms.h"
 #include "render/programmable/surface_values.h"
+#include "scene/frame/frame.h"
+#include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"
-#include "scene/state/frame.h"
-#include "scene/state/recorded_frame.h"
 #include "scene/state/state.h"
 
 namespace twinlight::programmable::light_values_test {

@@ -1,5 +1,5 @@
 // The rows of parameters, against the table of parameters and against State.
-#include "scene/state/parameter_rows.h"
+#include "scene/frame/parameter_rows.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ void check_rows(twinlight::Owner of, std::initializer_list<Enum> odd) {
         EXPECT_EQ(values_of(Owner(), *row).size(), static_cast<std::size_t>(info.count)) << enum_name(info.pname);
         ++found;
     }
-    EXPECT_EQ(found, parameter_rows<Owner>().size());
+    EXPECT_EQ(found, kParameterRows<Owner>.size());
 }
 
 TEST(ParameterRows, AreThoseOfTheTable) {
@@ -34,7 +34,7 @@ TEST(ParameterRows, AreThoseOfTheTable) {
 // What is set is read again from the same member, and changes no other.
 template <class Owner>
 void check_members() {
-    const auto rows = parameter_rows<Owner>();
+    const auto rows = kParameterRows<Owner>;
     for (const ParameterRow<Owner>& row : rows) {
         Owner changed;
         std::vector<double> values = values_of(changed, row);

@@ -1,5 +1,5 @@
 // A frame at another size.
-#include "scene/state/resized.h"
+#include "scene/frame/resized.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SharedVector: copies share memory until one changes, and a change of one is not seen in another.
-#include "scene/state/shared_vector.h"
+#include "scene/frame/shared_vector.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "scene/command/text.h"
+#include "scene/frame/parameter_rows.h"
 #include "scene/state/answers.h"
-#include "scene/state/parameter_rows.h"
 
 namespace twinlight::state_variables_test {
 

@@ -13,8 +13,8 @@
 #include "../run_program.h"
 #include "base/image/file.h"
 #include "scene/command/text.h"
+#include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"
-#include "scene/state/recorded_frame.h"
 #include "scene/trace/blobs.h"
 
 namespace twinlight::trace_test {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::programmable {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::programmable {
 

@@ -5,7 +5,7 @@
 
 #include "render/effect/plan.h"
 #include "render/programmable/form.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::programmable {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "scene/state/attributes.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::programmable {
 

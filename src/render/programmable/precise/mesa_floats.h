@@ -9,7 +9,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight::programmable {
 

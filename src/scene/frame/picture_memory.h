@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 

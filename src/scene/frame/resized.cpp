@@ -1,4 +1,4 @@
-#include "scene/state/resized.h"
+#include "scene/frame/resized.h"
 
 #include <cmath>
 #include <variant>

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "scene/state/attributes.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 
@@ -73,49 +73,28 @@ inline constexpr std::array kTextureParameters = {
     ParameterRow<Texture>{kGL_GENERATE_MIPMAP, &Texture::generate_mipmap},
     ParameterRow<Texture>{kGL_TEXTURE_MAX_ANISOTROPY_EXT, &Texture::max_anisotropy},
 };
-inline constexpr std::array kPixelStoreParameters = {
-    ParameterRow<PixelStore>{kGL_UNPACK_SWAP_BYTES, &PixelStore::unpack_swap_bytes},
-    ParameterRow<PixelStore>{kGL_UNPACK_LSB_FIRST, &PixelStore::unpack_lsb_first},
-    ParameterRow<PixelStore>{kGL_UNPACK_ROW_LENGTH, &PixelStore::unpack_row_length},
-    ParameterRow<PixelStore>{kGL_UNPACK_SKIP_ROWS, &PixelStore::unpack_skip_rows},
-    ParameterRow<PixelStore>{kGL_UNPACK_SKIP_PIXELS, &PixelStore::unpack_skip_pixels},
-    ParameterRow<PixelStore>{kGL_UNPACK_ALIGNMENT, &PixelStore::unpack_alignment},
-    ParameterRow<PixelStore>{kGL_UNPACK_IMAGE_HEIGHT, &PixelStore::unpack_image_height},
-    ParameterRow<PixelStore>{kGL_UNPACK_SKIP_IMAGES, &PixelStore::unpack_skip_images},
-    ParameterRow<PixelStore>{kGL_PACK_SWAP_BYTES, &PixelStore::pack_swap_bytes},
-    ParameterRow<PixelStore>{kGL_PACK_LSB_FIRST, &PixelStore::pack_lsb_first},
-    ParameterRow<PixelStore>{kGL_PACK_ROW_LENGTH, &PixelStore::pack_row_length},
-    ParameterRow<PixelStore>{kGL_PACK_SKIP_ROWS, &PixelStore::pack_skip_rows},
-    ParameterRow<PixelStore>{kGL_PACK_SKIP_PIXELS, &PixelStore::pack_skip_pixels},
-    ParameterRow<PixelStore>{kGL_PACK_ALIGNMENT, &PixelStore::pack_alignment},
-    ParameterRow<PixelStore>{kGL_PACK_IMAGE_HEIGHT, &PixelStore::pack_image_height},
-    ParameterRow<PixelStore>{kGL_PACK_SKIP_IMAGES, &PixelStore::pack_skip_images},
-};
-
+// The rows of an Owner. What is no part of a Draw has a specialisation beside it (attributes.h).
 template <class Owner>
-constexpr std::span<const ParameterRow<Owner>> parameter_rows() {
-    if constexpr (std::is_same_v<Owner, LightSource>)
-        return kLightParameters;
-    else if constexpr (std::is_same_v<Owner, Material>)
-        return kMaterialParameters;
-    else if constexpr (std::is_same_v<Owner, LightModel>)
-        return kLightModelParameters;
-    else if constexpr (std::is_same_v<Owner, Texture>)
-        return kTextureParameters;
-    else
-        return kPixelStoreParameters;
-}
+inline constexpr std::span<const ParameterRow<Owner>> kParameterRows;
+template <>
+inline constexpr std::span<const ParameterRow<LightSource>> kParameterRows<LightSource> = kLightParameters;
+template <>
+inline constexpr std::span<const ParameterRow<Material>> kParameterRows<Material> = kMaterialParameters;
+template <>
+inline constexpr std::span<const ParameterRow<LightModel>> kParameterRows<LightModel> = kLightModelParameters;
+template <>
+inline constexpr std::span<const ParameterRow<Texture>> kParameterRows<Texture> = kTextureParameters;
 
 // The row's number; the number of rows if there is none.
 template <class Owner>
 std::size_t number_of_parameter(Enum pname) {
-    const auto rows = parameter_rows<Owner>();
+    const auto rows = kParameterRows<Owner>;
     return static_cast<std::size_t>(std::ranges::find(rows, pname, &ParameterRow<Owner>::pname) - rows.begin());
 }
 template <class Owner>
 const ParameterRow<Owner>* find_parameter_row(Enum pname) {
     const std::size_t number = number_of_parameter<Owner>(pname);
-    return number < parameter_rows<Owner>().size() ? &parameter_rows<Owner>()[number] : nullptr;
+    return number < kParameterRows<Owner>.size() ? &kParameterRows<Owner>[number] : nullptr;
 }
 
 // Sets the parameter, with as many values as it has (parameters.def); any value but 0 is true.

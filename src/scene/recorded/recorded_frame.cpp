@@ -1,4 +1,4 @@
-#include "scene/state/recorded_frame.h"
+#include "scene/recorded/recorded_frame.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "scene/command/text.h"
-#include "scene/state/draws_nothing.h"
-#include "scene/state/earlier_frames.h"
+#include "scene/recorded/draws_nothing.h"
+#include "scene/recorded/earlier_frames.h"
 #include "scene/state/not_finite.h"
 
 namespace twinlight {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/image/image.h"
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 

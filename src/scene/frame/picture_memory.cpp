@@ -1,4 +1,4 @@
-#include "scene/state/picture_memory.h"
+#include "scene/frame/picture_memory.h"
 
 namespace twinlight {
 

@@ -1,4 +1,4 @@
-#include "scene/state/draws_nothing.h"
+#include "scene/recorded/draws_nothing.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "scene/state/earlier_frames.h"
+#include "scene/recorded/earlier_frames.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "scene/state/pixel_image.h"
+#include "scene/frame/pixel_image.h"
 
 #include <utility>
 

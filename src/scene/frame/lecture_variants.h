@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 

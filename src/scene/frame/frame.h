@@ -25,9 +25,9 @@
 #include "base/math/arithmetic.h"
 #include "scene/command/names.h"
 #include "scene/command/place.h"
+#include "scene/frame/shared_vector.h"
 #include "scene/shape/surface.h"
 #include "scene/spectrum/samples.h"
-#include "scene/state/shared_vector.h"
 
 namespace twinlight {
 
@@ -582,6 +582,8 @@ struct Materials {
 
 // Whether a mode of glBegin draws polygons (2.6.1), which have two faces, rather than points or lines.
 inline bool draws_polygons(Enum mode) { return mode >= kGL_TRIANGLES; }
+
+inline constexpr std::size_t kMaxTextureUnits = 8;  // GL_MAX_TEXTURE_UNITS: at least 2 (table 6.31); 8 in Mesa
 
 // A texture unit above unit 0 that has a texture, and the texture coordinates that the Draw's vertices have for it.
 struct FurtherUnit {

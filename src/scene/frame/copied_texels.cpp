@@ -1,4 +1,4 @@
-#include "scene/state/copied_texels.h"
+#include "scene/frame/copied_texels.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 #include <set>
 #include <utility>
 
-#include "scene/state/pixel_image.h"
-#include "scene/state/pixel_unpacking.h"
+#include "scene/frame/pixel_image.h"
+#include "scene/frame/texture_formats.h"
 
 namespace twinlight {
 

@@ -1,7 +1,7 @@
 // A frame at another size of its picture.
 #pragma once
 
-#include "scene/state/frame.h"
+#include "scene/frame/frame.h"
 
 namespace twinlight {
 
