@@ -238,6 +238,36 @@ TEST(Layers, AreWhatTheDocsShow) {
     EXPECT_EQ(seen, all);
 }
 
+// The rows "| room | part | `files` |" of docs/architecture.md: each room with more than 25 files, and each of its files once.
+TEST(Layers, AreDividedAsTheDocsShow) {
+    constexpr std::size_t kLarge = 25;
+    std::map<std::string, Names> listed, files;
+    std::map<std::string, std::size_t> counts;
+    std::ifstream docs("docs/architecture.md");
+    bool is_there = false;
+    std::string room;
+    for (std::string line; std::getline(docs, line);) {
+        if (line.starts_with("| room | part | files |")) is_there = true;
+        if (!line.starts_with("|")) is_there = false;
+        const std::size_t first = line.find('`');
+        if (!is_there || first == std::string::npos) continue;
+        if (!line.starts_with("| |")) room = line.substr(2, line.find(' ', 2) - 2);
+        std::istringstream names(line.substr(first));
+        for (std::string name; std::getline(names, name, '`');)
+            if (name.find_first_of(" |,") == std::string::npos && !name.empty())
+                EXPECT_TRUE(listed[room].insert(name).second) << name << " is listed twice";
+    }
+    for (const auto& entry : std::filesystem::recursive_directory_iterator("src")) {
+        const std::string path = entry.path().parent_path().generic_string();
+        if (!entry.is_regular_file() || path == "src" || path == "src/scene/scenes") continue;
+        ++counts[path.substr(4)];
+        files[path.substr(4)].insert(entry.path().stem());
+    }
+    for (const auto& [name, count] : counts)
+        if (count > kLarge) EXPECT_EQ(listed[name], files[name]) << name << " is divided differently, or not at all";
+    for (const auto& [name, parts] : listed) EXPECT_GT(counts[name], kLarge) << name << " is not large";
+}
+
 }  // namespace
 
 }  // namespace twinlight::layers_test
