@@ -40,10 +40,10 @@ TexelBounds choice(const TexelBounds& a, const TexelBounds& b) {
 
 namespace {
 
-// Coordinates on one axis that together show everything in an interval: the ends; for GL_LINEAR also the centres of
-// texels between them, where the weights have corners.
+// Coordinates on one axis that together show everything in an interval: the ends and the centres of texels between them, where
+// the weights of GL_LINEAR have corners.
 struct Looks {
-    static constexpr int kMostCentres = 5;  // a larger interval would bound nothing anyway
+    static constexpr int kMostCentres = 5;
     std::array<double, 2 + kMostCentres> at{};
     std::size_t count = 0;
 
@@ -51,12 +51,10 @@ struct Looks {
     const double* begin() const { return at.data(); }
     const double* end() const { return at.data() + count; }
 };
-Looks looks(Enum filter, double coordinate, double error, int size) {
+Looks looks(double coordinate, double error, int size) {
     Looks result{{coordinate - error, coordinate + error}, 2};
-    if (filter == kGL_NEAREST) return result;
-    constexpr double kMost = Looks::kMostCentres - 1;
     const double first = std::ceil((coordinate - error) * size - 0.5);
-    const double last = std::min(std::floor((coordinate + error) * size - 0.5), first + kMost);
+    const double last = std::min(std::floor((coordinate + error) * size - 0.5), first + Looks::kMostCentres - 1);
     for (double centre = first; centre <= last; ++centre) result.push_back((centre + 0.5) / size);
     return result;
 }
@@ -87,9 +85,17 @@ class Sampler {
         const bool has_t = !texture_.is_flat(), has_r = texture_.is_volume();
         const glm::dvec3 size(image.width, image.height, image.depth);
         const glm::dvec3 error = filter == kGL_NEAREST ? error_ : error_ + kWeightStep / size;
-        const Looks along_s = looks(filter, str_.x, error.x, image.width);
-        const Looks along_t = has_t ? looks(filter, str_.y, error.y, image.height) : Looks{{0}, 1};
-        const Looks along_r = has_r ? looks(filter, str_.z, error.z, image.depth) : Looks{{0}, 1};
+        // Beyond that, all texels that the place may have.
+        if (2 * std::max({error.x * size.x, error.y * size.y, has_r ? error.z * size.z : 0}) >
+            Looks::kMostCentres - 1) {
+            TexelBounds all = around(number, filter == kGL_NEAREST ? error : error + 0.5 / size);
+            const auto is_wide = [](const Interval& channel) { return channel.width() > 0; };
+            all.has_choice = filter == kGL_NEAREST && std::ranges::any_of(all.texel, is_wide);
+            return all;
+        }
+        const Looks along_s = looks(str_.x, error.x, image.width);
+        const Looks along_t = has_t ? looks(str_.y, error.y, image.height) : Looks{{0}, 1};
+        const Looks along_r = has_r ? looks(str_.z, error.z, image.depth) : Looks{{0}, 1};
         if (filter == kGL_LINEAR && has_t && !has_r) return linear_level(image, along_s, along_t);
         std::optional<TexelBounds> all;
         for (double s : along_s)
@@ -120,10 +126,13 @@ class Sampler {
             if (finer < last) {
                 const TexelBounds coarser = level(finer + 1, filter);
                 const double weight = clamped_lambda - finer;
+                const Channels<Interval> finest = one.texel;
                 for (std::size_t i = 0; i < 4; ++i)
                     one.texel[i] = one.texel[i] * Interval(1 - weight) + coarser.texel[i] * Interval(weight);
                 one.has_choice = one.has_choice || (weight > 0 && coarser.has_choice);
-                round_means(one, 1);
+                // Two levels of one value each have a mean that is not exact, either.
+                for (std::size_t i = 0; i < 4; ++i)
+                    if (weight > 0 && finest[i] != coarser.texel[i]) one.texel[i] = rounded_mean(one.texel[i], 1);
             }
             if (!all) all = one;
             join(*all, one);
@@ -134,6 +143,10 @@ class Sampler {
     // Any mean of the texels within `reach` of the place.
     TexelBounds around(int number, const glm::dvec3& reach) const {
         const TextureImage& image = face_[static_cast<std::size_t>(number)];
+        constexpr double kMostTexels = 4096;  // more of them take too long, and mostly have all colours
+        const auto texels = [&](int size, double share) { return std::min<double>(size, 2 * share * size + 2); };
+        if (texels(image.width, reach.x) * texels(image.height, reach.y) * texels(image.depth, reach.z) > kMostTexels)
+            return {{Interval{0, 1}, {0, 1}, {0, 1}, {0, 1}}, false};
         std::optional<TexelBounds> all;
         for_each_texel_around(image, reach, [&](const TexelPlace& place) {
             const TexelBounds one = exactly(texel_at(texture_, image, place));
@@ -204,7 +217,10 @@ class Sampler {
     // Means of equal texels are exact, so only channels with a width are rounded.
     static void round_means(TexelBounds& bounds, int means) {
         for (Interval& channel : bounds.texel)
-            if (channel.width() > 0) channel = clamp01(widened(channel, means * kRoundedMean));
+            if (channel.width() > 0) channel = rounded_mean(channel, means);
+    }
+    static Interval rounded_mean(const Interval& channel, int means) {
+        return clamp01(widened(channel, means * kRoundedMean));
     }
 
     const Texture& texture_;

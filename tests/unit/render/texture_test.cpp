@@ -115,6 +115,35 @@ TEST(TextureBounds, HoldTheSampleAndTellChoicesApart) {
     }
 }
 
+// A place in doubt by more than a texel has each of the texels there, and not only those at the ends of what it may be.
+TEST(TextureBounds, HoldAllTexelsThatAPlaceInDoubtMayHave) {
+    Texture texture = ramp();
+    TextureUnit unit;
+    unit.texture = std::make_shared<Texture>(texture);
+    for (const double error : {0.3, 1.0, 100.0}) {
+        const TexelBounds bounds = sample_bounds(unit, {0.6, 0, 0}, {error, 0, 0}, 0.1);
+        EXPECT_TRUE(bounds.has_choice) << error;
+        EXPECT_EQ(bounds.texel[0].low, error > 0.5 ? 0 : sampled(texture, kGL_NEAREST, 0.3)) << error;
+        EXPECT_GE(bounds.texel[0].high, sampled(texture, kGL_NEAREST, 0.8)) << error;
+    }
+}
+
+// Drivers round the mean of two levels to 8 bits, also where each has one texel.
+TEST(TextureBounds, OfTwoLevelsAreRoundedMeans) {
+    Texture texture = ramp();
+    texture.levels = {{.width = 2, .texels = {glm::vec4(0.25), glm::vec4(0.25)}},
+                      {.width = 1, .texels = {glm::vec4(0.75)}}};
+    texture.min_filter = kGL_NEAREST_MIPMAP_LINEAR;
+    TextureUnit unit;
+    unit.texture = std::make_shared<Texture>(texture);
+    const double rho = std::exp2(0.5), exact = sample(texture, {0.3, 0, 0}, 0.5).r;
+    const TexelBounds bounds = sample_bounds(unit, {0.3, 0, 0}, {1e-6, 0, 0}, rho);
+    EXPECT_FALSE(bounds.has_choice);
+    EXPECT_LE(bounds.texel[0].low, exact - 0.5 / 255);
+    EXPECT_GE(bounds.texel[0].high, exact + 0.499 / 255);
+    EXPECT_LT(bounds.texel[0].width(), 9.0 / 255) << "half of the error of lambda, and the rounding";
+}
+
 // Tables 3.22 and 3.23 for a fragment of 0.5 (alpha 0.8), a texel of 0.25 (alpha 0.5), an environment of 1.
 TEST(TextureFunction, IsThatOfTheTables) {
     TextureUnit unit;
