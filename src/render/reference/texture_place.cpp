@@ -61,22 +61,61 @@ Interval approximations_of_rho(const Texture& texture, const TexturePlace& place
     return {std::max({m.x, m.y, m.z}), m.x + m.y + m.z};
 }
 
+// The change of the place on a face by the quotient rule, where the direction changes so.
+glm::dvec3 change_on_face(const CubePlace& on_face, const glm::dvec3& of_direction) {
+    const double of_major = on_face.signs[2] * of_direction[on_face.axes[2]];
+    glm::dvec3 result(0);
+    for (int i = 0; i < 2; ++i) {
+        const auto n = static_cast<std::size_t>(i);
+        const double of_part = on_face.signs[n] * of_direction[on_face.axes[n]];
+        result[i] = quotient((of_part - (2 * on_face.st[i] - 1) * of_major) / 2, on_face.major);
+    }
+    return result;
+}
+
 // `over_w`: the direction, times a factor.
 TexturePlace place_of(const Coordinates& over_w, const CubePlace& on_face) {
     TexturePlace place{.str = {on_face.st, 0}, .face = on_face.face};
-    const auto change = [&](const glm::dvec4& d) {  // the quotient rule
-        const double of_major = on_face.signs[2] * d[on_face.axes[2]];
-        glm::dvec3 result(0);
-        for (int i = 0; i < 2; ++i) {
-            const auto n = static_cast<std::size_t>(i);
-            const double of_part = on_face.signs[n] * d[on_face.axes[n]];
-            result[i] = quotient((of_part - (2 * on_face.st[i] - 1) * of_major) / 2, on_face.major);
-        }
-        return result;
-    };
-    place.per_x = change(over_w.per_x);
-    place.per_y = change(over_w.per_y);
+    place.per_x = change_on_face(on_face, glm::dvec3(over_w.per_x));
+    place.per_y = change_on_face(on_face, glm::dvec3(over_w.per_y));
     return place;
+}
+
+// The range of rho on a face, from differences of the direction over any 2 x 2 pixels that include this one: drivers use these, at any of
+// the four. The direction is s, t and r divided by `divisor`, which a driver may divide by before (1/w, or q/w).
+struct Divisor {
+    double value = 0, per_x = 0, per_y = 0;
+};
+Interval rho_of_differences(const Texture& texture, const Coordinates& over_w, const Divisor& divisor,
+                            std::size_t face) {
+    const auto direction = [&](int x, int y) {
+        const glm::dvec3 str(over_w.value + static_cast<double>(x) * over_w.per_x +
+                             static_cast<double>(y) * over_w.per_y);
+        return str / (divisor.value + x * divisor.per_x + y * divisor.per_y);
+    };
+    const glm::dvec3 size = size_in_texels(texture);
+    double least = HUGE_VAL, most = 0;
+    // The pixel (x, y) of the four whose lower left one is at `corner`.
+    const auto add = [&](const glm::ivec2& corner, int x, int y) {
+        const CubePlace on_face = place_on_face(direction(corner.x + x, corner.y + y), face);
+        if (on_face.major <= 0) return;
+        const auto change = [&](const glm::ivec2& from, const glm::ivec2& to) {
+            return glm::length(size * change_on_face(on_face, direction(to.x, to.y) - direction(from.x, from.y)));
+        };
+        for (int row = 0; row < 2; ++row)
+            for (int column = 0; column < 2; ++column) {
+                const double one = std::max(change(corner + glm::ivec2(0, row), corner + glm::ivec2(1, row)),
+                                            change(corner + glm::ivec2(column, 0), corner + glm::ivec2(column, 1)));
+                if (!std::isfinite(one)) continue;
+                least = std::min(least, one);
+                most = std::max(most, one);
+            }
+    };
+    for (int corner_x = -1; corner_x <= 0; ++corner_x)
+        for (int corner_y = -1; corner_y <= 0; ++corner_y)
+            for (int x = 0; x < 2; ++x)
+                for (int y = 0; y < 2; ++y) add({corner_x, corner_y}, x, y);
+    return {std::min(least, most), most};
 }
 
 // What a float loses of each coordinate: the plane (a constant plus slope times pixel number) and the texture matrix are added up
@@ -100,12 +139,20 @@ std::vector<TexturePlaceBounds> cube_place_bounds(const TexCoords& tex_coords, c
     constexpr double kRoundings = 8 * 0x1p-24;
     const Coordinates over_w = coordinates_over_w(tex_coords, piece, position_window);
     const glm::dvec3 str(over_w.value);
-    const glm::dvec3 weights = glm::abs(weights_over_w_at(piece, position_window).value);
+    const Linear3 weights_over_w = weights_over_w_at(piece, position_window);
+    const glm::dvec3 weights = glm::abs(weights_over_w.value);
     const glm::dvec3 error = kRoundings * glm::dvec3(added_up(over_w, position_window)) +
                              errors.snap * glm::dvec3(glm::abs(over_w.per_x) + glm::abs(over_w.per_y)) +
                              errors.vertex * (weights.x + weights.y + weights.z);
     const glm::dvec3 least = glm::abs(str) - error;
     const double major = std::max({least.x, least.y, least.z});
+    const auto sum = [](const glm::dvec3& v) { return v.x + v.y + v.z; };
+    const Divisor one_over_w{sum(weights_over_w.value), sum(weights_over_w.per_x), sum(weights_over_w.per_y)},
+        q_over_w{over_w.value.w, over_w.per_x.w, over_w.per_y.w};
+    const auto rho_of_differences = [&](std::size_t face) {
+        return hull(reference::rho_of_differences(texture, over_w, one_over_w, face),
+                    reference::rho_of_differences(texture, over_w, q_over_w, face));
+    };
     std::vector<TexturePlaceBounds> bounds;
     for (std::size_t face = 0; face < texture.face_count(); ++face) {
         const CubePlace on_face = place_on_face(str, face);
@@ -120,7 +167,7 @@ std::vector<TexturePlaceBounds> cube_place_bounds(const TexCoords& tex_coords, c
                 on_face.major);
         one.change = glm::abs(place.per_x) + glm::abs(place.per_y);
         const double rho = scale_factor(texture, place);
-        one.rho = place.of_point ? Interval(rho) : Interval(rho / 2, 2 * rho);
+        one.rho = place.of_point ? Interval(rho) : hull(Interval(rho / 2, 2 * rho), rho_of_differences(face));
         bounds.push_back(one);
     }
     if (bounds.empty()) {  // the direction is 0

@@ -64,7 +64,8 @@ TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece
                                         const PlaceErrors& errors);
 
 // The same for a cube map: a place on each face that the direction may point to. 3.8.8 allows any rho between half and twice
-// the ideal one. That is used here, because drivers find the change of the direction in ways of their own.
+// the ideal one. That is used here, because drivers find the change of the direction in ways of their own, and what they find by
+// differences between pixels, which is more where the direction bends much within a pixel.
 std::vector<TexturePlaceBounds> cube_place_bounds(const TexCoords& tex_coords, const Piece& piece,
                                                   const glm::dvec2& position_window, const Texture& texture,
                                                   const PlaceErrors& errors);

@@ -189,6 +189,32 @@ TEST(AllowedDifference, OfGeneratedLevelsIsAnyMeanWhereASideIsOdd) {
     EXPECT_NEAR(allowed_of(3), 1, 1e-6);
 }
 
+// Drivers find rho by differences between pixels. Where the polygon is narrow and its w changes much from side to side, these may be
+// more than twice the derivative: here they reach the next level, which is white.
+TEST(AllowedDifference, OfCubeMapsHoldsDifferencesBetweenPixels) {
+    const auto allowed_of = [](const std::string& triangle, int x, int y) {
+        std::string text = "glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, GL_NEAREST);\n";
+        for (Enum face = kGL_TEXTURE_CUBE_MAP_POSITIVE_X; face < kGL_TEXTURE_CUBE_MAP_POSITIVE_X + 6; ++face)
+            for (const int level : {0, 1, 2})
+                text += fmt::format(
+                    "glTexImage2D({}, {}, GL_LUMINANCE, {}, {}, 0, GL_LUMINANCE, GL_FLOAT, (GLfloat[16]){{{}}});\n",
+                    face, level, 4 >> level, 4 >> level, level == 0 ? "0" : "1, 1, 1, 1");
+        text +=
+            "glFrustum(-1, 0, -1, 0, 1, 10); glTexGenfv(GL_R, GL_EYE_PLANE, (GLfloat[]){0, 0, 1, 0});\n"
+            "glEnable(GL_TEXTURE_GEN_R); glEnable(GL_TEXTURE_CUBE_MAP); glBegin(GL_TRIANGLES);\n" +
+            triangle + "glEnd();";
+        const AllowedDifference allowed = reference::allowed_difference(
+            make_frame(read_scene(text, "scene.gl", "scene"), {.width = 64, .height = 64}));
+        EXPECT_TRUE(allowed.drawn[allowed.index(x, y)]);
+        EXPECT_FALSE(allowed.edge[allowed.index(x, y)]);
+        return allowed.channels(allowed.index(x, y))[0];
+    };
+    const std::string end = "glTexCoord4f(0, 1, 0, 0.9); glVertex3f(-2, 0, -6.4);";
+    EXPECT_GT(allowed_of("glVertex3f(-3, -6, -9); glVertex3f(-0.5, 1, -2);" + end, 43, 18), 7.0F / 255)
+        << "llvmpipe's fixed function has 7 here, and its shaders 0";
+    EXPECT_EQ(allowed_of("glVertex3f(-6, -6, -6.4); glVertex3f(1, 1, -6.4);" + end, 40, 17), 0);
+}
+
 // The same triangle has the same offset depths (appendix A), but in another state a driver may find another slope.
 TEST(AllowedDifference, OfTwoOffsetsIsOpenWhereTheStatesDiffer) {
     const auto is_edge = [](const std::string& state) {
