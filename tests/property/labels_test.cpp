@@ -9,6 +9,7 @@
 
 #include "../unit/compare_three_ways.h"
 #include "../unit/one_pixel.h"
+#include "../unit/run_program.h"
 #include "judge/fuzz/random.h"
 #include "scene/frame/pixel_image.h"
 #include "scene/state/answers.h"
@@ -385,6 +386,22 @@ TEST_F(LabelsTest, AreCertainAtACornerOfTheWindow) {
     EXPECT_TRUE(is_certain("glRasterPos4f(-3, -3, 0, 3);"));
     EXPECT_FALSE(is_certain("gluOrtho2D(-3, 0, 0, 1); glRasterPos2i(-3, 0);"));  // 2/3 times -3
     EXPECT_FALSE(is_certain("glTranslatef(0.1, 0, 0); glRasterPos2d(-1.1, -1);"));
+}
+
+// softpipe draws points right above the window in its highest row. A new process, because a process chooses its driver with its first
+// context.
+TEST(Labels, AboveTheWindowAreNotDrawnInSoftpipe) {
+    const TemporaryFolder folder;
+    write_file_atomically(
+        folder / "above.gl",
+        "glWindowPos2i(3, 62); glBitmap(8, 5, 0, 0, 0, 0, (GLubyte[20]){255, 0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, "
+        "255, 0, 0, 0, 255, 0, 0, 0});\n"
+        "glColor3f(1, 0, 0); glWindowPos2i(20, 64); glBitmap(8, 1, 0, 0, 0, 0, (GLubyte[4]){255, 0, 0, 0});\n");
+    const ProgramResult result =
+        run_shell("twinlight", "GALLIUM_DRIVER=softpipe \"$PROGRAM\" compare '" + (folder / "above.gl") +
+                                   "' --size 64x64 -o '" + (folder / "report") + "'");
+    EXPECT_EQ(result.status, 0) << result.out << result.err;
+    EXPECT_NE(result.out.find("All three agree"), std::string::npos) << result.out;
 }
 
 TEST(RasterPositions, AreTheDrivers) {

@@ -100,10 +100,13 @@ class Preparation {
                 if (numbered.begins_shape) add_surfaces(draw, numbered);  // the first part draws the whole shape
             } else if (draw.pixels && draw.pixels->has_stencils) {
                 end_all();
-                add_stencils(draw, numbered);
+                add_stencils(draw, numbered, frame);
             } else if (draw.shows_only_image() && !options_.precise) {
                 end_all();
                 add_image(draw, numbered);
+            } else if (draw.pixels && !lies_inside(*draw.pixels, frame)) {
+                end_all();
+                add_inside(draw, numbered, frame);
             } else {
                 if (!continues_run(draw)) end_run();
                 run_.push_back(&draw);
@@ -259,7 +262,7 @@ class Preparation {
         return draw_program(draw, plan, options_.precise, like ? &like->program : nullptr);
     }
 
-    // Only of the frame's own Draws: by_stencil_value() makes others, which are gone before the next ones.
+    // Only of the frame's own Draws: by_stencil_value() and add_inside() make others, which are gone before the next ones.
     bool may_share_plan(DrawRun draws) const {
         const Draw& draw = *draws.front();
         return plans_by_state(draws) && !options_.precise && keeps_w(draw.eye_from_object) && !draw.pixels;
@@ -351,12 +354,29 @@ class Preparation {
         }
     }
 
-    void add_stencils(const Draw& draw, Numbered numbered) {
+    void add_stencils(const Draw& draw, Numbered numbered, const Frame& frame) {
         for (const Draw& one : by_stencil_value(draw)) {
-            const Draw* const of_value = &one;
-            add({&of_value, 1}, {&numbered, 1});
+            add_inside(one, numbered, frame);
             numbered.begins_shape = false;
         }
+    }
+
+    static bool lies_inside(const glm::ivec2& place, const Frame& frame) {
+        return place.x >= 0 && place.x < frame.width && place.y >= 0 && place.y < frame.height;
+    }
+    static bool lies_inside(const WindowPixels& pixels, const Frame& frame) {
+        return std::ranges::all_of(pixels.places, [&](const glm::ivec2& place) { return lies_inside(place, frame); });
+    }
+    // Adds the pixels that lie in the window: softpipe draws points right above it in its highest row.
+    void add_inside(const Draw& draw, const Numbered& numbered, const Frame& frame) {
+        Draw inside = draw;
+        std::vector<std::uint32_t> numbers;
+        for (std::size_t i = 0; i < draw.pixels->places.size(); ++i)
+            if (lies_inside(draw.pixels->places[i], frame)) numbers.push_back(static_cast<std::uint32_t>(i));
+        if (numbers.empty()) return keep(plan_effects(draw, options_, vertex_facts(draw)), draw, numbered);
+        inside.indices = std::move(numbers);
+        const Draw* const only = &inside;
+        add({&only, 1}, {&numbered, 1});
     }
 
     // What is said of it is the plan of its first pixel, which is that of all: colours of pixels lie in [0, 1] and are not lit.
