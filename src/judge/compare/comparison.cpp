@@ -131,15 +131,15 @@ bool differ_in_missing(const Comparison& comparison, const Pair& pair) {
 
 // The Draws that show where the fixed function differs. All of them where that is not known: colours are mixed, or nothing is drawn.
 std::vector<const Draw*> draws_that_differ(const Frame& frame, const PixelMask& differing) {
-    const std::vector<const Draw*> draws = frame.draws();
+    const std::vector<const Draw*> draws = frame.draws(), all = draws_of_all_pictures(frame);
     const std::vector<int> seen = reference::seen_draws(frame, {kGlsOwnModel});
     std::set<int> numbers;
     for (std::size_t i = 0; i < differing.size(); ++i)
         if (differing[i]) numbers.insert(seen[i]);
-    if (numbers.empty() || numbers.contains(-1)) return draws;
+    if (numbers.empty() || numbers.contains(-1)) return all;
     std::vector<const Draw*> result;
     for (const int number : numbers) result.push_back(draws[static_cast<std::size_t>(number)]);
-    return result;
+    return std::ranges::any_of(result, [](const Draw* draw) { return draw->shows_copies(); }) ? all : result;
 }
 
 // Whether pictures differ, or are not judged in whole, in which the bug has a part.
@@ -298,8 +298,9 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
                               ? causes_of(result, scene, known, *of_fixed, differing_from_fixed, options, renderers)
                               : Causes{};
     for (const Departure* cause : causes.proved) result.proved_causes.push_back(named(*cause));
-    const std::vector<const Draw*> draws =
-        result.verdict() == Verdict::kBeyond ? draws_that_differ(frame, differing_from_fixed) : frame.draws();
+    const std::vector<const Draw*> draws = result.verdict() == Verdict::kBeyond
+                                               ? draws_that_differ(frame, differing_from_fixed)
+                                               : draws_of_all_pictures(frame);
     for (const Departure* departure : known) {
         if (causes.is_innocent(*departure)) continue;
         const bool is_seen =

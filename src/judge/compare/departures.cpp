@@ -459,8 +459,8 @@ class CommandRules {
     std::vector<Rule> rules_;
 };
 
-bool applies_in(const Departure& departure, const Frame& frame) {
-    return std::ranges::any_of(frame.draws(), [&](const Draw* draw) { return may_show_in(departure, *draw); });
+bool applies_in(const Departure& departure, const std::vector<const Draw*>& draws) {
+    return std::ranges::any_of(draws, [&](const Draw* draw) { return may_show_in(departure, *draw); });
 }
 
 }  // namespace
@@ -518,10 +518,11 @@ std::vector<const Departure*> known_departures_in(const Scene& scene, const Driv
         if (step.kind == Step::Kind::kCommand) command_rules.see(step.command);
         return true;
     });
+    const std::vector<const Draw*> draws = draws_of_all_pictures(scene.frame);
     std::vector<const Departure*> found;
     for (const Departure& departure : departures()) {
         if (departure.cause == Cause::kUnspecified || !departure.is_known_on(driver)) continue;
-        if (departure.command_rule ? command_rules.apply(departure) : applies_in(departure, scene.frame))
+        if (departure.command_rule ? command_rules.apply(departure) : applies_in(departure, draws))
             found.push_back(&departure);
     }
     return found;
@@ -536,7 +537,9 @@ DeparturesOfScene::DeparturesOfScene(const CommandList& scene, const Driver& dri
         if (!departure.may_show_on(driver) || std::ranges::find(lifted, departure.name) != lifted.end()) continue;
         if (departure.draw_rule || departure.vertex_rule) local_.push_back(&departure);
         if (!command_rules.apply(departure)) continue;
-        if (!in_commands_) in_commands_ = &departure;
+        const bool is_fixed_function = departure.cause == Cause::kFixedFunction;
+        if (!in_commands_ || (in_commands_->cause == Cause::kFixedFunction && !is_fixed_function))
+            in_commands_ = &departure;
         if (departure.may_crash_on(driver)) crash_in_commands_ = &departure;
     }
 }
@@ -561,15 +564,17 @@ const Departure* DeparturesOfScene::at(const Draw& draw, const Vertex& vertex) c
 
 const Departure* DeparturesOfScene::crash_in(const Frame& frame) const {
     if (crash_in_commands_) return crash_in_commands_;
+    const std::vector<const Draw*> draws = draws_of_all_pictures(frame);
     const auto crashes = [&](const Departure* departure) {
-        return departure->may_crash_on(driver_) && applies_in(*departure, frame);
+        return departure->may_crash_on(driver_) && applies_in(*departure, draws);
     };
     const auto found = std::ranges::find_if(local_, crashes);
     return found == local_.end() ? nullptr : *found;
 }
 
 const Departure* DeparturesOfScene::in(const Frame& frame) const {
-    return find([&](const Departure& departure) { return applies_in(departure, frame); });
+    const std::vector<const Draw*> draws = draws_of_all_pictures(frame);
+    return find([&](const Departure& departure) { return applies_in(departure, draws); });
 }
 
 }  // namespace twinlight::compare

@@ -104,7 +104,8 @@ class Builder {
                 "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 1, 0, 1}); glColor4f(0, 0.8, 0.5, 1); glPopAttrib(); "
                 "glBegin(GL_TRIANGLES); glVertex3f(-30, -30, -5); glVertex3f(30, -30, -5); glVertex3f(0, 40, -5); "
                 "glEnd();");
-        if (shows(kStippleAfterObject) || (departure_.empty() && objects_.chance(0.1))) object();
+        if (shows(kStippleAfterObject) || (departure_.empty() && objects_.chance(0.1)))
+            object();
         if (has_quadric_) add("gluDeleteQuadric(quadric);");
         return std::move(text_);
     }

@@ -417,6 +417,47 @@ Frame with_copied_texels(const Frame& frame, const DrawSource& draw, CopyRanges*
     return Copier(frame, draw, ranges).result();
 }
 
+namespace {
+
+class DrawsOfAllPictures {
+  public:
+    void add(const FrameItems& items) {
+        for (const FrameItem& item : items)
+            if (const Draw* draw = std::get_if<Draw>(&item)) add(*draw);
+    }
+    std::vector<const Draw*> result;
+
+  private:
+    void add(const Draw& draw) {
+        result.push_back(&draw);
+        if (draw.pixels && draw.pixels->copied) add(draw.pixels->copied->source.pixels->drawn.get());
+        draw.for_each_unit([&](std::size_t, const TextureUnit& unit) {
+            for (std::size_t face = 0; face < unit.texture->face_count(); ++face)
+                for (const TextureImage& image : unit.texture->face(face)) add(image);
+        });
+    }
+    void add(const TextureImage& image) {
+        if (image.half_of) add(*image.half_of);
+        for (const ImagePart& part : image.parts)
+            if (part.copied) add(part.copied->drawn.get());
+    }
+    void add(const ObjectPicture* picture) {
+        if (picture && added_.insert(picture).second) add(picture->items);
+    }
+
+    std::set<const ObjectPicture*> added_;
+};
+
+}  // namespace
+
+std::vector<const Draw*> draws_of_all_pictures(const Frame& frame) {
+    DrawsOfAllPictures draws;
+    if (frame.copies_pixels)
+        for (const auto& items : frame.earlier) draws.add(*items);
+    draws.add(frame.items);
+    return std::move(draws.result);
+}
+
 std::vector<Draw> by_stencil_value(const Draw& draw) {
     std::map<int, std::vector<std::size_t>> vertices_of;
     for (std::size_t i = 0; i < draw.pixels->stencils.size(); ++i) vertices_of[draw.pixels->stencils[i]].push_back(i);

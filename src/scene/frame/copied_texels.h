@@ -69,6 +69,10 @@ Frame with_copied_texels(const Frame& frame, const DrawSource& draw, CopyRanges*
 // odd side cannot be halved.
 void add_generated_levels(const Frame& frame, CopyRanges& ranges);
 
+// The Draws of all pictures that the frame shows: those of the window, of earlier pictures that textures have copies of, and of
+// framebuffer objects.
+std::vector<const Draw*> draws_of_all_pictures(const Frame& frame);
+
 // The frame itself if it shows no copies; otherwise with_copied_texels().
 class DrawableFrame {
   public:
