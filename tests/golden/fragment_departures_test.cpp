@@ -122,9 +122,14 @@ const std::vector<FragmentCase>& fragment_cases() {
             glVertex3f(-0.9, -0.9, 0.5); glVertex3f(-0.5, -0.9, 0.5); glVertex3f(-0.9, -0.5, 0.5);
             glVertex3f(-0.6, 0.7, -0.01); glVertex3f(0.7, 0.7, -0.01); glVertex3f(0.7, -0.6, -0.01); glEnd();)"},
         // Offset by half of the depth range the farther half of a line is behind it, and fails against the cleared buffer.
-        {"polygon offset of borders that leaves the depth range", R"(
+        {"polygon offset that leaves the depth range", R"(
             glEnable(GL_DEPTH_TEST); glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glLineWidth(8);
             glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 8e6);
+            glBegin(GL_TRIANGLES);
+            glVertex3f(-0.8, -0.8, -0.9); glVertex3f(0.8, -0.8, 0.9); glVertex3f(-0.8, 0.8, 0.9); glEnd();)"},
+        // The same, filled.
+        {"polygon offset that leaves the depth range", R"(
+            glEnable(GL_DEPTH_TEST); glEnable(GL_POLYGON_OFFSET_FILL); glPolygonOffset(0, 8e6);
             glBegin(GL_TRIANGLES);
             glVertex3f(-0.8, -0.8, -0.9); glVertex3f(0.8, -0.8, 0.9); glVertex3f(-0.8, 0.8, 0.9); glEnd();)"},
         // Filled, so not offset: nearer than the cleared buffer.

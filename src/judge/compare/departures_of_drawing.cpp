@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <optional>
 
 #include "judge/compare/departure_rules.h"
 #include "render/reference/primitive_assembly.h"
@@ -190,8 +191,64 @@ bool has_faces_in_doubt(const Draw& draw) {
     return false;
 }
 
-bool offsets_borders_out_of_range(const Draw& draw) {
+namespace {
+
+// The least and the most depth of a triangle between the near and the far plane, before its offset; nothing if it has no slope.
+struct OffsetTriangle {
+    double least = 1, most = 0, slope = 0;
+};
+std::optional<OffsetTriangle> between_near_and_far(const Draw& draw, const reference::Primitive& triangle) {
+    std::array<glm::dvec4, 3> clip{};
+    glm::dmat3 xyw(0);
+    for (int k = 0; k < 3; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        clip[i] = clip_position(draw, triangle.vertices[i]);
+        xyw[k] = {clip[i].x, clip[i].y, clip[i].w};
+    }
+    if (glm::determinant(xyw) == 0) return std::nullopt;
+    const RasterState& raster = draw.raster;
+    const double scale = (raster.depth_far - raster.depth_near) / 2,
+                 middle = (raster.depth_far + raster.depth_near) / 2;
+    // z = change.x x + change.y y + change.z w
+    const glm::dvec3 change = glm::dvec3(clip[0].z, clip[1].z, clip[2].z) * glm::inverse(xyw);
+    OffsetTriangle result{.slope = std::abs(scale) * std::max(std::abs(change.x) * 2 / raster.viewport.width,
+                                                              std::abs(change.y) * 2 / raster.viewport.height)};
+    const auto add = [&](double ndc_z) {
+        result.least = std::min(result.least, scale * ndc_z + middle);
+        result.most = std::max(result.most, scale * ndc_z + middle);
+    };
+    for (std::size_t i = 0; i < clip.size(); ++i) {
+        const glm::dvec4 &from = clip[i], &to = clip[(i + 1) % clip.size()];
+        if (std::abs(from.z) <= from.w && from.w > 0) add(from.z / from.w);
+        for (const double side : {-1, 1}) {
+            const double before = from.z - side * from.w, after = to.z - side * to.w;
+            if (before * after < 0 && glm::mix(from.w, to.w, before / (before - after)) > 0) add(side);
+        }
+    }
+    return result;
+}
+
+bool offsets_filled_out_of_range(const Draw& draw) {
+    const RasterState& raster = draw.raster;
+    const PolygonOffset& offset = raster.polygon_offset;
+    if (!raster.depth_test || !offset.fill || !draw.draws_polygons_as(kGL_FILL)) return false;
+    constexpr double kStep = 0x1p-24;
+    for (const auto cut : {reference::QuadCut::kFirstToThird, reference::QuadCut::kSecondToFourth})
+        for (const reference::Primitive& triangle : reference::assemble(draw, cut)) {
+            const auto depths = between_near_and_far(draw, triangle);
+            if (!depths) continue;
+            const double by = offset.factor * depths->slope + 2 * kStep * offset.units;
+            if (depths->least + by < -2 * kStep || depths->most + by > 1 + 2 * kStep) return true;
+        }
+    return false;
+}
+
+}  // namespace
+
+// Less than two steps of the buffer beyond the range do not show in filled polygons: depths so near to each other are open.
+bool offsets_out_of_range(const Draw& draw) {
     const PolygonOffset& offset = draw.raster.polygon_offset;
+    if (offsets_filled_out_of_range(draw)) return true;
     constexpr double kRounding = 1e-5;  // of the slope
     constexpr double kStep =
         0x1p-24;  // r of 3.5.5 depends on the implementation: the reference uses this, Mesa twice it

@@ -669,7 +669,7 @@ class Builder {
         if (shows("polygon offset of one of two polygon modes"))
             add("glPolygonMode(GL_BACK, GL_LINE); glEnable(GL_POLYGON_OFFSET_FILL); glPolygonOffset(0, 4e6);"
                 "glLineWidth(9); glEnable(GL_DEPTH_TEST); glDepthFunc(GL_LESS);");
-        if (shows("polygon offset of borders that leaves the depth range"))
+        if (shows("polygon offset that leaves the depth range"))
             add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 8e6);"
                 "glLineWidth(9); glEnable(GL_DEPTH_TEST); glDepthFunc(GL_LESS);");
         if (shows("polygon offset of only lines or points"))
@@ -762,7 +762,7 @@ class Builder {
         projective_ = structure_.chance(0.2);
         materials_ = lit_ && structure_.chance(0.5);
         const bool of_triangles = shows("polygon offset of one of two polygon modes") ||
-                                  shows("polygon offset of borders that leaves the depth range") ||
+                                  shows("polygon offset that leaves the depth range") ||
                                   shows("polygon offset of only lines or points") ||
                                   shows("clipped polygons as lines and points") || shows("the colour sum in fog") ||
                                   of_stencil() || reaches_behind();

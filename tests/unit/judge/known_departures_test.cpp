@@ -138,6 +138,23 @@ TEST(KnownDepartures, AreThoseOfAllPicturesThatAreShown) {
     EXPECT_EQ(names_of(copied + enable + show, kSoftpipe), Names{"wide lines in softpipe"});
 }
 
+TEST(KnownDepartures, OfFilledPolygonsAreOffsetsBeyondTheDepthRange) {
+    // Cut by the near plane, from there to the middle of the depth range, with a slope of 0.00078 a pixel.
+    const auto names = [](const std::string& offset, const std::string& state) {
+        return names_of("glEnable(GL_DEPTH_TEST); glEnable(GL_POLYGON_OFFSET_FILL);" + offset + state +
+                            "glBegin(GL_TRIANGLES); glVertex3f(-3, 0, -2); glVertex3f(1, -1, 0); glVertex3f(1, 1, 0); "
+                            "glEnd();",
+                        kLlvmpipe);
+    };
+    const Names bug{"polygon offset that leaves the depth range"};
+    EXPECT_EQ(names("glPolygonOffset(-1, 0);", ""), bug);
+    EXPECT_EQ(names("glPolygonOffset(1, 0);", ""), Names{});
+    EXPECT_EQ(names("glPolygonOffset(-1, 0);", "glDepthRange(0.1, 1);"), Names{});
+    EXPECT_EQ(names("glPolygonOffset(1000, 0);", ""), bug) << "beyond 1, where it is farthest";
+    EXPECT_EQ(names("glPolygonOffset(-1, 0);", "glDisable(GL_DEPTH_TEST);"), Names{});
+    EXPECT_EQ(names("glPolygonOffset(0, -1);", ""), Names{}) << "two steps do not show";
+}
+
 // A bug of the driver that shaders show, too, is the reason rather than one of the fixed function alone, wherever it is in the table.
 TEST(KnownDepartures, LeaveOutAllPairsWhereShadersShowABug) {
     const CommandList scene = read_scene(
