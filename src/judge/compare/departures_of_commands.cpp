@@ -412,6 +412,17 @@ CommandRule sets_base_above_greatest_level() {
     });
 }
 
+// What draws these adds a texture of its own.
+CommandRule copies_texels_after_smooth_ones() {
+    return any_command([is_enabled = false](const Command& command) mutable {
+        if (command.id == Id::glEnable) {
+            const Enum one = command.enumerant(0);
+            is_enabled |= one == kGL_POLYGON_STIPPLE || one == kGL_LINE_SMOOTH || one == kGL_POINT_SMOOTH;
+        }
+        return is_enabled && is_one_of(command, {"glCopyTexImage", "glCopyTexSubImage"});
+    });
+}
+
 CommandRule stipples_after_framebuffer() {
     return both(any_command([](const Command& command) { return command.id == Id::glBindFramebuffer; }),
                 any_command([](const Command& command) {

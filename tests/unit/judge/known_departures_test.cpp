@@ -155,6 +155,22 @@ TEST(KnownDepartures, OfFilledPolygonsAreOffsetsBeyondTheDepthRange) {
     EXPECT_EQ(names("glPolygonOffset(0, -1);", ""), Names{}) << "two steps do not show";
 }
 
+TEST(KnownDepartures, OfSoftpipeAreSumsAndCopies) {
+    const std::string triangle =
+        "glBegin(GL_TRIANGLES); glVertex2f(0, 0); glVertex2f(1, 0); glVertex2f(0, 1); glEnd();";
+    const std::string sum = "glEnable(GL_COLOR_SUM); glSecondaryColor3f(0, 0, 1); glEnable(GL_BLEND);";
+    EXPECT_EQ(names_of(sum + triangle, kSoftpipe), Names{"the colour sum in blending, in softpipe"});
+    EXPECT_EQ(names_of(sum + "glDisable(GL_BLEND);" + triangle, kSoftpipe), Names{});
+    EXPECT_EQ(names_of(sum + triangle, kLlvmpipe), Names{});
+    const std::string copy = "glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, 8, 8, 0);";
+    for (const std::string enable : {"glEnable(GL_POLYGON_STIPPLE);", "glEnable(GL_LINE_SMOOTH);"}) {
+        EXPECT_EQ(names_of(enable + triangle + copy, kSoftpipe),
+                  Names{"copied textures after stipples and smooth lines in softpipe"});
+        EXPECT_EQ(names_of(copy + enable + triangle, kSoftpipe), Names{});
+        EXPECT_EQ(names_of(enable + triangle + copy, kLlvmpipe), Names{});
+    }
+}
+
 // A bug of the driver that shaders show, too, is the reason rather than one of the fixed function alone, wherever it is in the table.
 TEST(KnownDepartures, LeaveOutAllPairsWhereShadersShowABug) {
     const CommandList scene = read_scene(
