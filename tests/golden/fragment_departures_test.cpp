@@ -147,6 +147,16 @@ const std::vector<FragmentCase>& fragment_cases() {
             glPolygonMode(GL_BACK, GL_LINE); glEnable(GL_LINE_SMOOTH); glBegin(GL_TRIANGLES);
             glVertex2f(0, 0); glVertex2f(1, 0); glVertex2f(0, 1);
             glVertex2f(0, 0); glVertex2f(0, 1); glVertex2f(1, 0); glEnd();)"},
+        // The object is white.
+        {"glGenerateMipmap before a framebuffer object draws", R"(
+            glBindTexture(GL_TEXTURE_2D, 60);
+            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 16, 16, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
+            glBindFramebuffer(GL_FRAMEBUFFER, 1);
+            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 60, 0);
+            glGenerateMipmap(GL_TEXTURE_2D);
+            glBegin(GL_TRIANGLES); glVertex2f(-1, -1); glVertex2f(3, -1); glVertex2f(-1, 3); glEnd();
+            glBindFramebuffer(GL_FRAMEBUFFER, 0); glEnable(GL_TEXTURE_2D);
+            glBegin(GL_TRIANGLES); glVertex2f(-1, -1); glVertex2f(3, -1); glVertex2f(-1, 3); glEnd();)"},
         // The lowest of each 32 rows.
         {"polygon stipple after a framebuffer object", R"(
             glPolygonStipple((GLubyte[128]){255, 255, 255, 255}); glEnable(GL_POLYGON_STIPPLE);

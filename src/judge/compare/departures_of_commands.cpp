@@ -412,6 +412,17 @@ CommandRule sets_base_above_greatest_level() {
     });
 }
 
+// Once something was drawn, the driver knows the texture's new images.
+CommandRule makes_mipmaps_before_object_draws() {
+    return any_command([is_bound = false, has_drawn = false, is_in_list = false](const Command& command) mutable {
+        if (command.id == Id::glNewList || command.id == Id::glEndList) is_in_list = command.id == Id::glNewList;
+        if (command.id == Id::glBindFramebuffer) is_bound = command.number(1) != 0;
+        if (is_one_of(command, {"glBindFramebuffer", "glFramebufferTexture"})) has_drawn = false;
+        if (!is_in_list && (command.id == Id::glEnd || command.id == Id::glClear)) has_drawn = true;
+        return command.id == Id::glGenerateMipmap && is_bound && !has_drawn;
+    });
+}
+
 // What draws these adds a texture of its own.
 CommandRule copies_texels_after_smooth_ones() {
     return any_command([is_enabled = false](const Command& command) mutable {

@@ -104,7 +104,7 @@ class Builder {
                 "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 1, 0, 1}); glColor4f(0, 0.8, 0.5, 1); glPopAttrib(); "
                 "glBegin(GL_TRIANGLES); glVertex3f(-30, -30, -5); glVertex3f(30, -30, -5); glVertex3f(0, 40, -5); "
                 "glEnd();");
-        if (shows(kStippleAfterObject) || (departure_.empty() && objects_.chance(0.1)))
+        if (shows(kStippleAfterObject) || shows(kMipmapsOfObject) || (departure_.empty() && objects_.chance(0.1)))
             object();
         if (has_quadric_) add("gluDeleteQuadric(quadric);");
         return std::move(text_);
@@ -112,7 +112,8 @@ class Builder {
 
   private:
     static constexpr std::string_view kModeOfCopies = "the mode of copied depths";
-    static constexpr std::string_view kStippleAfterObject = "polygon stipple after a framebuffer object";
+    static constexpr std::string_view kStippleAfterObject = "polygon stipple after a framebuffer object",
+                                      kMipmapsOfObject = "glGenerateMipmap before a framebuffer object draws";
     bool shows(std::string_view departure) const { return departure_ == departure; }
     void add(std::string_view line) { text_ += fmt::format("{}\n", line); }
     template <class... Arguments>
@@ -439,6 +440,7 @@ class Builder {
             filters[filter], filters[std::min(filter, 1)]);
         add("glBindFramebuffer(GL_FRAMEBUFFER, 1);");
         add("glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 60, 0);");
+        if (shows(kMipmapsOfObject)) add("glGenerateMipmap(GL_TEXTURE_2D);");
         if (depths > 0) {
             add("glBindRenderbuffer(GL_RENDERBUFFER, 1);");
             add("glRenderbufferStorage(GL_RENDERBUFFER, {}, {}, {});",

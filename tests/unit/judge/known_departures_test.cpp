@@ -171,6 +171,23 @@ TEST(KnownDepartures, OfSoftpipeAreSumsAndCopies) {
     }
 }
 
+TEST(KnownDepartures, OfGeneratedMipmapsAreThoseOfAnObjectThatHasDrawnNothing) {
+    const std::string make = "glGenerateMipmap(GL_TEXTURE_2D);", clear = "glClear(GL_COLOR_BUFFER_BIT);";
+    const auto names = [](const std::string& text) {
+        return names_of(
+            "glBindTexture(GL_TEXTURE_2D, 1);"
+            "glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);"
+            "glBindFramebuffer(GL_FRAMEBUFFER, 1);"
+            "glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 1, 0);" +
+                text + "glBindFramebuffer(GL_FRAMEBUFFER, 0); glutSolidCube(1);",
+            kLlvmpipe);
+    };
+    const Names bug{"glGenerateMipmap before a framebuffer object draws"};
+    EXPECT_EQ(names(make), bug);
+    EXPECT_EQ(names(clear + make), Names{});
+    EXPECT_EQ(names("glBindFramebuffer(GL_FRAMEBUFFER, 0);" + make), Names{});
+}
+
 // A bug of the driver that shaders show, too, is the reason rather than one of the fixed function alone, wherever it is in the table.
 TEST(KnownDepartures, LeaveOutAllPairsWhereShadersShowABug) {
     const CommandList scene = read_scene(
