@@ -331,6 +331,38 @@ bool adds_secondary_color_in_fog(const Draw& draw) { return draw.fog.enabled && 
 
 bool blends_secondary_color(const Draw& draw) { return draw.fragment.blend && adds_secondary_color(draw); }
 
+namespace {
+
+// Whether the sum of the two, each times some positive number, is (0, 0, 0, 0), as far as single precision can tell.
+bool are_opposite(const glm::dvec4& a, const glm::dvec4& b) { return glm::length(a + b) < 1e-6; }
+
+// The same of three of length 1.
+bool are_around_0(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c) {
+    const double bc = glm::dot(b, c), determinant = 1 - bc * bc;
+    if (determinant < 1e-12) return false;
+    const double of_b = (bc * glm::dot(a, c) - glm::dot(a, b)) / determinant,
+                 of_c = (bc * glm::dot(a, b) - glm::dot(a, c)) / determinant;
+    return of_b >= 0 && of_c >= 0 && glm::length(a + of_b * b + of_c * c) < 1e-6;
+}
+
+}  // namespace
+
+// Where the near plane is that of the eye, as with gluPerspective(90, 1, 0, 10), primitives through the eye.
+bool contains_no_direction(const Draw& draw) {
+    if (draw.mode == kGL_POINTS || draw.pixels) return false;
+    for (const auto cut : {reference::QuadCut::kFirstToThird, reference::QuadCut::kSecondToFourth})
+        for (const reference::Primitive& primitive : reference::assemble(draw, cut)) {
+            const bool is_line = primitive.shape == reference::Shape::kLine;
+            std::array<glm::dvec4, 3> clip{};
+            for (std::size_t i = 0; i < clip.size(); ++i)
+                clip[i] =
+                    glm::normalize(clip_position(draw, primitive.vertices[is_line ? std::min<std::size_t>(i, 1) : i]));
+            const auto& [a, b, c] = clip;
+            if (are_opposite(a, b) || are_opposite(b, c) || are_opposite(c, a) || are_around_0(a, b, c)) return true;
+        }
+    return false;
+}
+
 // Points and lines have no back, and the stencil state of the front.
 bool has_faces_in_stencil_of_lines(const Draw& draw) {
     const auto& stencil = draw.fragment.stencil;

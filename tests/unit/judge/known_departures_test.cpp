@@ -201,6 +201,25 @@ TEST(KnownDepartures, LeaveOutAllPairsWhereShadersShowABug) {
     EXPECT_EQ(found->name, "polygon stipple after a framebuffer object");
 }
 
+TEST(KnownDepartures, ThatAreUndefinedAreThePlaceOfTheEyeInAViewVolumeThatHoldsIt) {
+    const auto is_left_out = [](const std::string& near, const std::string& shape) {
+        const CommandList scene = read_scene(
+            "glMatrixMode(GL_PROJECTION); gluPerspective(90, 1, " + near + ", 10);" + shape, "scene.gl", "scene");
+        const Departure* found = DeparturesOfScene(scene, kLlvmpipe, {}).in(make_frame(scene, {}));
+        return found && found->name == "primitives through a point whose clip coordinates are all 0";
+    };
+    const std::string through =
+        "glBegin(GL_TRIANGLES); glVertex3f(-1, 0, -1); glVertex3f(1, 0, -1); glVertex3f(0, 0, 1); glEnd();";
+    const std::string line = "glBegin(GL_LINES); glVertex3f(1, 1, 2); glVertex3f(-2, -2, -4); glEnd();";
+    const std::string aside =
+        "glBegin(GL_TRIANGLES); glVertex3f(-1, 0.5, -1); glVertex3f(1, 0.5, -1); glVertex3f(0, 0.5, 1); glEnd();";
+    EXPECT_TRUE(is_left_out("0", through));
+    EXPECT_TRUE(is_left_out("0", line));
+    EXPECT_FALSE(is_left_out("0", aside));
+    EXPECT_FALSE(is_left_out("0.1", through));
+    EXPECT_FALSE(is_left_out("0.1", line));
+}
+
 TEST(KnownDepartures, AreListedForADriverOrNotAtAll) {
     EXPECT_TRUE(is_listed(kLlvmpipe));
     EXPECT_TRUE(is_listed(kSoftpipe));
