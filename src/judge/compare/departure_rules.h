@@ -15,8 +15,8 @@ MakeCommandRule mixes_glcolor3_and_4, mixes_tex_coords, sets_material_before_pop
     restores_tracked_color, sets_sides_apart, sets_both_sides_after_vertex, sets_color_before_new_mode,
     tracks_color_before_list, lists_edge_flags, shows_cut_of_rectangles, shades_evaluated_meshes_flat,
     draws_others_beside_sprites, maps_drawn_pixels, mirrors_stenciled_pixels, transfers_stencil_values,
-    copies_depths_after_mode, copies_texels_after_smooth_ones, makes_mipmaps_before_object_draws,
-    stipples_after_framebuffer, enables_incomplete_texture, sets_base_above_greatest_level;
+    copies_depths_after_mode, blends_over_color_sums, copies_texels_after_smooth_ones, makes_mipmaps_before_object_draws, stipples_after_framebuffer,
+    enables_incomplete_texture, sets_base_above_greatest_level;
 
 bool enables_color_material(const Command& command);
 bool draws_other_than_points(const Command& command);
@@ -26,8 +26,8 @@ bool draws_other_than_points(const Command& command);
 DrawRule draws_borders_of_clipped_polygons, has_faces_on_borders, has_faces_in_stencil_of_borders, has_smooth_points,
     has_wide_lines, has_level_of_detail, has_edge_flags_in_strip, offsets_other_modes_alone, offsets_one_of_two_modes,
     offsets_borders_without_area, offsets_out_of_range, has_wide_points, biases_level_of_points,
-    adds_secondary_color_in_fog, blends_secondary_color, contains_no_direction, has_w_in_fog,
-    has_exponential_fog_behind_the_eye, has_negative_fog_coords, stipples_listed_strips,
+    adds_secondary_color_in_fog, contains_no_direction,
+    has_w_in_fog, has_exponential_fog_behind_the_eye, has_negative_fog_coords, stipples_listed_strips,
     clamps_between_nearest_and_linear, attenuates_points_aside, has_sizes_in_wrong_order, has_no_size_of_points,
     has_faces_in_doubt, fills_one_face, has_polygons_as_smooth_lines, has_faces_in_stencil_of_lines,
     has_fog_at_raster_position, has_raster_position_in_eye_coordinates, has_secondary_color_at_raster_position,

@@ -6,6 +6,8 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -421,6 +423,19 @@ CommandRule makes_mipmaps_before_object_draws() {
         if (!is_in_list && (command.id == Id::glEnd || command.id == Id::glClear)) has_drawn = true;
         return command.id == Id::glGenerateMipmap && is_bound && !has_drawn;
     });
+}
+
+// It keeps colours as floats until it has drawn all of the picture.
+CommandRule blends_over_color_sums() {
+    return both(any_command([](const Command& command) {
+                    const bool separates = command.name().starts_with("glLightModel") &&
+                                           command.enumerant(0) == kGL_LIGHT_MODEL_COLOR_CONTROL &&
+                                           command.number(1) == kGL_SEPARATE_SPECULAR_COLOR;
+                    return separates || (command.id == Id::glEnable && command.enumerant(0) == kGL_COLOR_SUM);
+                }),
+                any_command([](const Command& command) {
+                    return command.id == Id::glEnable && command.enumerant(0) == kGL_BLEND;
+                }));
 }
 
 // What draws these adds a texture of its own.

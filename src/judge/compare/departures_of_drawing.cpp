@@ -318,18 +318,10 @@ bool biases_level_of_points(const Draw& draw) {
     return draw.draws_points() && any_unit(draw, [](const TextureUnit& unit) { return unit.lod_bias > 0; });
 }
 
-namespace {
-
-bool adds_secondary_color(const Draw& draw) {
+bool adds_secondary_color_in_fog(const Draw& draw) {
     const bool separates = draw.lighting.enabled && draw.lighting.light_model.color_control != kGL_SINGLE_COLOR;
-    return separates || !draw.secondary_colors.empty();
+    return draw.fog.enabled && (separates || !draw.secondary_colors.empty());
 }
-
-}  // namespace
-
-bool adds_secondary_color_in_fog(const Draw& draw) { return draw.fog.enabled && adds_secondary_color(draw); }
-
-bool blends_secondary_color(const Draw& draw) { return draw.fragment.blend && adds_secondary_color(draw); }
 
 namespace {
 

@@ -158,10 +158,12 @@ TEST(KnownDepartures, OfFilledPolygonsAreOffsetsBeyondTheDepthRange) {
 TEST(KnownDepartures, OfSoftpipeAreSumsAndCopies) {
     const std::string triangle =
         "glBegin(GL_TRIANGLES); glVertex2f(0, 0); glVertex2f(1, 0); glVertex2f(0, 1); glEnd();";
-    const std::string sum = "glEnable(GL_COLOR_SUM); glSecondaryColor3f(0, 0, 1); glEnable(GL_BLEND);";
-    EXPECT_EQ(names_of(sum + triangle, kSoftpipe), Names{"the colour sum in blending, in softpipe"});
-    EXPECT_EQ(names_of(sum + "glDisable(GL_BLEND);" + triangle, kSoftpipe), Names{});
-    EXPECT_EQ(names_of(sum + triangle, kLlvmpipe), Names{});
+    const std::string sum = "glEnable(GL_COLOR_SUM); glSecondaryColor3f(0, 0, 1);", blend = "glEnable(GL_BLEND);";
+    EXPECT_EQ(names_of(sum + triangle + "glDisable(GL_COLOR_SUM);" + blend + triangle, kSoftpipe),
+              Names{"blending over colour sums in softpipe"});
+    EXPECT_EQ(names_of(sum + triangle, kSoftpipe), Names{});
+    EXPECT_EQ(names_of(blend + triangle, kSoftpipe), Names{});
+    EXPECT_EQ(names_of(sum + blend + triangle, kLlvmpipe), Names{});
     const std::string copy = "glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, 8, 8, 0);";
     for (const std::string enable : {"glEnable(GL_POLYGON_STIPPLE);", "glEnable(GL_LINE_SMOOTH);"}) {
         EXPECT_EQ(names_of(enable + triangle + copy, kSoftpipe),
