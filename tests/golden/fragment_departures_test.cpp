@@ -222,6 +222,10 @@ const std::vector<FragmentCase>& fragment_cases() {
             glBegin(GL_LINE_STRIP); glVertex2f(-1, 0.5); glVertex2f(0, 0.5); glVertex2f(1, 0.5); glEnd();
             glBegin(GL_LINE_STRIP); glVertex2f(-1, -0.5); glVertex2f(0, -0.5); glVertex2f(1, -0.5); glEnd();
             glEndList(); glCallList(1);)"},
+        // One triangle.
+        {"a triangle strip in a display list whose first vertices lack attributes", R"(
+            glNewList(1, GL_COMPILE); glBegin(GL_TRIANGLE_STRIP); glVertex2f(-1, -1);
+            glNormal3f(0, 0, 1); glVertex2f(1, -1); glVertex2f(-1, 1); glEnd(); glEndList(); glCallList(1);)"},
         // A loop about the window; its fourth vertex is the first that has an edge flag and a colour of its own.
         {"a line loop whose first vertex lacks attributes", R"(
             glLineWidth(8); glBegin(GL_LINE_LOOP);

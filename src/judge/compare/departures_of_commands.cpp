@@ -425,6 +425,32 @@ CommandRule makes_mipmaps_before_object_draws() {
     });
 }
 
+// A kind of attribute comes first since glBegin after an odd number of vertices. Each side's parameter of a material is a kind.
+CommandRule lists_strips_with_late_attributes() {
+    static constexpr std::array<std::string_view, 8> kKinds{"glColor",    "glSecondaryColor", "glNormal",
+                                                            "glTexCoord", "glMultiTexCoord",  "glFogCoord",
+                                                            "glEdgeFlag", "glMaterial"};
+    return any_command([is_in_list = false, is_in_strip = false, vertices = 0,
+                        given = std::set<std::string>()](const Command& command) mutable {
+        if (command.id == Id::glNewList || command.id == Id::glEndList) is_in_list = command.id == Id::glNewList;
+        if (command.id == Id::glBegin) {
+            is_in_strip = is_in_list && command.enumerant(0) == kGL_TRIANGLE_STRIP;
+            vertices = 0;
+            given.clear();
+        }
+        if (command.id == Id::glEnd) is_in_strip = false;
+        if (!is_in_strip) return false;
+        if (is_one_of(command, {"glVertex", "glArrayElement", "glEval"})) ++vertices;
+        const auto kind =
+            std::ranges::find_if(kKinds, [&](std::string_view prefix) { return command.name().starts_with(prefix); });
+        if (kind == kKinds.end()) return false;
+        std::string of_kind(*kind);
+        if (*kind == "glMaterial" || *kind == "glMultiTexCoord") of_kind += std::to_string(command.enumerant(0));
+        if (*kind == "glMaterial") of_kind += ' ' + std::to_string(command.enumerant(1));
+        return given.insert(of_kind).second && vertices % 2 == 1;
+    });
+}
+
 // It keeps colours as floats until it has drawn all of the picture.
 CommandRule blends_over_color_sums() {
     return both(any_command([](const Command& command) {

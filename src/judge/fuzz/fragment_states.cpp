@@ -774,6 +774,10 @@ class Builder {
             return "glNewList(9, GL_COMPILE); glBegin(GL_TRIANGLE_FAN);\n" + attributes(true, true) +
                    "glVertex3f(0, 0, -2); glEnd(); glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);\n" +
                    anywhere("GL_TRIANGLE_FAN") + "glEndList(); glCallList(9);\n";
+        if (shows("a triangle strip in a display list whose first vertices lack attributes"))
+            return "glDisable(GL_CULL_FACE); glNewList(9, GL_COMPILE); glBegin(GL_TRIANGLE_STRIP); "
+                   "glVertex3f(-30, -30, -5); glColor4f(0.9, 0.6, 0.3, 1); glVertex3f(30, -30, -5); "
+                   "glVertex3f(0, 40, -5); glEnd(); glEndList(); glCallList(9);\n";
         if (shows("stippled line strips in a display list"))
             return "glLineStipple(8, 255); glEnable(GL_LINE_STIPPLE); glNewList(9, GL_COMPILE);\n" +
                    anywhere("GL_LINE_STRIP") + anywhere("GL_LINE_STRIP") + "glEndList(); glCallList(9);\n";

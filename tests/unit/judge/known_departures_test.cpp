@@ -173,6 +173,21 @@ TEST(KnownDepartures, OfSoftpipeAreSumsAndCopies) {
     }
 }
 
+TEST(KnownDepartures, OfListedStripsHaveLateAttributes) {
+    const auto names = [](const std::string& mode, const std::string& first, const std::string& second) {
+        return names_of("glNewList(1, GL_COMPILE_AND_EXECUTE); glBegin(" + mode + ");" + first + "glVertex2f(0, 0);" +
+                            second + "glVertex2f(1, 0); glVertex2f(0, 1); glEnd(); glEndList();",
+                        kLlvmpipe);
+    };
+    const Names bug{"a triangle strip in a display list whose first vertices lack attributes"};
+    const std::string normal = "glNormal3f(0, 0, 1);", vertex = "glVertex2f(0, -1);";
+    EXPECT_EQ(names("GL_TRIANGLE_STRIP", "", normal), bug);
+    EXPECT_EQ(names("GL_TRIANGLE_STRIP", normal, normal), Names{});
+    EXPECT_EQ(names("GL_TRIANGLE_STRIP", "", vertex + normal), Names{});
+    EXPECT_EQ(names("GL_TRIANGLE_STRIP", normal, "glColor3f(1, 1, 1);"), bug);
+    EXPECT_EQ(names("GL_TRIANGLES", "", normal), Names{});
+}
+
 TEST(KnownDepartures, OfGeneratedMipmapsAreThoseOfAnObjectThatHasDrawnNothing) {
     const std::string make = "glGenerateMipmap(GL_TEXTURE_2D);", clear = "glClear(GL_COLOR_BUFFER_BIT);";
     const auto names = [](const std::string& text) {
