@@ -98,6 +98,11 @@ const std::vector<FragmentCase>& fragment_cases() {
             glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glLineWidth(5);
             glBegin(GL_TRIANGLES);
             glVertex3f(-0.9, -0.9, -0.1); glVertex3f(0.9, -0.9, -1.9); glVertex3f(-0.9, 0.9, -0.1); glEnd();)"},
+        // Cut at x = -0.5 in eye coordinates, which is a quarter of the window; the driver cuts at x = -1.
+        {"clip planes under a projection without an inverse", R"(
+            glMatrixMode(GL_PROJECTION); glScalef(0.5, 0.5, 0); glMatrixMode(GL_MODELVIEW);
+            glClipPlane(GL_CLIP_PLANE0, (GLdouble[]){1, 0, 0, 0.5}); glEnable(GL_CLIP_PLANE0);
+            glBegin(GL_TRIANGLES); glVertex2f(-2, -2); glVertex2f(2, -2); glVertex2f(-2, 2); glEnd();)"},
         // A back face, whose stencil test fails.
         {"two-sided stencil of polygons as lines and points", R"(
             glEnable(GL_STENCIL_TEST); glStencilFuncSeparate(GL_BACK, GL_NEVER, 0, 255);

@@ -27,7 +27,7 @@ bool draws_other_than_points(const Command& command);
 DrawRule draws_borders_of_clipped_polygons, has_faces_on_borders, has_faces_in_stencil_of_borders, has_smooth_points,
     has_wide_lines, has_level_of_detail, has_edge_flags_in_strip, offsets_other_modes_alone, offsets_one_of_two_modes,
     offsets_borders_without_area, offsets_out_of_range, has_wide_points, biases_level_of_points,
-    adds_secondary_color_in_fog, contains_no_direction,
+    adds_secondary_color_in_fog, clips_under_singular_projection, contains_no_direction,
     has_w_in_fog, has_exponential_fog_behind_the_eye, has_negative_fog_coords, stipples_listed_strips,
     clamps_between_nearest_and_linear, attenuates_points_aside, has_sizes_in_wrong_order, has_no_size_of_points,
     has_faces_in_doubt, fills_one_face, has_polygons_as_smooth_lines, has_faces_in_stencil_of_lines,

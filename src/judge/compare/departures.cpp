@@ -72,6 +72,10 @@ const std::vector<Departure>& departures() {
          .cause = Cause::kDriver,
          .seen_on = kBothAndNvidia,
          .draw_rule = draws_borders_of_clipped_polygons},
+        {.name = "clip planes under a projection without an inverse",
+         .section = "2.12: the planes are in eye coordinates; the driver takes them to clip coordinates",
+         .seen_on = kBoth,
+         .draw_rule = clips_under_singular_projection},
         {.name = "stippled lines in perspective",
          .section =
              "3.4.1: colours and texture coordinates are divided by w; the driver cuts the line where the pattern "

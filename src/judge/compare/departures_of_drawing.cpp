@@ -169,6 +169,11 @@ bool has_polygons_as_smooth_lines(const Draw& draw) {
     return draw.draws_polygons_as(kGL_LINE) && draw.raster.line_smooth;
 }
 
+bool clips_under_singular_projection(const Draw& draw) {
+    return glm::determinant(draw.clip_from_eye) == 0 &&
+           std::ranges::any_of(draw.raster.clip_planes_eye, [](const auto& plane) { return plane.has_value(); });
+}
+
 bool fills_one_face(const Draw& draw) { return draw.draws_borders() && draw.draws_polygons_as(kGL_FILL); }
 
 bool has_faces_in_doubt(const Draw& draw) {

@@ -658,6 +658,10 @@ class Builder {
                 random_.uniform(9, 30));
         if (shows("clipped polygons as lines and points")) add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);");
         if (shows("edge flags of strips and fans")) add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);");
+        if (shows("clip planes under a projection without an inverse"))
+            add("glMatrixMode(GL_PROJECTION); glLoadIdentity(); glScalef(0.1, 0.1, 0); glMatrixMode(GL_MODELVIEW); "
+                "glDisable(GL_DEPTH_TEST); glClipPlane(GL_CLIP_PLANE0, (GLdouble[]){1, 0, 0, 0.2}); "
+                "glEnable(GL_CLIP_PLANE0);");
         if (shows("polygons as smooth lines")) add("glPolygonMode(GL_BACK, GL_LINE); glEnable(GL_LINE_SMOOTH);");
         if (shows("an incomplete texture of a higher dimension"))
             add("glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, (GLubyte[]){9, 90, 30, "

@@ -188,6 +188,18 @@ TEST(KnownDepartures, OfListedStripsHaveLateAttributes) {
     EXPECT_EQ(names("GL_TRIANGLES", "", normal), Names{});
 }
 
+TEST(KnownDepartures, OfClipPlanesAreUnderASingularProjection) {
+    const auto names = [](const std::string& scale, const std::string& state) {
+        return names_of("glMatrixMode(GL_PROJECTION); glScalef(" + scale + ");" + state +
+                            "glBegin(GL_TRIANGLES); glVertex2f(0, 0); glVertex2f(1, 0); glVertex2f(0, 1); glEnd();",
+                        kLlvmpipe);
+    };
+    const std::string enable = "glEnable(GL_CLIP_PLANE0);";
+    EXPECT_EQ(names("1, 1, 0", enable), Names{"clip planes under a projection without an inverse"});
+    EXPECT_EQ(names("1, 1, 0.1", enable), Names{});
+    EXPECT_EQ(names("1, 1, 0", ""), Names{});
+}
+
 TEST(KnownDepartures, OfGeneratedMipmapsAreThoseOfAnObjectThatHasDrawnNothing) {
     const std::string make = "glGenerateMipmap(GL_TEXTURE_2D);", clear = "glClear(GL_COLOR_BUFFER_BIT);";
     const auto names = [](const std::string& text) {
