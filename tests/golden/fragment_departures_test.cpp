@@ -103,6 +103,10 @@ const std::vector<FragmentCase>& fragment_cases() {
             glMatrixMode(GL_PROJECTION); glScalef(0.5, 0.5, 0); glMatrixMode(GL_MODELVIEW);
             glClipPlane(GL_CLIP_PLANE0, (GLdouble[]){1, 0, 0, 0.5}); glEnable(GL_CLIP_PLANE0);
             glBegin(GL_TRIANGLES); glVertex2f(-2, -2); glVertex2f(2, -2); glVertex2f(-2, 2); glEnd();)"},
+        // A square of 16 pixels about the corner of the viewport.
+        {"attenuated points beyond the viewport", R"(
+            glPointSize(32); glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, (GLfloat[]){4, 0, 0});
+            glViewport(20, 20, 24, 24); glBegin(GL_POINTS); glVertex2f(1, 1); glEnd();)"},
         // A back face, whose stencil test fails.
         {"two-sided stencil of polygons as lines and points", R"(
             glEnable(GL_STENCIL_TEST); glStencilFuncSeparate(GL_BACK, GL_NEVER, 0, 255);

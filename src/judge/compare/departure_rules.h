@@ -15,7 +15,7 @@ MakeCommandRule mixes_glcolor3_and_4, mixes_tex_coords, sets_material_before_pop
     restores_tracked_color, sets_sides_apart, sets_both_sides_after_vertex, sets_color_before_new_mode,
     tracks_color_before_list, lists_edge_flags, shows_cut_of_rectangles, shades_evaluated_meshes_flat,
     draws_others_beside_sprites, maps_drawn_pixels, mirrors_stenciled_pixels, transfers_stencil_values,
-    copies_depths_after_mode, blends_over_color_sums, copies_texels_after_smooth_ones,
+    copies_depths_after_mode, blends_over_color_sums, attenuates_points_in_viewport, copies_texels_after_smooth_ones,
     lists_strips_with_late_attributes, makes_mipmaps_before_object_draws, stipples_after_framebuffer,
     enables_incomplete_texture, sets_base_above_greatest_level;
 

@@ -18,6 +18,7 @@ constexpr SeenOn kBothAndNvidia[] = {{"llvmpipe"}, {"softpipe"}, {"NVIDIA"}};
 constexpr SeenOn kBothUntilFixedAndNvidia[] = {
     {"llvmpipe", {.before = "25.0"}}, {"softpipe", {.before = "25.0"}}, {"NVIDIA"}};
 constexpr SeenOn kLlvmpipe[] = {{"llvmpipe"}};
+constexpr SeenOn kLlvmpipeUntilFixed[] = {{"llvmpipe", {.before = "25.0"}}};
 constexpr SeenOn kSoftpipe[] = {{"softpipe"}};
 
 }  // namespace
@@ -83,6 +84,11 @@ const std::vector<Departure>& departures() {
          .cause = Cause::kDriver,
          .seen_on = kBoth,
          .draw_rule = stipples_in_perspective},
+        {.name = "attenuated points beyond the viewport",
+         .section = "2.12, 3.3: a point whose vertex is in the view volume is drawn as a whole",
+         .cause = Cause::kDriver,
+         .seen_on = kLlvmpipeUntilFixed,
+         .command_rule = attenuates_points_in_viewport},
         {.name = "point sprites below the scissor box",
          .section = "4.1.2: no fragment outside the box is drawn",
          .cause = Cause::kDriver,

@@ -464,6 +464,15 @@ CommandRule blends_over_color_sums() {
                 }));
 }
 
+// Beyond a viewport as large as the window nothing is seen.
+CommandRule attenuates_points_in_viewport() {
+    return both(any_command([](const Command& command) { return command.id == Id::glViewport; }),
+                any_command([](const Command& command) {
+                    return command.name().starts_with("glPointParameter") &&
+                           command.enumerant(0) == kGL_POINT_DISTANCE_ATTENUATION;
+                }));
+}
+
 // What draws these adds a texture of its own.
 CommandRule copies_texels_after_smooth_ones() {
     return any_command([is_enabled = false](const Command& command) mutable {

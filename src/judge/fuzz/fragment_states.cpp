@@ -113,6 +113,7 @@ class Builder {
   private:
     static constexpr std::string_view kModeOfCopies = "the mode of copied depths";
     static constexpr std::string_view kStippleAfterObject = "polygon stipple after a framebuffer object",
+                                      kPointsBeyondViewport = "attenuated points beyond the viewport",
                                       kMipmapsOfObject = "glGenerateMipmap before a framebuffer object draws";
     bool shows(std::string_view departure) const { return departure_ == departure; }
     void add(std::string_view line) { text_ += fmt::format("{}\n", line); }
@@ -700,13 +701,16 @@ class Builder {
     }
 
     bool of_points() const {
-        return shows("size of points by their distance") || scissors_sprites() ||
+        return shows("size of points by their distance") || shows(kPointsBeyondViewport) || scissors_sprites() ||
                shows("texture coordinates of other primitives beside point sprites");
     }
     bool scissors_sprites() const { return shows("point sprites below the scissor box"); }
     // The size of points, and point sprites. Factors of the distance are 0 or would show a known bug.
     void points() {
         const bool by_distance = shows("size of points by their distance");
+        if (shows(kPointsBeyondViewport))
+            add("glViewport(20, 20, 24, 24); glDisable(GL_SCISSOR_TEST); glPointSize(30); "
+                "glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, (GLfloat[]){1.5, 0, 0});");
         if (by_distance || points_.chance(0.15))
             add("glPointSize({:.2f}); glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, (GLfloat[]){{{:.4f}, {:.4f}, "
                 "{:.4f}}});",
@@ -788,7 +792,7 @@ class Builder {
         if (shows("stippled lines in perspective"))
             return "glLineWidth(9); glLineStipple(4, 0x3333); glEnable(GL_LINE_STIPPLE);\n" + anywhere("GL_LINES");
         if (shows("level of detail of points") || shows("the alpha of smooth points") ||
-            shows("size of points by their distance"))
+            shows("size of points by their distance") || shows(kPointsBeyondViewport))
             return anywhere("GL_POINTS");
         if (shows("a line loop whose first vertex lacks attributes")) return anywhere("GL_LINE_LOOP");
         if (of_triangles || structure_.chance(0.55)) return anywhere("GL_TRIANGLES");

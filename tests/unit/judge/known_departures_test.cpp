@@ -188,6 +188,18 @@ TEST(KnownDepartures, OfListedStripsHaveLateAttributes) {
     EXPECT_EQ(names("GL_TRIANGLES", "", normal), Names{});
 }
 
+TEST(KnownDepartures, OfAttenuatedPointsAreThoseInAViewport) {
+    const auto names = [](const std::string& state, const Driver& driver) {
+        return names_of(state + "glBegin(GL_POINTS); glVertex2f(0, 0); glEnd();", driver);
+    };
+    const std::string viewport = "glViewport(0, 0, 100, 100);",
+                      attenuation = "glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, (GLfloat[]){4, 0, 0});";
+    EXPECT_EQ(names(viewport + attenuation, kLlvmpipe), Names{"attenuated points beyond the viewport"});
+    EXPECT_EQ(names(attenuation, kLlvmpipe), Names{});
+    EXPECT_EQ(names(viewport, kLlvmpipe), Names{});
+    EXPECT_EQ(names(viewport + attenuation, driver("llvmpipe", "Mesa 25.0.7")), Names{});
+}
+
 TEST(KnownDepartures, OfClipPlanesAreUnderASingularProjection) {
     const auto names = [](const std::string& scale, const std::string& state) {
         return names_of("glMatrixMode(GL_PROJECTION); glScalef(" + scale + ");" + state +
