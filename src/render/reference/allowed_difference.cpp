@@ -252,9 +252,10 @@ class OpenPixels {
                     if (between.z != 0 && std::abs(between.z) < kDepthStep) return Outcome::kOpen;
                     return compares(depth_func, between.z, 0) ? Outcome::kPasses : Outcome::kFails;
                 }
-                const double change = stages_.border * (std::abs(between.x) + std::abs(between.y)) +
-                                      offset_doubt(piece) + offset_doubt(other);
                 const glm::dvec2& centre = fragment.position_window;
+                const double change = stages_.border * (std::abs(between.x) + std::abs(between.y)) +
+                                      offset_doubt(piece) + offset_doubt(other) + rounding_of_depth(piece, centre) +
+                                      rounding_of_depth(other, centre);
                 const double difference = depth_at(piece, centre) - depth_at(other, centre);
                 return reference::depth_outcome(depth_func, widened(difference, change));
             }
@@ -305,6 +306,14 @@ class OpenPixels {
 
   protected:
     const StagedFrame& stages() const { return stages_; }
+
+    // What a polygon's depth may be off in floats: those of the corners and of the pixel are rounded, and four times what the slopes
+    // change between the window's corner and the pixel: slope, constant, product and sum.
+    static double rounding_of_depth(const Piece& piece, const glm::dvec2& position_window) {
+        constexpr double kRounding = 0x1p-24;
+        const glm::dvec2 change = glm::abs(glm::dvec2(piece.planes().depth) * position_window);
+        return kRounding * (2 * std::abs(depth_at(piece, position_window)) + 4 * (change.x + change.y));
+    }
 
     // 3.5.5: by how much a polygon's offset may be another. m may be the larger of |dz/dx| and |dz/dy| or the gradient's length, and
     // it follows from corners that rasterisers round, which matters where a polygon is small or narrow.

@@ -90,6 +90,17 @@ TEST(EdgePixels, AreAllOfTwoSurfacesThatLieInEachOther) {
     EXPECT_EQ(marked(edges({without_diagonal(deep_quad(kRed, 0.5)), other})), rectangle(0, 0, 16, 16));
 }
 
+// Two steps of the buffer; and both depths are floats, rounded at the corners and at the pixel.
+TEST(EdgePixels, AreThoseOfDepthsThatFloatsMayMakeEqual) {
+    const auto is_open = [](double steps) {
+        Draw other = without_diagonal(deep_quad(kGreen, 0.5 + steps * 0x1p-24, kGL_LEQUAL));
+        other.vertices.edit()[1].position_object.x += 10;
+        return !marked(edges({without_diagonal(deep_quad(kRed, 0.5)), other})).empty();
+    };
+    EXPECT_TRUE(is_open(3.9));
+    EXPECT_FALSE(is_open(4.1));
+}
+
 TEST(EdgePixels, AreAllOfWhatLiesInAClipPlane) {
     const auto marked_above = [](double height) {  // a surface at z = -0.5, clipped to z >= height
         Draw surface = without_diagonal(deep_quad(kRed, 0.5));
