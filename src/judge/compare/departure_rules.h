@@ -29,13 +29,14 @@ DrawRule draws_borders_of_clipped_polygons, has_faces_on_borders, has_faces_in_s
     offsets_borders_without_area, offsets_out_of_range, has_wide_points, biases_level_of_points,
     adds_secondary_color_in_fog, clips_under_singular_projection, contains_no_direction, has_w_in_fog,
     has_exponential_fog_behind_the_eye, has_negative_fog_coords, stipples_listed_strips,
-    clamps_between_nearest_and_linear, attenuates_points_aside, has_sizes_in_wrong_order, has_no_size_of_points,
-    has_faces_in_doubt, fills_one_face, has_polygons_as_smooth_lines, has_faces_in_stencil_of_lines,
-    has_fog_at_raster_position, has_raster_position_in_eye_coordinates, has_secondary_color_at_raster_position,
-    has_long_normal_at_raster_position, has_dim_light_at_raster_position, has_texture_at_raster_position,
-    is_textured_bitmap, copies_pixels_without_zoom, draws_colors_of_copied_depths, transfers_copied_depths,
-    stipples_in_perspective, has_scissored_sprites, stipples_borders, wraps_cube_maps, compares_depths_in_one_dimension,
-    has_eye_plane_of_singular_matrix, has_clipped_wide_points, has_sprites_between_sizes, scales_dot3_rgba;
+    clamps_between_nearest_and_linear, attenuates_points_aside, has_levels_in_wrong_order, has_sizes_in_wrong_order,
+    has_no_size_of_points, has_faces_in_doubt, fills_one_face, has_polygons_as_smooth_lines,
+    has_faces_in_stencil_of_lines, has_fog_at_raster_position, has_raster_position_in_eye_coordinates,
+    has_secondary_color_at_raster_position, has_long_normal_at_raster_position, has_dim_light_at_raster_position,
+    has_texture_at_raster_position, is_textured_bitmap, copies_pixels_without_zoom, draws_colors_of_copied_depths,
+    transfers_copied_depths, stipples_in_perspective, has_scissored_sprites, stipples_borders, wraps_cube_maps,
+    compares_depths_in_one_dimension, has_eye_plane_of_singular_matrix, has_clipped_wide_points,
+    has_sprites_between_sizes, scales_dot3_rgba;
 VertexRule has_no_q, has_no_direction_into_cube;
 
 // ---- In lighting ----

@@ -117,6 +117,10 @@ bool has_level_of_detail(const Draw& draw) {
     return any_unit(draw, [](const TextureUnit& unit) { return unit.texture->min_filter != unit.texture->mag_filter; });
 }
 
+bool has_levels_in_wrong_order(const Draw& draw) {
+    return any_unit(draw, [](const TextureUnit& unit) { return unit.texture->min_lod > unit.texture->max_lod; });
+}
+
 bool compares_depths_in_one_dimension(const Draw& draw) {
     return any_unit(draw, [](const TextureUnit& unit) {
         return unit.texture->target == kGL_TEXTURE_1D && unit.texture->compares();

@@ -261,6 +261,22 @@ TEST(KnownDepartures, ThatAreUndefinedAreThePlaceOfTheEyeInAViewVolumeThatHoldsI
     EXPECT_FALSE(is_left_out("0.1", line));
 }
 
+TEST(KnownDepartures, ThatAreUndefinedAreLimitsOfTheLevelInTheWrongOrder) {
+    const auto is_left_out = [](const std::string& most) {
+        const CommandList scene = read_scene(
+            "glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 1, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, (GLubyte[4]){255});"
+            "glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MIN_LOD, 1);"
+            "glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_LOD, " +
+                most +
+                "); glEnable(GL_TEXTURE_2D);"
+                "glBegin(GL_TRIANGLES); glVertex2f(0, 0); glVertex2f(1, 0); glVertex2f(0, 1); glEnd();",
+            "scene.gl", "scene");
+        return DeparturesOfScene(scene, kLlvmpipe, {}).in(make_frame(scene, {})) != nullptr;
+    };
+    EXPECT_TRUE(is_left_out("0"));
+    EXPECT_FALSE(is_left_out("1"));
+}
+
 TEST(KnownDepartures, AreListedForADriverOrNotAtAll) {
     EXPECT_TRUE(is_listed(kLlvmpipe));
     EXPECT_TRUE(is_listed(kSoftpipe));
