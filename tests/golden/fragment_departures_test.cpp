@@ -235,6 +235,13 @@ const std::vector<FragmentCase>& fragment_cases() {
         {"a triangle strip in a display list whose first vertices lack attributes", R"(
             glNewList(1, GL_COMPILE); glBegin(GL_TRIANGLE_STRIP); glVertex2f(-1, -1);
             glNormal3f(0, 0, 1); glVertex2f(1, -1); glVertex2f(-1, 1); glEnd(); glEndList(); glCallList(1);)"},
+        {"current values after a line loop in GL_COMPILE_AND_EXECUTE", R"(
+            glNewList(1, GL_COMPILE_AND_EXECUTE); glBegin(GL_LINE_LOOP); glColor3f(0, 1, 0); glVertex2f(-0.9, -0.9);
+            glColor3f(1, 0, 0); glVertex2f(-0.8, -0.9); glVertex2f(-0.8, -0.8); glEnd(); glEndList();
+            glRectf(-0.5, -0.5, 0.5, 0.5);)"},
+        {"attributes after the last vertex in a display list", R"(
+            glNewList(1, GL_COMPILE); glBegin(GL_TRIANGLES); glColor3f(0, 1, 0); glEnd(); glEndList(); glCallList(1);
+            glRectf(-0.5, -0.5, 0.5, 0.5);)"},
         // A loop about the window; its fourth vertex is the first that has an edge flag and a colour of its own.
         {"a line loop whose first vertex lacks attributes", R"(
             glLineWidth(8); glBegin(GL_LINE_LOOP);

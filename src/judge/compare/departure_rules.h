@@ -16,8 +16,9 @@ MakeCommandRule mixes_glcolor3_and_4, mixes_tex_coords, sets_material_before_pop
     tracks_color_before_list, lists_edge_flags, shows_cut_of_rectangles, shades_evaluated_meshes_flat,
     draws_others_beside_sprites, maps_drawn_pixels, mirrors_stenciled_pixels, transfers_stencil_values,
     copies_depths_after_mode, blends_over_color_sums, attenuates_points_in_viewport, copies_texels_after_smooth_ones,
-    lists_strips_with_late_attributes, makes_mipmaps_before_object_draws, stipples_after_framebuffer,
-    enables_incomplete_texture, sets_base_above_greatest_level;
+    lists_strips_with_late_attributes, draws_loops_with_late_attributes, lists_attributes_after_vertices,
+    executes_listed_loops, makes_mipmaps_before_object_draws, stipples_after_framebuffer, enables_incomplete_texture,
+    sets_base_above_greatest_level;
 
 bool enables_color_material(const Command& command);
 bool draws_other_than_points(const Command& command);

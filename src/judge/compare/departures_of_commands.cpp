@@ -1,5 +1,7 @@
 // Departures that depend on the order of a scene's commands. A rule sees the commands one after the other and keeps little state,
 // because a recording may be larger than memory.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <initializer_list>
@@ -425,29 +427,85 @@ CommandRule makes_mipmaps_before_object_draws() {
     });
 }
 
-// A kind of attribute comes first since glBegin after an odd number of vertices. Each side's parameter of a material is a kind.
-CommandRule lists_strips_with_late_attributes() {
-    static constexpr std::array<std::string_view, 8> kKinds{"glColor",    "glSecondaryColor", "glNormal",
-                                                            "glTexCoord", "glMultiTexCoord",  "glFogCoord",
-                                                            "glEdgeFlag", "glMaterial"};
-    return any_command([is_in_list = false, is_in_strip = false, vertices = 0,
-                        given = std::set<std::string>()](const Command& command) mutable {
+namespace {
+
+// Finds attributes that are given for the first time since glBegin, after a vertex. Each side's parameter of a material is one.
+class LateAttributes {
+  public:
+    static bool is_vertex(const Command& command) {
+        return is_one_of(command, {"glVertex", "glArrayElement", "glEval"});
+    }
+    // Whether the command gives an attribute.
+    static bool gives(const Command& command) { return !kind_of(command).empty(); }
+
+    // Whether it gives one for the first time, after a vertex.
+    bool operator()(const Command& command) {
         if (command.id == Id::glNewList || command.id == Id::glEndList) is_in_list = command.id == Id::glNewList;
         if (command.id == Id::glBegin) {
-            is_in_strip = is_in_list && command.enumerant(0) == kGL_TRIANGLE_STRIP;
-            vertices = 0;
-            given.clear();
+            mode = command.enumerant(0);
+            vertices = late = 0;
+            given_.clear();
         }
-        if (command.id == Id::glEnd) is_in_strip = false;
-        if (!is_in_strip) return false;
-        if (is_one_of(command, {"glVertex", "glArrayElement", "glEval"})) ++vertices;
-        const auto kind =
+        if (command.id == Id::glEnd) mode.reset();
+        if (!mode) return false;
+        if (is_vertex(command)) ++vertices;
+        const std::string kind = kind_of(command);
+        if (kind.empty() || !given_.insert(kind).second || vertices == 0) return false;
+        ++late;
+        return true;
+    }
+
+    bool is_in_list = false;
+    std::optional<Enum> mode{};  // between glBegin and glEnd
+    int vertices = 0, late = 0;  // since glBegin
+
+  private:
+    // "glMaterial1032 4608"; empty for other commands.
+    static std::string kind_of(const Command& command) {
+        static constexpr std::array<std::string_view, 8> kKinds{"glColor",    "glSecondaryColor", "glNormal",
+                                                                "glTexCoord", "glMultiTexCoord",  "glFogCoord",
+                                                                "glEdgeFlag", "glMaterial"};
+        const auto found =
             std::ranges::find_if(kKinds, [&](std::string_view prefix) { return command.name().starts_with(prefix); });
-        if (kind == kKinds.end()) return false;
-        std::string of_kind(*kind);
-        if (*kind == "glMaterial" || *kind == "glMultiTexCoord") of_kind += std::to_string(command.enumerant(0));
-        if (*kind == "glMaterial") of_kind += ' ' + std::to_string(command.enumerant(1));
-        return given.insert(of_kind).second && vertices % 2 == 1;
+        if (found == kKinds.end() || command.name().starts_with("glColorM")) return "";
+        std::string kind(*found);
+        if (kind == "glMaterial") return kind + fmt::format("{} {}", command.enumerant(0), command.enumerant(1));
+        return kind == "glMultiTexCoord" ? kind + fmt::format("{}", command.enumerant(0)) : kind;
+    }
+
+    std::set<std::string> given_;
+};
+
+}  // namespace
+
+CommandRule lists_strips_with_late_attributes() {
+    return any_command([at = LateAttributes()](const Command& command) mutable {
+        return at(command) && at.is_in_list && at.mode == kGL_TRIANGLE_STRIP && at.vertices % 2 == 1;
+    });
+}
+
+CommandRule lists_attributes_after_vertices() {
+    return any_command([at = LateAttributes(), is_last = false](const Command& command) mutable {
+        if (command.id == Id::glBegin) is_last = false;
+        if (command.id == Id::glEnd) return at.is_in_list && is_last;
+        at(command);
+        is_last = at.mode && !LateAttributes::is_vertex(command) && (is_last || LateAttributes::gives(command));
+        return false;
+    });
+}
+
+CommandRule executes_listed_loops() {
+    return any_command([at = LateAttributes(), executes = false](const Command& command) mutable {
+        if (command.id == Id::glNewList) executes = command.enumerant(1) == kGL_COMPILE_AND_EXECUTE;
+        at(command);
+        return at.is_in_list && executes && at.mode == kGL_LINE_LOOP && at.vertices > 0 &&
+               LateAttributes::gives(command);
+    });
+}
+
+CommandRule draws_loops_with_late_attributes() {
+    return any_command([at = LateAttributes()](const Command& command) mutable {
+        return at(command) && at.mode == kGL_LINE_LOOP && (at.is_in_list || at.late > 1);
     });
 }
 

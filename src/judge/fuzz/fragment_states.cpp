@@ -39,39 +39,41 @@ class Builder {
 
     std::string build() {
         clear("GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT");
-        const bool has_stencil = of_stencil() || (departure_.empty() && structure_.chance(0.25));
-        const bool accumulates = departure_.empty() && structure_.chance(0.15);
+        const bool has_stencil = of_stencil() || (departure_.is_none() && structure_.chance(0.25));
+        const bool accumulates = departure_.is_none() && structure_.chance(0.15);
         if (has_stencil) add("glClearStencil({}); glClear(GL_STENCIL_BUFFER_BIT);", random_.below(300) - 20);
         if (accumulates) add("glClearAccum({}); glClear(GL_ACCUM_BUFFER_BIT);", four(-0.2, 0.2));
         const char* const parallel = "glLoadIdentity(); glScalef(0.12, 0.12, 1); glOrtho(-1, 1, -1, 1, 0, 10)";
         add("glMatrixMode(GL_PROJECTION); {};",
-            shows("stippled line strips in a display list")
+            shows(compare::stipples_listed_strips)
                 ? parallel
                 : one_of({"glFrustum(-1, 1, -1, 1, 1, 10)", "glFrustum(-1, 1, -1, 1, 1, 10)",
                           "gluPerspective(90, 1, 1, 10)", parallel}));
-        const bool of_textures = shows("GL_CLAMP between a nearest and a linear filter") ||
-                                 shows("glTexCoord1 to 3 after glTexCoord4") || shows("level of detail of points") ||
-                                 shows("GL_GENERATE_MIPMAP after glPopAttrib") ||
-                                 shows("texture coordinates of other primitives beside point sprites");
-        if (of_textures || (structure_.chance(0.7) && !shows("the colour sum in fog"))) texture();
-        if (shows("wrap modes of cube maps") || (departure_.empty() && cubes_.chance(0.1))) cube_map();
-        if (departure_.empty() && volumes_.chance(0.1)) volume();
-        if (departure_.empty() && units_.chance(0.25)) further_units();
-        secondary_ = departure_.empty() && more_.chance(0.12);
+        const bool of_textures = shows(compare::clamps_between_nearest_and_linear) ||
+                                 shows(compare::mixes_tex_coords) || shows(compare::biases_level_of_points) ||
+                                 shows(compare::generates_mipmaps_after_pop) ||
+                                 shows(compare::draws_others_beside_sprites);
+        if (of_textures || (structure_.chance(0.7) && !shows(compare::adds_secondary_color_in_fog))) texture();
+        if (shows(compare::wraps_cube_maps) || (departure_.is_none() && cubes_.chance(0.1))) cube_map();
+        if (departure_.is_none() && volumes_.chance(0.1)) volume();
+        if (departure_.is_none() && units_.chance(0.25)) further_units();
+        secondary_ = departure_.is_none() && more_.chance(0.12);
         if (secondary_) add("glEnable(GL_COLOR_SUM);");
         add("glMatrixMode(GL_MODELVIEW);");
-        if (shows("the colour sum in fog") || shows("fog of a vertex whose w is not 1") || reaches_behind() ||
-            shows("fog coordinates below 0") || structure_.chance(0.4))
+        if (shows(compare::adds_secondary_color_in_fog) || shows(compare::has_w_in_fog) || reaches_behind() ||
+            shows(compare::has_negative_fog_coords) || structure_.chance(0.4))
             fog();
         raster();
-        if (departure_.empty() || of_points()) points();
-        lit_ = shows("the colour sum in fog") || shows("glRect as a quadrilateral") || structure_.chance(0.4);
+        if (departure_.is_none() || of_points()) points();
+        lit_ = shows(compare::adds_secondary_color_in_fog) || shows(compare::shows_cut_of_rectangles) ||
+               structure_.chance(0.4);
         if (lit_) lighting();
         if (structure_.chance(0.6)) fragment_operations();
         if (has_stencil) stencil();
         std::string first = batch();
-        if (departure_.empty() && structure_.chance(0.3) && !sprites_) first = solid();
-        if (shows("flat shading of glEvalMesh2") || (departure_.empty() && generated_.chance(0.1) && !sprites_))
+        if (departure_.is_none() && structure_.chance(0.3) && !sprites_) first = solid();
+        if (shows(compare::shades_evaluated_meshes_flat) ||
+            (departure_.is_none() && generated_.chance(0.1) && !sprites_))
             first = evaluated();
         text_ += first;
         if (has_stencil) {  // a pass that shows what the first left in the stencil buffer
@@ -88,34 +90,35 @@ class Builder {
             text_ += structure_.chance(0.5) ? first : batch();
         }
         if (accumulates) add("glAccum(GL_RETURN, {:.4f});", random_.uniform(0.5, 1));
-        if (departure_.empty() && copies_.chance(0.1))
+        if (departure_.is_none() && copies_.chance(0.1))
             for (int i = 1 + copies_.below(2); i > 0; --i) copied();
-        if (is_of_labels(departure_) || (departure_.empty() && labels_.chance(0.1)))
+        if (is_of_labels(departure_) || (departure_.is_none() && labels_.chance(0.1)))
             text_ += label(labels_, departure_);
-        if (is_of_pixel_copies(departure_) || (departure_.empty() && pixel_copies_.chance(0.05)))
+        if (is_of_pixel_copies(departure_) || (departure_.is_none() && pixel_copies_.chance(0.05)))
             text_ += pixel_copy(pixel_copies_, departure_);
-        if (is_of_stencil_pixels(departure_) || (departure_.empty() && stencil_pixels_.chance(0.05)))
+        if (is_of_stencil_pixels(departure_) || (departure_.is_none() && stencil_pixels_.chance(0.05)))
             text_ += stencil_pixels(stencil_pixels_, departure_);
-        if (shows("depths in one dimension") || shows(kModeOfCopies) || (departure_.empty() && depths_.chance(0.1)))
+        if (shows(compare::compares_depths_in_one_dimension) || shows(compare::copies_depths_after_mode) ||
+            (departure_.is_none() && depths_.chance(0.1)))
             depths();
-        if (shows("glColor right before glPopAttrib"))
+        if (shows(compare::sets_color_before_pop))
             add("glDisable(GL_LIGHTING); glDisable(GL_TEXTURE_2D); glDisable(GL_DEPTH_TEST); glDisable(GL_CULL_FACE); "
                 "glDisable(GL_BLEND); glColor4f(1, 1, 1, 1); glPushAttrib(GL_CURRENT_BIT); "
                 "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 1, 0, 1}); glColor4f(0, 0.8, 0.5, 1); glPopAttrib(); "
                 "glBegin(GL_TRIANGLES); glVertex3f(-30, -30, -5); glVertex3f(30, -30, -5); glVertex3f(0, 40, -5); "
                 "glEnd();");
-        if (shows(kStippleAfterObject) || shows(kMipmapsOfObject) || (departure_.empty() && objects_.chance(0.1)))
+        if (shows(compare::stipples_after_framebuffer) || shows(compare::makes_mipmaps_before_object_draws) ||
+            (departure_.is_none() && objects_.chance(0.1)))
             object();
         if (has_quadric_) add("gluDeleteQuadric(quadric);");
         return std::move(text_);
     }
 
   private:
-    static constexpr std::string_view kModeOfCopies = "the mode of copied depths";
-    static constexpr std::string_view kStippleAfterObject = "polygon stipple after a framebuffer object",
-                                      kPointsBeyondViewport = "attenuated points beyond the viewport",
-                                      kMipmapsOfObject = "glGenerateMipmap before a framebuffer object draws";
-    bool shows(std::string_view departure) const { return departure_ == departure; }
+    template <class Rule>
+    bool shows(Rule* rule) const {
+        return departure_.is(rule);
+    }
     void add(std::string_view line) { text_ += fmt::format("{}\n", line); }
     template <class... Arguments>
     void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
@@ -135,9 +138,9 @@ class Builder {
 
     // With numbers of its own, so that the rest of the scene does not depend on it.
     void levels_in_use(const std::string& target, bool has_all) {
-        if (departure_.empty() && anisotropy_.chance(0.05))
+        if (departure_.is_none() && anisotropy_.chance(0.05))
             add("glTexParameterf({}, GL_TEXTURE_MAX_ANISOTROPY_EXT, {:.2f});", target, anisotropy_.uniform(1, 16));
-        if (!shows("level of detail of points") && levels_.chance(0.15))
+        if (!shows(compare::biases_level_of_points) && levels_.chance(0.15))
             add("glTexParameterf({}, GL_TEXTURE_LOD_BIAS, {:.3f});", target, levels_.uniform(-2, 2));
         if (levels_.chance(0.1))
             add("glTexParameterf({0}, GL_TEXTURE_MIN_LOD, {1:.3f}); glTexParameterf({0}, GL_TEXTURE_MAX_LOD, {2:.3f});",
@@ -155,12 +158,12 @@ class Builder {
         const char* format =
             one_of({"GL_ALPHA", "GL_LUMINANCE", "GL_LUMINANCE_ALPHA", "GL_INTENSITY", "GL_RGB", "GL_RGBA", "GL_RGBA"});
         const std::string min =
-            shows("GL_GENERATE_MIPMAP after glPopAttrib")
+            shows(compare::generates_mipmaps_after_pop)
                 ? "GL_LINEAR_MIPMAP_LINEAR"
                 : one_of({"GL_NEAREST", "GL_LINEAR", "GL_NEAREST_MIPMAP_NEAREST", "GL_LINEAR_MIPMAP_NEAREST",
                           "GL_NEAREST_MIPMAP_LINEAR", "GL_LINEAR_MIPMAP_LINEAR"});
         int width = 1 << structure_.below(6), height = flat ? 1 : 1 << structure_.below(6);
-        const bool generates = shows("GL_GENERATE_MIPMAP after glPopAttrib");
+        const bool generates = shows(compare::generates_mipmaps_after_pop);
         if (generates)
             add("glPushAttrib(GL_TEXTURE_BIT); glTexParameteri({}, GL_GENERATE_MIPMAP, GL_TRUE); glPopAttrib();",
                 target);
@@ -184,12 +187,12 @@ class Builder {
         add(base);
         // With two filters of the same kind GL_CLAMP is not skipped as a known bug.
         const bool nearest = min.starts_with("GL_NEAREST");
-        const bool mixed = shows("GL_CLAMP between a nearest and a linear filter") || structure_.chance(0.2);
+        const bool mixed = shows(compare::clamps_between_nearest_and_linear) || structure_.chance(0.2);
         add("glTexParameteri({}, GL_TEXTURE_MIN_FILTER, {});", target, min);
         add("glTexParameteri({}, GL_TEXTURE_MAG_FILTER, {});", target, nearest != mixed ? "GL_NEAREST" : "GL_LINEAR");
         for (const char* axis : {"S", "T"})
             add("glTexParameteri({}, GL_TEXTURE_WRAP_{}, {});", target, axis,
-                shows("GL_CLAMP between a nearest and a linear filter")
+                shows(compare::clamps_between_nearest_and_linear)
                     ? "GL_CLAMP"
                     : one_of({"GL_REPEAT", "GL_REPEAT", "GL_CLAMP", "GL_CLAMP_TO_EDGE", "GL_CLAMP_TO_BORDER",
                               "GL_MIRRORED_REPEAT"}));
@@ -197,7 +200,7 @@ class Builder {
         add("glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, {});",
             one_of({"GL_MODULATE", "GL_MODULATE", "GL_REPLACE", "GL_DECAL", "GL_BLEND", "GL_ADD"}));
         add("glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, {});", vector());
-        if (shows("level of detail of points"))
+        if (shows(compare::biases_level_of_points))
             add("glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, {:.3f});", random_.uniform(1, 3));
         else if (structure_.chance(0.15))
             add("glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, {:.3f});", random_.uniform(-2, 2));
@@ -206,13 +209,13 @@ class Builder {
             add("glMatrixMode(GL_TEXTURE); glTranslatef({:.3f}, {:.3f}, 0); glRotatef({:.1f}, 0, 0, 1);",
                 random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(0, 360));
         add("glEnable({});", target);
-        if (departure_.empty() && generated_.chance(0.2)) generated();
+        if (departure_.is_none() && generated_.chance(0.2)) generated();
     }
 
     // A cube map in place of the texture of unit 0. Its numbers are its own, so that the rest of the scene does not depend on
     // them.
     void cube_map() {
-        const bool repeats = shows("wrap modes of cube maps");
+        const bool repeats = shows(compare::wraps_cube_maps);
         const int size = repeats ? 4 : 1 << cubes_.below(4), filter = repeats ? 1 : cubes_.below(4);
         const char* const formats[] = {"GL_RGB", "GL_RGBA", "GL_LUMINANCE", "GL_ALPHA", "GL_INTENSITY"};
         const char* const wraps[] = {"GL_CLAMP_TO_EDGE", "GL_CLAMP_TO_EDGE", "GL_REPEAT", "GL_MIRRORED_REPEAT"};
@@ -374,7 +377,7 @@ class Builder {
         const char* const modes[] = {"GL_LUMINANCE", "GL_INTENSITY", "GL_ALPHA"};
         const char* const functions[] = {"GL_LEQUAL", "GL_GEQUAL",   "GL_LESS",   "GL_GREATER",
                                          "GL_EQUAL",  "GL_NOTEQUAL", "GL_ALWAYS", "GL_NEVER"};
-        const bool flat = shows("depths in one dimension");
+        const bool flat = shows(compare::compares_depths_in_one_dimension);
         const char* const target = flat ? "GL_TEXTURE_1D" : "GL_TEXTURE_2D";
         const int filter = depths_.below(4), width = 1 + depths_.below(8), height = 1 + depths_.below(8);
         add("glDisable(GL_TEXTURE_1D); glDisable(GL_TEXTURE_2D); glDisable(GL_TEXTURE_3D); "
@@ -389,7 +392,8 @@ class Builder {
         add("glTexParameterfv({}, GL_TEXTURE_BORDER_COLOR, (GLfloat[]){{{:.4f}, 1, 0, 0}});", target,
             depths_.uniform(0, 1));
         const int mode = depths_.below(3);
-        add("glTexParameteri({}, GL_DEPTH_TEXTURE_MODE, {});", target, modes[shows(kModeOfCopies) ? 2 : mode]);
+        add("glTexParameteri({}, GL_DEPTH_TEXTURE_MODE, {});", target,
+            modes[shows(compare::copies_depths_after_mode) ? 2 : mode]);
         if (flat || depths_.chance(0.8))
             add("glTexParameteri({0}, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE); "
                 "glTexParameteri({0}, GL_TEXTURE_COMPARE_FUNC, {1});",
@@ -399,7 +403,7 @@ class Builder {
             add("glTexImage1D(GL_TEXTURE_1D, 0, {}, 2, 0, GL_DEPTH_COMPONENT, GL_FLOAT, (GLfloat[]){{{:.4f}, "
                 "{:.4f}}});",
                 format, depths_.uniform(0, 1), depths_.uniform(0, 1));
-        } else if (depths_.chance(0.5) || shows(kModeOfCopies)) {
+        } else if (depths_.chance(0.5) || shows(compare::copies_depths_after_mode)) {
             add("glEnable(GL_DEPTH_TEST); glDepthMask(GL_TRUE);");
             text_ += batch();
             const int side = 8 + depths_.below(40);
@@ -418,15 +422,15 @@ class Builder {
             depths_.uniform(-0.2, 0.2), depths_.uniform(-0.2, 0.2), depths_.uniform(-0.2, 0.05),
             depths_.uniform(-0.2, 0.4));
         add("glTexGeni(GL_R, GL_TEXTURE_GEN_MODE, GL_EYE_LINEAR); glEnable(GL_TEXTURE_GEN_R); glPopMatrix();");
-        if (shows(kModeOfCopies))
+        if (shows(compare::copies_depths_after_mode))
             add("glDisable(GL_DEPTH_TEST); glDisable(GL_BLEND); glDisable(GL_ALPHA_TEST); glDisable(GL_CULL_FACE); "
                 "glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);");
-        text_ += shows(kModeOfCopies) ? whole_window() : batch();
+        text_ += shows(compare::copies_depths_after_mode) ? whole_window() : batch();
     }
 
     // A picture in a texture, by a framebuffer object, on further primitives; last, as copied().
     void object() {
-        if (shows(kStippleAfterObject))
+        if (shows(compare::stipples_after_framebuffer))
             add("glPolygonStipple((GLubyte[128]){255, 255, 255, 255}); glEnable(GL_POLYGON_STIPPLE); "
                 "glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);");
         const char* const formats[] = {"GL_RGB", "GL_RGBA", "GL_RGB8", "GL_RGBA8"};
@@ -441,7 +445,7 @@ class Builder {
             filters[filter], filters[std::min(filter, 1)]);
         add("glBindFramebuffer(GL_FRAMEBUFFER, 1);");
         add("glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 60, 0);");
-        if (shows(kMipmapsOfObject)) add("glGenerateMipmap(GL_TEXTURE_2D);");
+        if (shows(compare::makes_mipmaps_before_object_draws)) add("glGenerateMipmap(GL_TEXTURE_2D);");
         if (depths > 0) {
             add("glBindRenderbuffer(GL_RENDERBUFFER, 1);");
             add("glRenderbufferStorage(GL_RENDERBUFFER, {}, {}, {});",
@@ -523,21 +527,21 @@ class Builder {
                 generated_.uniform(0.5, 2), generated_.uniform(0.5, 2), generated_.uniform(-1, 1));
     }
 
-    bool reaches_behind() const { return shows("exponential fog on primitives that reach behind the eye"); }
+    bool reaches_behind() const { return shows(compare::has_exponential_fog_behind_the_eye); }
 
     void fog() {
-        add("glEnable(GL_FOG); glFogi(GL_FOG_MODE, {});", reaches_behind() || shows("fog coordinates below 0")
+        add("glEnable(GL_FOG); glFogi(GL_FOG_MODE, {});", reaches_behind() || shows(compare::has_negative_fog_coords)
                                                               ? "GL_EXP"
                                                               : one_of({"GL_LINEAR", "GL_EXP", "GL_EXP2"}));
         add("glFogf(GL_FOG_DENSITY, {:.4f}); glFogfv(GL_FOG_COLOR, {});", random_.uniform(0, 0.3), vector());
         add("glFogf(GL_FOG_START, {:.3f}); glFogf(GL_FOG_END, {:.3f});", random_.uniform(1, 6), random_.uniform(6, 12));
-        fog_coords_ = shows("fog coordinates below 0") || (departure_.empty() && more_.chance(0.3));
+        fog_coords_ = shows(compare::has_negative_fog_coords) || (departure_.is_none() && more_.chance(0.3));
         if (fog_coords_) add("glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);");
     }
 
     void fragment_operations() {
         if (structure_.chance(0.5)) blending();
-        if (departure_.empty()) {
+        if (departure_.is_none()) {
             if (fragments_.chance(0.05)) logic_op();
             if (fragments_.chance(0.05)) polygon_stipple();
             if (fragments_.chance(0.1)) add("glEnable(GL_LINE_SMOOTH);");
@@ -556,7 +560,7 @@ class Builder {
                 structure_.below(2));
     }
 
-    bool of_stencil() const { return shows("two-sided stencil of polygons as lines and points"); }
+    bool of_stencil() const { return shows(compare::has_faces_in_stencil_of_borders); }
 
     // For both faces, or for each.
     void stencil() {
@@ -653,37 +657,38 @@ class Builder {
         for (int i = 0; i < 2; ++i)
             if (structure_.chance(0.15))
                 add("glClipPlane(GL_CLIP_PLANE{0}, (GLdouble[]){{{1}}}); glEnable(GL_CLIP_PLANE{0});", i, four(-1, 1));
-        if (shows("the alpha of smooth points"))
+        if (shows(compare::has_smooth_points))
             add("glEnable(GL_POINT_SMOOTH); glPointSize({:.1f}); glEnable(GL_BLEND);"
                 "glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);",
                 random_.uniform(9, 30));
-        if (shows("clipped polygons as lines and points")) add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);");
-        if (shows("edge flags of strips and fans")) add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);");
-        if (shows("clip planes under a projection without an inverse"))
+        if (shows(compare::draws_borders_of_clipped_polygons)) add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);");
+        if (shows(compare::has_edge_flags_in_strip)) add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);");
+        if (shows(compare::clips_under_singular_projection))
             add("glMatrixMode(GL_PROJECTION); glLoadIdentity(); glScalef(0.1, 0.1, 0); glMatrixMode(GL_MODELVIEW); "
                 "glDisable(GL_DEPTH_TEST); glClipPlane(GL_CLIP_PLANE0, (GLdouble[]){1, 0, 0, 0.2}); "
                 "glEnable(GL_CLIP_PLANE0);");
-        if (shows("polygons as smooth lines")) add("glPolygonMode(GL_BACK, GL_LINE); glEnable(GL_LINE_SMOOTH);");
-        if (shows("an incomplete texture of a higher dimension"))
+        if (shows(compare::has_polygons_as_smooth_lines))
+            add("glPolygonMode(GL_BACK, GL_LINE); glEnable(GL_LINE_SMOOTH);");
+        if (shows(compare::enables_incomplete_texture))
             add("glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, (GLubyte[]){9, 90, 30, "
                 "255});"
                 "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST); glEnable(GL_TEXTURE_2D);"
                 "glBindTexture(GL_TEXTURE_CUBE_MAP, 0); glEnable(GL_TEXTURE_CUBE_MAP);");
-        if (shows("polygon stipple where one face is filled")) {
+        if (shows(compare::stipples_borders)) {
             polygon_stipple();
             add("glPolygonMode(GL_BACK, GL_LINE); glLineWidth(9);");
         }
-        if (shows("polygon offset of one of two polygon modes"))
+        if (shows(compare::offsets_one_of_two_modes))
             add("glPolygonMode(GL_BACK, GL_LINE); glEnable(GL_POLYGON_OFFSET_FILL); glPolygonOffset(0, 4e6);"
                 "glLineWidth(9); glEnable(GL_DEPTH_TEST); glDepthFunc(GL_LESS);");
-        if (shows("polygon offset that leaves the depth range"))
+        if (shows(compare::offsets_out_of_range))
             add("glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 8e6);"
                 "glLineWidth(9); glEnable(GL_DEPTH_TEST); glDepthFunc(GL_LESS);");
-        if (shows("polygon offset of only lines or points"))
+        if (shows(compare::offsets_other_modes_alone))
             add("glDisable(GL_POLYGON_OFFSET_FILL); glEnable(GL_POLYGON_OFFSET_LINE); glPolygonOffset(0, 8e6);"
                 "glEnable(GL_DEPTH_TEST); glDepthFunc(GL_LESS);");
         add("glShadeModel({});", structure_.chance(0.2) ? "GL_FLAT" : "GL_SMOOTH");
-        if (shows("glShadeModel after glPopAttrib in a display list"))
+        if (shows(compare::shades_after_pop_in_list))
             add("glNewList(9, GL_COMPILE); glPushAttrib(GL_LIGHTING_BIT); glShadeModel(GL_FLAT); glPopAttrib();"
                 "glShadeModel(GL_FLAT); glEndList(); glShadeModel(GL_SMOOTH); glCallList(9);");
         if (structure_.chance(0.2))
@@ -701,14 +706,14 @@ class Builder {
     }
 
     bool of_points() const {
-        return shows("size of points by their distance") || shows(kPointsBeyondViewport) || scissors_sprites() ||
-               shows("texture coordinates of other primitives beside point sprites");
+        return shows(compare::attenuates_points_aside) || shows(compare::attenuates_points_in_viewport) ||
+               scissors_sprites() || shows(compare::draws_others_beside_sprites);
     }
-    bool scissors_sprites() const { return shows("point sprites below the scissor box"); }
+    bool scissors_sprites() const { return shows(compare::has_scissored_sprites); }
     // The size of points, and point sprites. Factors of the distance are 0 or would show a known bug.
     void points() {
-        const bool by_distance = shows("size of points by their distance");
-        if (shows(kPointsBeyondViewport))
+        const bool by_distance = shows(compare::attenuates_points_aside);
+        if (shows(compare::attenuates_points_in_viewport))
             add("glViewport(20, 20, 24, 24); glDisable(GL_SCISSOR_TEST); glPointSize(30); "
                 "glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, (GLfloat[]){1.5, 0, 0});");
         if (by_distance || points_.chance(0.15))
@@ -719,7 +724,7 @@ class Builder {
         if (points_.chance(0.15))
             add("glPointParameterf(GL_POINT_SIZE_MIN, {:.2f}); glPointParameterf(GL_POINT_SIZE_MAX, {:.2f});",
                 points_.uniform(0, 10), points_.uniform(10, 25));
-        const bool beside = shows("texture coordinates of other primitives beside point sprites");
+        const bool beside = shows(compare::draws_others_beside_sprites);
         if (!beside && (by_distance || !(scissors_sprites() || points_.chance(0.15)))) return;
         sprites_ = !beside;
         if (scissors_sprites()) add("glPointSize(20); glEnable(GL_SCISSOR_TEST); glScissor(0, 32, 64, 32);");
@@ -735,8 +740,8 @@ class Builder {
         const char* name = i == 0 ? "GL_LIGHT0" : "GL_LIGHT5";
         add("glEnable({});", name);
         add("glLightfv({}, GL_DIFFUSE, {}); glLightfv({}, GL_SPECULAR, {});", name, vector(), name, vector());
-        if (shows("glRect as a quadrilateral") || structure_.chance(0.6)) {
-            const bool positional = shows("glRect as a quadrilateral") || structure_.chance(0.5);
+        if (shows(compare::shows_cut_of_rectangles) || structure_.chance(0.6)) {
+            const bool positional = shows(compare::shows_cut_of_rectangles) || structure_.chance(0.5);
             add("glLightfv({}, GL_POSITION, (GLfloat[]){{{:.3f}, {:.3f}, {:.3f}, {}}});", name, random_.uniform(-3, 3),
                 random_.uniform(-3, 3), random_.uniform(0.5, 3), positional ? 1 : 0);
             if (positional) add("glLightf({}, GL_LINEAR_ATTENUATION, {:.3f});", name, random_.uniform(0, 0.3));
@@ -750,13 +755,13 @@ class Builder {
         add("glEnable(GL_LIGHTING); glEnable(GL_NORMALIZE);");
         light(0);
         if (structure_.chance(0.3)) light(1);
-        const bool separate = shows("the colour sum in fog") || structure_.chance(0.4);
+        const bool separate = shows(compare::adds_secondary_color_in_fog) || structure_.chance(0.4);
         add("glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, {}); glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, {});",
             separate ? "GL_SEPARATE_SPECULAR_COLOR" : "GL_SINGLE_COLOR", structure_.below(2));
         add("glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, {}); glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 8);",
             vector());
         add("glMaterialfv(GL_BACK, GL_EMISSION, {});", vector(0, 0.5));
-        if (shows("the colour sum in fog"))  // the sum exceeds 1
+        if (shows(compare::adds_secondary_color_in_fog))  // the sum exceeds 1
             add("glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, (GLfloat[]){0.9, 0.9, 0.9, 1});"
                 "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 1);");
         if (structure_.chance(0.3))
@@ -771,30 +776,40 @@ class Builder {
         if (sprites_) return anywhere("GL_POINTS");
         projective_ = structure_.chance(0.2);
         materials_ = lit_ && structure_.chance(0.5);
-        const bool of_triangles = shows("polygon offset of one of two polygon modes") ||
-                                  shows("polygon offset that leaves the depth range") ||
-                                  shows("polygon offset of only lines or points") ||
-                                  shows("clipped polygons as lines and points") || shows("the colour sum in fog") ||
-                                  of_stencil() || reaches_behind();
-        if (shows("glRect as a quadrilateral")) return flat("glRectf");
-        if (shows("edge flags of strips and fans")) return anywhere("GL_TRIANGLE_STRIP");
-        if (shows("edge flags in a display list"))
+        const bool of_triangles = shows(compare::offsets_one_of_two_modes) || shows(compare::offsets_out_of_range) ||
+                                  shows(compare::offsets_other_modes_alone) ||
+                                  shows(compare::draws_borders_of_clipped_polygons) ||
+                                  shows(compare::adds_secondary_color_in_fog) || of_stencil() || reaches_behind();
+        if (shows(compare::shows_cut_of_rectangles)) return flat("glRectf");
+        if (shows(compare::has_edge_flags_in_strip)) return anywhere("GL_TRIANGLE_STRIP");
+        if (shows(compare::lists_edge_flags))
             return "glNewList(9, GL_COMPILE); glBegin(GL_TRIANGLE_FAN);\n" + attributes(true, true) +
                    "glVertex3f(0, 0, -2); glEnd(); glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);\n" +
                    anywhere("GL_TRIANGLE_FAN") + "glEndList(); glCallList(9);\n";
-        if (shows("a triangle strip in a display list whose first vertices lack attributes"))
+        if (shows(compare::lists_attributes_after_vertices))
+            return "glNewList(9, GL_COMPILE); glBegin(GL_TRIANGLES); glColor4f(0.9, 0.6, 0.3, 1); glEnd(); "
+                   "glEndList(); "
+                   "glColor4f(0.2, 0.3, 0.9, 1); glCallList(9); glNormal3f(0, 0, 1); "
+                   "glBegin(GL_TRIANGLES); glVertex3f(-30, -30, -5); glVertex3f(30, -30, -5); glVertex3f(0, 40, -5); "
+                   "glEnd();\n";
+        if (shows(compare::executes_listed_loops))
+            return "glNewList(9, GL_COMPILE_AND_EXECUTE); glBegin(GL_LINE_LOOP); glColor4f(0.9, 0.6, 0.3, 1); "
+                   "glVertex3f(0, 0, -5); glColor4f(0.2, 0.3, 0.9, 1); glVertex3f(0.1, 0, -5); glEnd(); glEndList(); "
+                   "glNormal3f(0, 0, 1); glBegin(GL_TRIANGLES); glVertex3f(-30, -30, -5); glVertex3f(30, -30, -5); "
+                   "glVertex3f(0, 40, -5); glEnd();\n";
+        if (shows(compare::lists_strips_with_late_attributes))
             return "glDisable(GL_CULL_FACE); glNewList(9, GL_COMPILE); glBegin(GL_TRIANGLE_STRIP); "
                    "glVertex3f(-30, -30, -5); glColor4f(0.9, 0.6, 0.3, 1); glVertex3f(30, -30, -5); "
                    "glVertex3f(0, 40, -5); glEnd(); glEndList(); glCallList(9);\n";
-        if (shows("stippled line strips in a display list"))
+        if (shows(compare::stipples_listed_strips))
             return "glLineStipple(8, 255); glEnable(GL_LINE_STIPPLE); glNewList(9, GL_COMPILE);\n" +
                    anywhere("GL_LINE_STRIP") + anywhere("GL_LINE_STRIP") + "glEndList(); glCallList(9);\n";
-        if (shows("stippled lines in perspective"))
+        if (shows(compare::stipples_in_perspective))
             return "glLineWidth(9); glLineStipple(4, 0x3333); glEnable(GL_LINE_STIPPLE);\n" + anywhere("GL_LINES");
-        if (shows("level of detail of points") || shows("the alpha of smooth points") ||
-            shows("size of points by their distance") || shows(kPointsBeyondViewport))
+        if (shows(compare::biases_level_of_points) || shows(compare::has_smooth_points) ||
+            shows(compare::attenuates_points_aside) || shows(compare::attenuates_points_in_viewport))
             return anywhere("GL_POINTS");
-        if (shows("a line loop whose first vertex lacks attributes")) return anywhere("GL_LINE_LOOP");
+        if (shows(compare::draws_loops_with_late_attributes)) return anywhere("GL_LINE_LOOP");
         if (of_triangles || structure_.chance(0.55)) return anywhere("GL_TRIANGLES");
         if (structure_.chance(0.5))
             return anywhere(one_of(
@@ -805,14 +820,14 @@ class Builder {
     // A dozen vertices at random places.
     std::string anywhere(const std::string& mode) {
         std::string text = fmt::format("glBegin({});\n", mode);
-        const bool late = shows("a line loop whose first vertex lacks attributes");
+        const bool late = shows(compare::draws_loops_with_late_attributes);
         const bool of_strips = mode == "GL_TRIANGLE_STRIP" || mode == "GL_TRIANGLE_FAN";
-        const bool flags = !of_strips || shows("edge flags of strips and fans");
+        const bool flags = !of_strips || shows(compare::has_edge_flags_in_strip);
         for (int i = 0; i < 12; ++i) {
             if (!late || i > 4) text += attributes(i == 0, flags);
             const double depth = random_.uniform(reaches_behind() ? -5 : 2, 9);
             const double x = random_.uniform(-1, 1) * depth, y = random_.uniform(-1, 1) * depth;
-            if (shows("fog of a vertex whose w is not 1"))
+            if (shows(compare::has_w_in_fog))
                 text += fmt::format("glVertex4f({:.4f}, {:.4f}, {:.4f}, 2);\n", 2 * x, 2 * y, -2 * depth);
             else
                 text += fmt::format("glVertex3f({:.4f}, {:.4f}, {:.4f});\n", x, y, -depth);
@@ -853,7 +868,7 @@ class Builder {
                                 more_values_.uniform(0, 1), more_values_.uniform(0, 1));
         if (fog_coords_)
             text += fmt::format("glFogCoordf({:.4f});\n",
-                                more_values_.uniform(shows("fog coordinates below 0") ? -9 : 0, 14));
+                                more_values_.uniform(shows(compare::has_negative_fog_coords) ? -9 : 0, 14));
         // So near to each other that few texels fall within a pixel: otherwise filters leave the colour open.
         for (const int unit : further_units_)
             text += fmt::format("glMultiTexCoord4f(GL_TEXTURE{}, {:.4f}, {:.4f}, 0, {:.4f});\n", unit,
@@ -861,14 +876,14 @@ class Builder {
                                 projective_ ? unit_values_.uniform(0.5, 2) : 1);
         if (materials_ && (first || random_.chance(0.5)))
             text += fmt::format("glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, {});\n", vector());
-        if (first || (flags && random_.chance(shows("edge flags of strips and fans") ? 0.5 : 0.1)))
+        if (first || (flags && random_.chance(shows(compare::has_edge_flags_in_strip) ? 0.5 : 0.1)))
             text += fmt::format("glEdgeFlag({});\n", first || random_.below(2) ? 1 : 0);
         text += fmt::format("glColor4f({}); glNormal3f({:.3f}, {:.3f}, {:.3f});\n", four(), random_.uniform(-1, 1),
                             random_.uniform(-1, 1), random_.uniform(0.3, 1));
         const double s = random_.uniform(-repeat_, repeat_), t = random_.uniform(-repeat_, repeat_);
-        if (shows("glTexCoord1 to 3 after glTexCoord4") && random_.chance(0.5))
+        if (shows(compare::mixes_tex_coords) && random_.chance(0.5))
             return text + fmt::format("glTexCoord2f({:.4f}, {:.4f});\n", s, t);
-        const double q = projective_ || shows("glTexCoord1 to 3 after glTexCoord4") ? random_.uniform(0.5, 2) : 1;
+        const double q = projective_ || shows(compare::mixes_tex_coords) ? random_.uniform(0.5, 2) : 1;
         return text + fmt::format("glTexCoord4f({:.4f}, {:.4f}, 0, {:.4f});\n", s, t, q);
     }
 
@@ -895,7 +910,7 @@ class Builder {
 
     // A Bezier surface, in front of the eye.
     std::string evaluated() {
-        const bool flat = shows("flat shading of glEvalMesh2");
+        const bool flat = shows(compare::shades_evaluated_meshes_flat);
         std::string text = attributes(true, false);
         if (flat) text += "glDisable(GL_LIGHTING); glShadeModel(GL_FLAT);\n";
         text += fmt::format("glPushMatrix(); glTranslatef(0, 0, {:.3f}); glRotatef({:.2f}, {:.3f}, 1, 0.5);\n",
@@ -950,7 +965,7 @@ class Builder {
     bool secondary_ = false, fog_coords_ = false;  // vertices have secondary colours, fog coordinates
     bool sprites_ = false;                         // everything is points
     std::vector<int> further_units_;               // the numbers of those with a texture
-    std::string_view departure_;
+    ShownBug departure_;
     bool lit_ = false;
     std::string text_;
 };

@@ -15,8 +15,8 @@ namespace twinlight::fuzz {
 namespace {
 
 // The departure with the greatest number for this seed. So a new departure changes only the states that are about it.
-std::string_view chosen_departure(std::uint64_t seed) {
-    std::string_view chosen;
+ShownBug chosen_departure(std::uint64_t seed) {
+    ShownBug chosen;
     std::uint64_t greatest = 0;
     for (const compare::Departure& departure : compare::departures()) {
         std::uint64_t number = seed;
@@ -24,18 +24,22 @@ std::string_view chosen_departure(std::uint64_t seed) {
         number ^= number >> 32;
         if (number < greatest) continue;
         greatest = number;
-        chosen = departure.name;
+        chosen = ShownBug(&departure);
     }
     return chosen;
 }
 
 }  // namespace
 
-std::string_view departure_of(const Seed& seed, Random& structure) {
+ShownBug departure_of(const Seed& seed, Random& structure) {
     const bool about_one = structure.chance(0.1);
     const std::uint64_t which = structure.next();
-    if (!seed.departure.empty()) return seed.departure;
-    return about_one ? chosen_departure(which) : std::string_view();
+    if (!seed.departure.empty()) {
+        const auto& all = compare::departures();
+        const auto found = std::ranges::find(all, seed.departure, &compare::Departure::name);
+        return found == all.end() ? ShownBug() : ShownBug(&*found);
+    }
+    return about_one ? chosen_departure(which) : ShownBug();
 }
 
 namespace {
@@ -52,7 +56,7 @@ class LightingState {
         scale_ = structure_.chance(0.5) ? 1.5 : 0.4;  // 0.4 keeps colours below 1, 1.5 does not
         projection();
         // A light's position is transformed by the modelview matrix at the time of its command (2.14.2).
-        const bool lights_first = chance(0.3) || projects() || shows("a vertex on the edge of a spot's cone");
+        const bool lights_first = chance(0.3) || projects() || shows(compare::is_at_exact_edge_of_cone);
         if (lights_first) lights();
         modelview();
         if (!lights_first) lights();
@@ -78,9 +82,12 @@ class LightingState {
         }
         list_.commands.push_back({id, std::move(arguments), {}});
     }
-    bool shows(std::string_view departure) const { return departure_ == departure; }
-    bool projects() const { return shows("normals under a matrix that projects"); }
-    bool shows_w_0() const { return shows("a vertex whose w is 0 under a directional light"); }
+    template <class Rule>
+    bool shows(Rule* rule) const {
+        return departure_.is(rule);
+    }
+    bool projects() const { return shows(compare::has_normals_in_projection); }
+    bool shows_w_0() const { return shows(compare::has_w_0_under_directional_light); }
 
     // ---- Values ----
     double uniform(double low, double high) { return values_.uniform(low, high); }
@@ -167,11 +174,11 @@ class LightingState {
             load(by_depth, true);
             eye_from_object_ *= by_depth;
         }
-        if (shows("GL_RESCALE_NORMAL under a large scale")) {
+        if (shows(compare::rescales_much)) {
             scaled(glm::dvec3(1e7));
             return add(Id::glEnable, {kGL_RESCALE_NORMAL});
         }
-        if (shows("an overflowing highlight of a long normal")) return scaled(glm::dvec3(0.1));
+        if (shows(compare::has_overflowing_highlight)) return scaled(glm::dvec3(0.1));
         switch (structure_.below(5)) {
             case 0: break;
             case 1:  // 2.11.3: normals keep a length other than 1
@@ -194,21 +201,21 @@ class LightingState {
             add(chance(0.5) ? Id::glLightModeli : Id::glLightModelf, {static_cast<double>(name), on});
         };
         flag(kGL_LIGHT_MODEL_LOCAL_VIEWER, 0.5);
-        const bool of_two_sides =
-            shows("shininess 0 on one side of two") || shows("two-sided colour material only on the back") ||
-            shows("vertex materials that differ between two sides") || shows("glMaterial of two sides after a vertex");
+        const bool of_two_sides = shows(compare::has_shininess_0_on_one_side) ||
+                                  shows(compare::has_color_material_on_back_alone) ||
+                                  shows(compare::sets_sides_apart) || shows(compare::sets_both_sides_after_vertex);
         two_sided_ = of_two_sides;
         flag(kGL_LIGHT_MODEL_TWO_SIDE, of_two_sides ? 1 : 0.5);
-        add(Id::glLightModeli,
-            {kGL_LIGHT_MODEL_COLOR_CONTROL,
-             static_cast<double>(departure_.empty() && chance(0.3) ? kGL_SEPARATE_SPECULAR_COLOR : kGL_SINGLE_COLOR)});
+        add(Id::glLightModeli, {kGL_LIGHT_MODEL_COLOR_CONTROL,
+                                static_cast<double>(departure_.is_none() && chance(0.3) ? kGL_SEPARATE_SPECULAR_COLOR
+                                                                                        : kGL_SINGLE_COLOR)});
     }
 
     void lights() {
         bool any = false;
         for (int i = 0; i < kMaxLights; ++i) {
             const bool last = i == kMaxLights - 1 && !any;
-            if (!chance(0.25) && !(last && !departure_.empty())) continue;
+            if (!chance(0.25) && !(last && !departure_.is_none())) continue;
             light(kGL_LIGHT0 + i);
             any = true;
         }
@@ -216,27 +223,27 @@ class LightingState {
 
     void light(double l) {
         for (const double pname : {kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR}) color(Id::glLightfv, {l, pname});
-        const bool needs_place = shows("a vertex whose w is not 1 under a positional light") ||
-                                 shows("shininess 0 with attenuation or a spot");
-        const bool tiny = shows("a direction whose square does not fit a float");
+        const bool needs_place =
+            shows(compare::has_w_under_positional_light) || shows(compare::has_shininess_0_with_factors);
+        const bool tiny = shows(compare::has_extreme_direction);
         const bool directional = tiny || shows_w_0() || projects() || (!needs_place && chance(0.4));
         const double reach = tiny ? 1e-30 : directional ? 1 : 4;
         add(Id::glLightfv, {l, kGL_POSITION, reach * coordinate(), reach * coordinate(), reach * coordinate(),
                             directional ? 0 : uniform(0.5, 2)});
-        if (shows("a vertex on the edge of a spot's cone")) {
+        if (shows(compare::is_at_exact_edge_of_cone)) {
             // Every vertex is on the axis or at 90 degrees from it.
             add(Id::glLightfv, {l, kGL_POSITION, 0, 0, 1, 0});
             const bool narrow = chance(0.5);
             add(Id::glLightfv, {l, kGL_SPOT_DIRECTION, narrow ? 0.0 : 1.0, 0, narrow ? -1.0 : 0.0});
             add(Id::glLightf, {l, kGL_SPOT_CUTOFF, narrow ? 0.0 : 90.0});
-        } else if (!shows("shininess 0 on one side of two") && chance(0.4)) {
+        } else if (!shows(compare::has_shininess_0_on_one_side) && chance(0.4)) {
             const glm::dvec3 d = direction();
             add(Id::glLightfv, {l, kGL_SPOT_DIRECTION, d.x, d.y, d.z});
             add(Id::glLightf, {l, kGL_SPOT_CUTOFF, uniform(20, 89)});
             add(Id::glLightf, {l, kGL_SPOT_EXPONENT, chance(0.3) ? 0 : uniform(0.5, 40)});
         }
-        const bool factors = shows("shininess 0 with attenuation or a spot");
-        if (!shows("shininess 0 on one side of two") && chance(factors ? 1 : 0.5)) {
+        const bool factors = shows(compare::has_shininess_0_with_factors);
+        if (!shows(compare::has_shininess_0_on_one_side) && chance(factors ? 1 : 0.5)) {
             add(Id::glLightf, {l, kGL_CONSTANT_ATTENUATION, uniform(0.2, 2)});
             add(Id::glLightf, {l, kGL_LINEAR_ATTENUATION, uniform(0, 1)});
             add(Id::glLightf, {l, kGL_QUADRATIC_ATTENUATION, uniform(0, 0.5)});
@@ -245,9 +252,9 @@ class LightingState {
     }
 
     double shininess(bool front) {
-        if (shows("shininess 0 with attenuation or a spot")) return 0;
-        if (shows("shininess 0 on one side of two")) return front ? 0 : 5;
-        if (shows("an overflowing highlight of a long normal")) return 128;
+        if (shows(compare::has_shininess_0_with_factors)) return 0;
+        if (shows(compare::has_shininess_0_on_one_side)) return front ? 0 : 5;
+        if (shows(compare::has_overflowing_highlight)) return 128;
         // 0 is rare, because drivers have known bugs there.
         const double any = uniform(0.5, 128);
         const double choices[] = {1, 2, 5, 32, 64, 128, any, any, any, any};
@@ -258,27 +265,24 @@ class LightingState {
     void materials() {
         for (const double face : {kGL_FRONT, kGL_BACK}) {
             for (const double pname : {kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_EMISSION}) {
-                if (pname == kGL_SPECULAR && shows("an overflowing highlight of a long normal"))
+                if (pname == kGL_SPECULAR && shows(compare::has_overflowing_highlight))
                     add(Id::glMaterialfv, {face, pname, 0, 0, 0, 1});
                 else
                     color(Id::glMaterialfv, {face, pname});
             }
             add(Id::glMaterialf, {face, kGL_SHININESS, shininess(face == kGL_FRONT)});
         }
-        static constexpr std::string_view kOfColorMaterial[] = {"glMaterial before glEnable(GL_COLOR_MATERIAL)",
-                                                                "two-sided colour material only on the back",
-                                                                "glColor before a new glColorMaterial",
-                                                                "colour material after glPopAttrib",
-                                                                "glColor3 after glColor4",
-                                                                "glMaterial, a tracked glColor, glNewList"};
-        const bool about = std::ranges::find(kOfColorMaterial, departure_) != std::end(kOfColorMaterial);
+        const bool about =
+            departure_.is_any(compare::sets_material_before_tracking, compare::has_color_material_on_back_alone,
+                              compare::sets_color_before_new_mode, compare::restores_tracked_color,
+                              compare::mixes_glcolor3_and_4, compare::tracks_color_before_list);
         if (!about && !chance(0.4)) return;
         const auto mode = [&] {
             return one_of({kGL_EMISSION, kGL_AMBIENT, kGL_DIFFUSE, kGL_SPECULAR, kGL_AMBIENT_AND_DIFFUSE});
         };
         double face = one_of({kGL_FRONT, kGL_FRONT_AND_BACK});
-        if (shows("two-sided colour material only on the back")) face = kGL_BACK;
-        if (shows("glColor before a new glColorMaterial")) {
+        if (shows(compare::has_color_material_on_back_alone)) face = kGL_BACK;
+        if (shows(compare::sets_color_before_new_mode)) {
             add(Id::glColorMaterial, {face, kGL_AMBIENT});
             add(Id::glEnable, {kGL_COLOR_MATERIAL});
             vertex_color();
@@ -287,13 +291,13 @@ class LightingState {
             vertex_color();
             add(Id::glColorMaterial, {face, kGL_DIFFUSE});
         } else {
-            const bool of_alpha = shows("glColor3 after glColor4");  // only the diffuse material shows alpha
+            const bool of_alpha = shows(compare::mixes_glcolor3_and_4);  // only the diffuse material shows alpha
             add(Id::glColorMaterial, {face, static_cast<double>(of_alpha ? kGL_DIFFUSE : mode())});
             add(Id::glEnable, {kGL_COLOR_MATERIAL});
         }
-        keep_color_ = shows("glMaterial before glEnable(GL_COLOR_MATERIAL)");
+        keep_color_ = shows(compare::sets_material_before_tracking);
         if (!keep_color_) vertex_color();
-        if (shows("glMaterial, a tracked glColor, glNewList")) {
+        if (shows(compare::tracks_color_before_list)) {
             add(Id::glNewList, {1, kGL_COMPILE});
             add(Id::glEndList);
             keep_color_ = true;
@@ -315,22 +319,22 @@ class LightingState {
 
     // Known bugs of glPushAttrib and glPopAttrib.
     void about_stacks() {
-        if (shows("glMaterial right before glPopAttrib")) {
+        if (shows(compare::sets_material_before_pop)) {
             add(Id::glPushAttrib, {kGL_LIGHTING_BIT});
             add(Id::glShadeModel, {kGL_FLAT});
             color(Id::glMaterialfv, {kGL_FRONT_AND_BACK, kGL_EMISSION});
             add(Id::glPopAttrib);
-        } else if (shows("lights after glPopAttrib of GL_ENABLE_BIT")) {
+        } else if (shows(compare::switches_lights_before_pop)) {
             add(Id::glPushAttrib, {kGL_ENABLE_BIT});
             for (int i = 0; i < kMaxLights; ++i) add(Id::glDisable, {static_cast<double>(kGL_LIGHT0) + i});
             add(Id::glPopAttrib);
-        } else if (shows("glColor3 after glColor4")) {
+        } else if (shows(compare::mixes_glcolor3_and_4)) {
             // The last colour stays current.
             color_form_ = 0;
             draw_elsewhere({0, 1});
             draw_elsewhere({1, 0, 1});
             keep_color_ = true;
-        } else if (shows("colour material after glPopAttrib")) {
+        } else if (shows(compare::restores_tracked_color)) {
             // Something is drawn in between, so that the driver copies the colour into the material.
             add(Id::glPushAttrib, {kGL_CURRENT_BIT});
             vertex_color();
@@ -361,8 +365,7 @@ class LightingState {
     }
 
     void vertex_normal() {
-        const glm::dvec3 n =
-            direction() * (shows("a direction whose square does not fit a float") && chance(0.5) ? 1e25 : 1.0);
+        const glm::dvec3 n = direction() * (shows(compare::has_extreme_direction) && chance(0.5) ? 1e25 : 1.0);
         switch (normal_form_) {
             case 0: return add(Id::glNormal3b, {std::round(127 * n.x), std::round(127 * n.y), std::round(127 * n.z)});
             case 1:
@@ -374,7 +377,7 @@ class LightingState {
 
     // The first vertex sets every material that a later vertex sets: see "glMaterial of two sides after a vertex".
     void vertex_material(bool is_first) {
-        const bool is_late = shows("glMaterial of two sides after a vertex");
+        const bool is_late = shows(compare::sets_both_sides_after_vertex);
         for (const auto& [face, pname] : vertex_materials_) {
             if (is_first == is_late || (!is_first && values_.chance(0.4))) continue;
             if (pname == kGL_SHININESS)
@@ -385,9 +388,9 @@ class LightingState {
     }
 
     void choose_vertex_materials() {
-        const bool of_back = shows("vertex materials that differ between two sides");
-        const bool of_both = shows("glMaterial of two sides after a vertex");
-        const bool of_another = !departure_.empty();
+        const bool of_back = shows(compare::sets_sides_apart);
+        const bool of_both = shows(compare::sets_both_sides_after_vertex);
+        const bool of_another = !departure_.is_none();
         if (!of_back && !of_both && (of_another || !chance(0.25))) return;
         for (int i = structure_.below(3); i >= 0; --i) {
             const Enum face = of_back   ? kGL_BACK
@@ -412,7 +415,7 @@ class LightingState {
             const glm::dvec3 direction = glm::inverse(glm::dmat3(eye_from_object_)) * glm::dvec3(eye);
             return add(Id::glVertex4f, {direction.x, direction.y, direction.z, 0});
         }
-        const double w_object = shows("a vertex whose w is not 1 under a positional light") ? uniform(1.5, 3) : 1;
+        const double w_object = shows(compare::has_w_under_positional_light) ? uniform(1.5, 3) : 1;
         const std::vector<double> v{object.x * w_object, object.y * w_object, object.z * w_object, w_object};
         if (w_object != 1) return add(Id::glVertex4f, v);
         switch (position_form_) {
@@ -441,7 +444,7 @@ class LightingState {
     }
 
     Random structure_, values_;
-    std::string_view departure_;
+    ShownBug departure_;
     CommandList list_;
     double scale_ = 1;
     glm::dmat4 clip_from_eye_{1}, eye_from_object_{1};

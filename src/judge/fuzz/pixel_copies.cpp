@@ -10,18 +10,15 @@ namespace twinlight::fuzz {
 
 namespace {
 
-constexpr std::string_view kWithoutZoom = "glCopyPixels without zoom", kDepthColors = "the colour of copied depths",
-                           kDepthTransfer = "glPixelTransfer of copied depths",
-                           kStencilTransfer = "glPixelTransfer of stencil values";
-
 class PixelCopy {
   public:
-    PixelCopy(Random& random, std::string_view departure) : random_(random), departure_(departure) {}
+    PixelCopy(Random& random, const ShownBug& departure) : random_(random), departure_(departure) {}
 
     std::string text() {
         state();
-        const bool of_depths = departure_.empty() ? random_.chance(0.35) : !shows(kWithoutZoom);
-        const int copies = departure_.empty() ? 1 + random_.below(2) : 1;
+        const bool of_depths =
+            departure_.is_none() ? random_.chance(0.35) : !shows(compare::copies_pixels_without_zoom);
+        const int copies = departure_.is_none() ? 1 + random_.below(2) : 1;
         for (int i = 0; i < copies; ++i) of_depths ? depths() : colors();
         add("glPixelZoom(1, 1);");
         for (const char* channel : {"RED", "GREEN", "BLUE", "ALPHA", "DEPTH"})
@@ -30,7 +27,10 @@ class PixelCopy {
     }
 
   private:
-    bool shows(std::string_view departure) const { return departure_ == departure; }
+    template <class Rule>
+    bool shows(Rule* rule) const {
+        return departure_.is(rule);
+    }
     template <class... Arguments>
     void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
         text_ += fmt::format(format, std::forward<Arguments>(arguments)...) + '\n';
@@ -48,8 +48,8 @@ class PixelCopy {
                 unit);
         add("glPixelTransferi(GL_MAP_COLOR, 0); glPixelTransferf(GL_RED_SCALE, 1); glPixelTransferf(GL_ALPHA_BIAS, "
             "0);");
-        if (!departure_.empty() || random_.chance(0.9)) add("glDisable(GL_FOG);");
-        if (departure_.empty()) return;
+        if (!departure_.is_none() || random_.chance(0.9)) add("glDisable(GL_FOG);");
+        if (departure_.is_none()) return;
         add("glDisable(GL_DEPTH_TEST); glDisable(GL_ALPHA_TEST); glDisable(GL_STENCIL_TEST); glDisable(GL_BLEND); "
             "glDisable(GL_SCISSOR_TEST); glDisable(GL_LIGHTING); glDisable(GL_COLOR_LOGIC_OP); glColorMask(1, 1, 1, "
             "1);");
@@ -62,7 +62,7 @@ class PixelCopy {
             return random_.chance(0.2) ? -size : size;
         };
         const int across = zoom(), up = zoom();
-        if (shows(kWithoutZoom))
+        if (shows(compare::copies_pixels_without_zoom))
             add("glPixelZoom(1, 1);");
         else
             add("glPixelZoom({}, {});", across, up);
@@ -80,7 +80,7 @@ class PixelCopy {
             for (const char* channel : {"RED", "GREEN", "BLUE", "ALPHA"})
                 add("glPixelTransferf(GL_{0}_SCALE, {1:.3f}); glPixelTransferf(GL_{0}_BIAS, {2:.3f});", channel,
                     random_.uniform(-1, 2), random_.uniform(-0.5, 0.5));
-        if (shows(kWithoutZoom)) {
+        if (shows(compare::copies_pixels_without_zoom)) {
             add("glPixelTransferf(GL_RED_SCALE, 1); glPixelTransferf(GL_RED_BIAS, 0); glPixelTransferf(GL_GREEN_SCALE, "
                 "1); glPixelTransferf(GL_GREEN_BIAS, 0); glPixelTransferf(GL_BLUE_SCALE, 1); "
                 "glPixelTransferf(GL_BLUE_BIAS, 0); glPixelTransferf(GL_ALPHA_SCALE, 1); "
@@ -93,16 +93,16 @@ class PixelCopy {
     // A triangle shows the depths afterwards.
     void depths() {
         add("glEnable(GL_DEPTH_TEST); glDepthMask(1); glDepthFunc({}); glDisable(GL_ALPHA_TEST);",
-            !departure_.empty() || random_.chance(0.6) ? "GL_ALWAYS" : "GL_LESS");
-        if (!shows(kDepthColors)) add("glColorMask(0, 0, 0, 0);");
-        if (shows(kDepthTransfer))
+            !departure_.is_none() || random_.chance(0.6) ? "GL_ALWAYS" : "GL_LESS");
+        if (!shows(compare::draws_colors_of_copied_depths)) add("glColorMask(0, 0, 0, 0);");
+        if (shows(compare::transfers_copied_depths))
             add("glPixelTransferf(GL_DEPTH_SCALE, {:.3f}); glPixelTransferf(GL_DEPTH_BIAS, {:.3f});",
                 random_.uniform(0.1, 0.5), random_.uniform(0, 0.2));
         add("{}", color());
         position();
-        if (shows(kDepthColors)) add("{}", color());
+        if (shows(compare::draws_colors_of_copied_depths)) add("{}", color());
         copy("GL_DEPTH");
-        if (shows(kDepthColors)) return;
+        if (shows(compare::draws_colors_of_copied_depths)) return;
         const double near = random_.uniform(1.2, 4), far = random_.uniform(4, 9.8);
         add("glColorMask(1, 1, 1, 1); glDepthFunc(GL_LESS); glDisable(GL_LIGHTING); glDisable(GL_CULL_FACE);");
         add("glMatrixMode(GL_MODELVIEW); glPushMatrix(); glLoadIdentity(); glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);");
@@ -116,15 +116,16 @@ class PixelCopy {
     std::string stencil_text() {
         add("glPushAttrib(GL_ENABLE_BIT | GL_POLYGON_BIT | GL_CURRENT_BIT | GL_STENCIL_BUFFER_BIT);");
         state();
-        if (departure_.empty() && random_.chance(0.5)) add("glStencilMask({});", random_.below(256));
-        const bool has_scissor = departure_.empty() && random_.chance(0.3);
+        if (departure_.is_none() && random_.chance(0.5)) add("glStencilMask({});", random_.below(256));
+        const bool has_scissor = departure_.is_none() && random_.chance(0.3);
         if (has_scissor)
             add("glEnable(GL_SCISSOR_TEST); glScissor({}, {}, {}, {});", random_.below(32), random_.below(32),
                 8 + random_.below(40), 8 + random_.below(40));
-        if (shows(kStencilTransfer)) add("glPixelTransferi(GL_INDEX_OFFSET, {});", 1 + random_.below(3));
-        if (departure_.empty() && random_.chance(0.5))
+        if (shows(compare::transfers_stencil_values))
+            add("glPixelTransferi(GL_INDEX_OFFSET, {});", 1 + random_.below(3));
+        if (departure_.is_none() && random_.chance(0.5))
             add("glClearStencil({}); glClear(GL_STENCIL_BUFFER_BIT);", random_.below(4));
-        for (int i = departure_.empty() ? 1 + random_.below(3) : 1; i > 0; --i) {
+        for (int i = departure_.is_none() ? 1 + random_.below(3) : 1; i > 0; --i) {
             position();
             if (random_.chance(0.4))
                 add("glDrawPixels(2, 2, GL_STENCIL_INDEX, GL_UNSIGNED_INT, (GLuint[]){{{}, {}, {}, {}}});",
@@ -149,22 +150,23 @@ class PixelCopy {
 
   private:
     Random& random_;
-    std::string_view departure_;
+    ShownBug departure_;
     std::string text_;
 };
 
 }  // namespace
 
-bool is_of_pixel_copies(std::string_view departure) {
-    return departure == kWithoutZoom || departure == kDepthColors || departure == kDepthTransfer;
+bool is_of_pixel_copies(const ShownBug& departure) {
+    return departure.is(compare::copies_pixels_without_zoom) || departure.is(compare::draws_colors_of_copied_depths) ||
+           departure.is(compare::transfers_copied_depths);
 }
 
-bool is_of_stencil_pixels(std::string_view departure) { return departure == kStencilTransfer; }
+bool is_of_stencil_pixels(const ShownBug& departure) { return departure.is(compare::transfers_stencil_values); }
 
-std::string stencil_pixels(Random& random, std::string_view departure) {
+std::string stencil_pixels(Random& random, const ShownBug& departure) {
     return PixelCopy(random, departure).stencil_text();
 }
 
-std::string pixel_copy(Random& random, std::string_view departure) { return PixelCopy(random, departure).text(); }
+std::string pixel_copy(Random& random, const ShownBug& departure) { return PixelCopy(random, departure).text(); }
 
 }  // namespace twinlight::fuzz

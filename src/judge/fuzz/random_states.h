@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "judge/compare/departure_rules.h"
 #include "judge/fuzz/random.h"
 #include "scene/command/command.h"
 
@@ -20,8 +21,25 @@ struct Seed {
     std::string_view departure{};
 };
 
-// The known bug that the scene is meant to show; empty: none.
-std::string_view departure_of(const Seed& seed, Random& structure);
+// The known bug that a scene is meant to show, or none.
+class ShownBug {
+  public:
+    explicit ShownBug(const compare::Departure* departure = nullptr) : departure_(departure) {}
+
+    bool is_none() const { return !departure_; }
+    // Whether it is that of this rule (departure_rules.h): each bug has a rule of its own.
+    bool is(compare::MakeCommandRule* rule) const { return departure_ && departure_->command_rule == rule; }
+    bool is(compare::DrawRule* rule) const { return departure_ && departure_->draw_rule == rule; }
+    bool is(compare::VertexRule* rule) const { return departure_ && departure_->vertex_rule == rule; }
+    template <class... Rules>
+    bool is_any(Rules*... rules) const {
+        return (is(rules) || ...);
+    }
+
+  private:
+    const compare::Departure* departure_;
+};
+ShownBug departure_of(const Seed& seed, Random& structure);
 
 // A scene that varies everything in the equation of 2.14.1: random lights, materials, light model, colour material,
 // matrices, normals and colours. One primitive with three vertices in different corners of the view. Values are of
@@ -38,15 +56,15 @@ CommandList fragment_state(const Seed& seed);
 
 // The text of bitmaps or a pixel rectangle, and their state, at the end of a scene. is_of_labels(): whether they are likely to
 // show this known bug.
-std::string label(Random& random, std::string_view departure);
-bool is_of_labels(std::string_view departure);
+std::string label(Random& random, const ShownBug& departure);
+bool is_of_labels(const ShownBug& departure);
 
 // The same for glCopyPixels.
-std::string pixel_copy(Random& random, std::string_view departure);
-bool is_of_pixel_copies(std::string_view departure);
+std::string pixel_copy(Random& random, const ShownBug& departure);
+bool is_of_pixel_copies(const ShownBug& departure);
 // The same for stencil values of glDrawPixels and glCopyPixels.
-std::string stencil_pixels(Random& random, std::string_view departure);
-bool is_of_stencil_pixels(std::string_view departure);
+std::string stencil_pixels(Random& random, const ShownBug& departure);
+bool is_of_stencil_pixels(const ShownBug& departure);
 
 // The same scene, rewritten with display lists, vertex arrays, attribute stacks and matrix stacks. The picture must not
 // change.
