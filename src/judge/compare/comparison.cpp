@@ -113,6 +113,30 @@ Render render(const PlannedRender& planned, const Scene& scene, const CompareOpt
     return result;
 }
 
+// The reference's picture in the cuts that are nearest to `image`, pixel by pixel.
+Image nearest_cut(const Image& image, const Render& reference, const AllowedDifference& allowed) {
+    if (!reference.other_cut) return reference.image;
+    return nearer_of(image, reference.image, *reference.other_cut, allowed.channels());
+}
+
+// The same, also with some Draws' quadrilaterals cut one way and some the other. A driver may choose for each: llvmpipe cuts strips and
+// borders in ways of their own. Nothing if that is no choice, or if more Draws have quadrilaterals than are tried.
+std::optional<Image> nearest_mix(const Image& image, Image nearest, const Frame& frame, const Look& look,
+                                 const AllowedDifference& allowed, const Renderers& renderers) {
+    constexpr std::size_t kMostDraws = 4;
+    const std::vector<std::size_t> numbers = reference::draws_of_quadrilaterals(frame);
+    if (numbers.size() < 2 || numbers.size() > kMostDraws) return std::nullopt;
+    const Image channels = allowed.channels();
+    // All but those in which all are cut alike.
+    for (unsigned mix = 1; mix + 1 < 1U << numbers.size(); ++mix) {
+        reference::Options options{look};
+        options.cut_otherwise.resize(numbers.back() + 1);
+        for (std::size_t i = 0; i < numbers.size(); ++i) options.cut_otherwise[numbers[i]] = (mix >> i & 1U) != 0;
+        nearest = nearer_of(image, nearest, renderers.reference(frame, options), channels);
+    }
+    return nearest;
+}
+
 // Draws what Comparison::changed_by_missing needs.
 PixelMask changed_by_missing(const Scene& scene, const Render& fixed, const CompareOptions& options,
                              const Renderers& renderers) {
@@ -164,9 +188,8 @@ Causes causes_of(const Comparison& comparison, const Scene& scene, const std::ve
                  const Renderers& renderers) {
     const Render &fixed = comparison.renders.front(), &right = comparison.renders[kReference];
     const auto is_right = [&](const Image& image) {
-        if (!right.other_cut) return is_within(difference(image, right.image, allowed), comparison.tolerance);
-        const Image nearer = nearer_of(image, right.image, *right.other_cut, comparison.allowed.channels());
-        return is_within(difference(image, nearer, allowed), comparison.tolerance);
+        return is_within(difference(image, nearest_cut(image, right, comparison.allowed), allowed),
+                         comparison.tolerance);
     };
     const Look look = look_of(false, options);
     return find_causes(scene, known,
@@ -187,10 +210,7 @@ void add_refused(std::vector<Unsupported>& unsupported, const Frame& frame, cons
 
 }  // namespace
 
-Image Comparison::counterpart(const Pair& pair) const {
-    return b(pair).other_cut ? nearer_of(a(pair).image, b(pair).image, *b(pair).other_cut, allowed.channels())
-                             : b(pair).image;
-}
+Image Comparison::counterpart(const Pair& pair) const { return nearest_cut(a(pair).image, b(pair), allowed); }
 
 Comparison compare_scene(const Scene& scene, const CompareOptions& options, const Renderers& renderers) {
     constexpr int kSteps = static_cast<int>(kRenders.size()) + 2;
@@ -258,10 +278,18 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
         const AllowedDifference& allowed = is_of_drivers(planned) ? of_drivers
                                            : planned.phong        ? of_phong
                                                                   : result.allowed;
-        const Image counterpart = result.counterpart(pair);
+        Image counterpart = result.counterpart(pair);
         std::optional<AllowedDifference> changed = with_plans(
             allowed, result.a(pair), result.b(pair), result.renders[planned.phong ? kReferencePhong : kReference]);
         pair.difference = difference(result.a(pair).image, counterpart, changed ? *changed : allowed);
+        if (planned.judged && result.b(pair).other_cut && !is_within(pair.difference, result.tolerance)) {
+            pair.counterpart = nearest_mix(result.a(pair).image, counterpart, frame, look_of(planned.phong, options),
+                                           result.allowed, renderers);
+            if (pair.counterpart) {
+                counterpart = *pair.counterpart;
+                pair.difference = difference(result.a(pair).image, counterpart, changed ? *changed : allowed);
+            }
+        }
         if (planned.judged && !result.changed_by_missing.empty() && differ_in_missing(result, pair)) {
             if (!changed) changed = allowed;
             for (std::size_t i = 0; i < changed->edge.size(); ++i) {

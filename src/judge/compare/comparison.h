@@ -61,6 +61,8 @@ struct Pair {
     Judged judged;
     Verdict verdict = Verdict::kInformative;
     int factor = 1;  // amplification of the difference picture
+    // What a is compared with, if that is no picture of b alone: with some Draws' quadrilaterals split one way and some the other.
+    std::optional<Image> counterpart{};
 };
 
 // A warning of the linter about the scene.

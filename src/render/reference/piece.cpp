@@ -370,7 +370,7 @@ void add_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<St
     if (draw.pixels) return add_pixels(draw, draw_index, options.in_clip_plane, pieces, ranges);
     if (draw.raster.viewport.width <= 0 || draw.raster.viewport.height <= 0) return;
     PieceMaker maker(draw, draw_index, vertices, options.in_clip_plane, pieces);
-    for (const Primitive& primitive : assemble(draw, options.quad_cut)) maker.add(primitive);
+    for (const Primitive& primitive : assemble(draw, options.cut_of(draw_index))) maker.add(primitive);
 }
 
 int stipple_count(const Piece& line, int x, int y) {

@@ -59,6 +59,14 @@ bool has_quadrilaterals(const Frame& frame) {
     return std::ranges::any_of(frame.draws(), [](const Draw* draw) { return is_quadrilaterals(*draw); });
 }
 
+std::vector<std::size_t> draws_of_quadrilaterals(const Frame& frame) {
+    const std::vector<const Draw*> draws = frame.draws();
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < draws.size(); ++i)
+        if (is_quadrilaterals(*draws[i])) numbers.push_back(i);
+    return numbers;
+}
+
 std::vector<Primitive> assemble(const Draw& draw, QuadCut cut) {
     const std::size_t n = draw.count();
     Assembler out(draw, cut);

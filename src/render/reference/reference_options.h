@@ -1,7 +1,9 @@
 // The options of the reference renderer.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "base/math/arithmetic.h"
 #include "render/look.h"
@@ -14,6 +16,8 @@ namespace twinlight::reference {
 enum class QuadCut : std::uint8_t { kFirstToThird, kSecondToFourth };  // corners in their order around it
 // Whether the cut matters.
 bool has_quadrilaterals(const Frame& frame);
+// The numbers of the Draws (Frame::draws()) for which it does.
+std::vector<std::size_t> draws_of_quadrilaterals(const Frame& frame);
 
 // What of a primitive that lies in a plane of glClipPlane, or nearly in one of the view volume, is drawn. 2.12 keeps it, but only rounding decides whether its computed
 // positions are in the plane, beside it or beyond it.
@@ -35,7 +39,13 @@ struct Options : Look {
     // a polygon's border may be off.
     double snap = kSnap;
     double border = kSnap;
+    // The Draws, by their numbers, that are cut the other way; the numbers beyond are not.
+    std::vector<bool> cut_otherwise{};
 
+    QuadCut cut_of(std::size_t draw) const {
+        const bool other = draw < cut_otherwise.size() && cut_otherwise[draw];
+        return other == (quad_cut == QuadCut::kFirstToThird) ? QuadCut::kSecondToFourth : QuadCut::kFirstToThird;
+    }
     friend bool operator==(const Options&, const Options&) = default;
 };
 

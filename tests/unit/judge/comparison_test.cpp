@@ -21,6 +21,7 @@
 #include "judge/compare/missing.h"
 #include "judge/report/report.h"
 #include "judge/report/words.h"
+#include "render/reference/reference.h"
 #include "scene/command/command.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
@@ -782,6 +783,60 @@ TEST(Comparison, TakesTheBoundOfThePlansForAllowed) {
     stub.programmable = stub.reference = 128.3F / 255;
     stub.fixed = 129.0F / 255;
     EXPECT_EQ(compared(0.5 / 255).verdict(), Verdict::kBeyond);
+}
+
+// Two quadrilaterals whose alpha is 1 at two corners that face each other, blended over each other. Between the diagonals either cut has
+// a colour of its own, so each Draw must have its own choice.
+Scene two_quadrilaterals() {
+    const std::string quad =
+        "glBegin(GL_QUADS); glColor4f(1, 0, 0, 1); glVertex2f(-1, -1); glColor4f(0, 0, 1, 0); "
+        "glVertex2f(1, -1); glColor4f(1, 0, 0, 1); glVertex2f(1, 1); glColor4f(0, 0, 1, 0); "
+        "glVertex2f(-1, 1); glEnd(); ";
+    return make_scene(std::make_shared<CommandList>(
+                          read_scene("glEnable(GL_BLEND); glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA); " + quad +
+                                         "glRotatef(20, 0, 0, 1); " + quad,
+                                     "scene.gl", "scene")),
+                      {.width = 32, .height = 32});
+}
+
+Renderers renderers_of(const Image& drawn) {
+    return {.fixed = [&](const Scene&, const fixed::Options&) { return drawn; },
+            .programmable =
+                [&](const Frame&, const programmable::Options&) {
+                    return programmable::Picture{drawn, {}};
+                },
+            .reference = [](const Frame& frame,
+                            const reference::Options& options) { return reference::render(frame, options); },
+            .allowed_difference =
+                [](const Frame& frame, const reference::Options& options) {
+                    return reference::allowed_difference(frame, options);
+                }};
+}
+
+TEST(Comparison, ADriverMayCutEachDrawsQuadrilateralsItsOwnWay) {
+    const Scene scene = two_quadrilaterals();
+    for (const bool first : {false, true})
+        for (const bool second : {false, true}) {
+            reference::Options options{{.lecture_variants = false}};
+            options.cut_otherwise = {first, second};
+            const Image drawn = reference::render(scene.frame, options);
+            const Comparison comparison =
+                compare_scene(scene, {.driver = "a driver", .per_vertex_only = true}, renderers_of(drawn));
+            EXPECT_EQ(comparison.verdict(), Verdict::kWithin) << first << second;
+            EXPECT_EQ(comparison.pairs[1].counterpart.has_value(), first != second);
+        }
+}
+
+TEST(Comparison, OtherColoursAreNoCut) {
+    const Scene scene = two_quadrilaterals();
+    reference::Options options{{.lecture_variants = false}};
+    options.cut_otherwise = {true, false};
+    Image drawn = reference::render(scene.frame, options);
+    for (int y = 10; y < 20; ++y)
+        for (int x = 10; x < 20; ++x) drawn.at(x, y)[1] = 0.1F;  // nothing is green
+    const Comparison comparison =
+        compare_scene(scene, {.driver = "a driver", .per_vertex_only = true}, renderers_of(drawn));
+    EXPECT_EQ(comparison.verdict(), Verdict::kBeyond);
 }
 
 }  // namespace
