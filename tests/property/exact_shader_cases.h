@@ -45,7 +45,7 @@ inline double apart(const Rgba& a, const Rgba& b) {
 inline Frame shifted(Frame frame, double x, double y) {
     for (auto& item : frame.items)
         if (Draw* draw = std::get_if<Draw>(&item)) {
-            const Viewport& viewport = draw->raster.viewport;
+            const Rectangle& viewport = draw->raster.viewport;
             draw->clip_from_eye = glm::translate(glm::dmat4(1), {2 * x / viewport.width, 2 * y / viewport.height, 0}) *
                                   draw->clip_from_eye;
         }

@@ -269,7 +269,9 @@ TEST(Layers, AreDividedAsTheDocsShow) {
         files[path.substr(4)].insert(entry.path().stem());
     }
     for (const auto& [name, count] : counts)
-        if (count > kLarge) EXPECT_EQ(listed[name], files[name]) << name << " is divided differently, or not at all";
+        if (count > kLarge) {
+            EXPECT_EQ(listed[name], files[name]) << name << " is divided differently, or not at all";
+        }
     for (const auto& [name, parts] : listed) EXPECT_GT(counts[name], kLarge) << name << " is not large";
 }
 

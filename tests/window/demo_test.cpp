@@ -252,7 +252,7 @@ class DemoWindow : public testing::Test {
         return reference::render(session.scene.frame, options);
     }
 
-    static Image part_of(const Image& image, const Box& box) {
+    static Image part_of(const Image& image, const Rectangle& box) {
         Image part(box.width, box.height);
         for (int y = 0; y < box.height; ++y)
             for (int x = 0; x < box.width; ++x) part.at(x, y) = image.at(box.x + x, box.y + y);
@@ -310,7 +310,7 @@ TEST_F(DemoWindow, ShowsTheFixedFunctionBesideLightingPerPixelFirst) {
     const Image right = programmable::Renderer().render(session.scene.frame, {{{.shading = Shading::kPhong}}}).image;
     const PixelMask edges = reference::allowed_difference(session.scene.frame, {}).edge;
     // Without the line and its handle.
-    const Box picture = places.cells.front().picture;
+    const Rectangle picture = places.cells.front().picture;
     const int width = picture.width / 2 - 20;
     const auto half = [&](const Image& image) { return part_of(image, {0, 0, width, picture.height}); };
     const auto other_half = [&](const Image& image) {
@@ -486,7 +486,7 @@ TEST_F(DemoWindow, ReadsTheFileAgainWhenItIsSaved) {
     };
 
     // A mistake is shown in the status line, and the picture stays.
-    const Box picture_box = layout(session_after(""), kWidth, kHeight, 1).cells.front().picture;
+    const Rectangle picture_box = layout(session_after(""), kWidth, kHeight, 1).cells.front().picture;
     write_file_atomically(scene_file_, std::string(kScene) + "glBegine(GL_POINTS);\n");
     Image wrong;
     ASSERT_TRUE(wait_for([&] { return differs(wrong = shot(), before); }));

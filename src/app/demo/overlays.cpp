@@ -216,7 +216,7 @@ void draw_lines(const std::vector<OverlayVertex>& lines, int width, int height) 
     glDisableClientState(GL_VERTEX_ARRAY);
 }
 
-void show_labels(const OverlayPicture& overlays, const session::Box& picture) {
+void show_labels(const OverlayPicture& overlays, const Rectangle& picture) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const ImVec2 from = corner(picture);
     draw.PushClipRect(from, {from.x + static_cast<float>(picture.width), from.y + static_cast<float>(picture.height)},

@@ -18,7 +18,7 @@ void draw_overlays(const session::OverlayPicture& overlays, unsigned texture, in
 void draw_lines(const std::vector<session::OverlayVertex>& lines, int width, int height);
 
 // The labels, on ImGui's background, at the picture's place in the window.
-void show_labels(const session::OverlayPicture& overlays, const session::Box& picture);
+void show_labels(const session::OverlayPicture& overlays, const Rectangle& picture);
 
 // A texture that keeps a picture with its overlays, made again when either changed.
 class OverlaidPicture {

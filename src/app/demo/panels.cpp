@@ -41,7 +41,7 @@ void Panels::update(session::Session& session) {
     save_.update(session);
 }
 
-void Panels::show(session::Session& session, const session::Box& box, const Panes& panes) {
+void Panels::show(session::Session& session, const Rectangle& box, const Panes& panes) {
     ImGui::SetNextWindowPos(corner(box));
     ImGui::SetNextWindowSize(size_of(box));
     ImGui::Begin("panel", nullptr,

@@ -84,11 +84,11 @@ class Panes {
     void request_reference(const session::Session& session, const std::array<bool, session::kPanes>& shown);
     void take_reference(const session::Session& session);
     void update_difference(const session::Session& session);
-    const session::Box& time_bar(const session::Session& session, const session::Cell& cell) const;
+    const Rectangle& time_bar(const session::Session& session, const session::Cell& cell) const;
     void show_header(session::Session& session, const session::Cell& cell);
     void show_footer(session::Session& session, const session::Cell& cell);
     std::pair<std::string, unsigned> footer_of(const session::Session& session, std::size_t pane) const;
-    void show_amplification(session::Session& session, const session::Box& picture);
+    void show_amplification(session::Session& session, const Rectangle& picture);
     void show_slider(session::Session& session, const session::Cell& cell);
     void show_slider_bars(session::Session& session, const session::Cell& cell);
     void show_picture(session::Session& session, const session::Cell& cell);

@@ -16,7 +16,6 @@
 namespace twinlight::demo {
 namespace {
 
-using session::Box;
 using session::Cell;
 using session::kDifferencePane;
 using session::kPanes;
@@ -38,7 +37,7 @@ std::string difference_title(const Session& session) {
            kNames[static_cast<std::size_t>(b.renderer)];
 }
 
-void begin_bar(const char* name, const Box& bar) {
+void begin_bar(const char* name, const Rectangle& bar) {
     ImGui::SetNextWindowPos(corner(bar));
     ImGui::SetNextWindowSize(size_of(bar));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
@@ -52,7 +51,7 @@ void end_bar() {
 }
 
 // What the greys of the difference mean, at the picture's lower left corner.
-void show_color_scale(const Box& picture, int amplification) {
+void show_color_scale(const Rectangle& picture, int amplification) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const float size = static_cast<float>(scale()),
                 width = std::min(120 * size, static_cast<float>(picture.width) / 2 - 20), height = 8 * size,
@@ -70,7 +69,7 @@ void show_color_scale(const Box& picture, int amplification) {
     draw.AddText({from.x + width - most_width, line}, kDim, most.c_str());
 }
 
-ImVec2 middle_of_pixel(const Box& picture, int x, int y) {
+ImVec2 middle_of_pixel(const Rectangle& picture, int x, int y) {
     return plus(corner(picture), {static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F});
 }
 
@@ -124,7 +123,7 @@ void show_pair_menu(Session& session) {
 }
 
 // The text at the right end of a bar.
-void right_text(const Box& bar, ImU32 color, const std::string& text) {
+void right_text(const Rectangle& bar, ImU32 color, const std::string& text) {
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     ImGui::GetBackgroundDrawList()->AddText({static_cast<float>(bar.x + bar.width) - width - 8, text_y(bar)}, color,
                                             text.c_str());
@@ -155,7 +154,7 @@ std::string Panes::time_of(const Session& session, std::size_t number) const {
 }
 
 // The time is beside the title, or in the footer where there is no room.
-const Box& Panes::time_bar(const Session& session, const Cell& cell) const {
+const Rectangle& Panes::time_bar(const Session& session, const Cell& cell) const {
     const std::string title = title_of(session, session.panes[cell.pane]);
     const float needed = fonts().bold->CalcTextSizeA(height_of(*fonts().bold), 1e4F, 0, title.c_str()).x +
                          ImGui::CalcTextSize(time_of(session, cell.pane).c_str()).x + 30;
@@ -219,7 +218,7 @@ std::pair<std::string, unsigned> Panes::footer_of(const Session& session, std::s
 
 void Panes::show_footer(Session& session, const Cell& cell) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    const Box& bar = cell.footer;
+    const Rectangle& bar = cell.footer;
     draw.AddRectFilled(corner(bar), far_corner(bar), kBar, 4, ImDrawFlags_RoundCornersBottom);
     float right = far_corner(bar).x - 6;
     if (cell.pane != kDifferencePane && &time_bar(session, cell) == &bar)
@@ -233,7 +232,7 @@ void Panes::show_footer(Session& session, const Cell& cell) {
 }
 
 // The factor, at the picture's lower right corner.
-void Panes::show_amplification(Session& session, const Box& picture) {
+void Panes::show_amplification(Session& session, const Rectangle& picture) {
     const int width = std::min(static_cast<int>(130 * scale()), picture.width / 2 - 20);
     const int height = static_cast<int>(26 * scale());
     begin_bar("amplification",
@@ -255,7 +254,7 @@ void Panes::show_amplification(Session& session, const Box& picture) {
 
 void Panes::show_slider(Session& session, const Cell& cell) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    const Box& box = cell.picture;
+    const Rectangle& box = cell.picture;
     const float x = static_cast<float>(box.x) + static_cast<float>(session.slider_at) * static_cast<float>(box.width);
     const auto half = [&](std::size_t pane, float from, float to) {
         draw.PushClipRect({from, static_cast<float>(box.y)}, {to, far_corner(box).y}, true);

@@ -16,7 +16,7 @@ constexpr std::chrono::seconds kMessageTime(6);
 
 }  // namespace
 
-void StatusLine::show(session::Session& session, const session::Box& bar, bool keeps_messages) {
+void StatusLine::show(session::Session& session, const Rectangle& bar, bool keeps_messages) {
     if (session.messages != messages_seen_) {
         messages_seen_ = session.messages;
         message_since_ = std::chrono::steady_clock::now();

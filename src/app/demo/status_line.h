@@ -12,7 +12,7 @@ class StatusLine {
   public:
     // The scene's name, then its error, or the newest message, or which lights are on. A message that is old is cleared,
     // unless `keeps_messages`.
-    void show(session::Session& session, const session::Box& bar, bool keeps_messages);
+    void show(session::Session& session, const Rectangle& bar, bool keeps_messages);
 
   private:
     int messages_seen_ = 0;

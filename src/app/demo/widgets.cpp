@@ -5,7 +5,7 @@
 
 namespace twinlight::demo {
 
-float text_y(const session::Box& bar) {
+float text_y(const Rectangle& bar) {
     return static_cast<float>(bar.y) + (static_cast<float>(bar.height) - ImGui::GetFontSize()) / 2;
 }
 

@@ -23,15 +23,13 @@ inline constexpr ImGuiWindowFlags kPlainWindow = ImGuiWindowFlags_NoDecoration |
 
 inline float at_scale(float pixels) { return pixels * static_cast<float>(scale()); }
 inline ImVec2 plus(ImVec2 a, ImVec2 b) { return {a.x + b.x, a.y + b.y}; }
-inline ImVec2 corner(const session::Box& box) { return {static_cast<float>(box.x), static_cast<float>(box.y)}; }
-inline ImVec2 far_corner(const session::Box& box) {
+inline ImVec2 corner(const Rectangle& box) { return {static_cast<float>(box.x), static_cast<float>(box.y)}; }
+inline ImVec2 far_corner(const Rectangle& box) {
     return {static_cast<float>(box.x + box.width), static_cast<float>(box.y + box.height)};
 }
-inline ImVec2 size_of(const session::Box& box) {
-    return {static_cast<float>(box.width), static_cast<float>(box.height)};
-}
+inline ImVec2 size_of(const Rectangle& box) { return {static_cast<float>(box.width), static_cast<float>(box.height)}; }
 // Where a line of text starts that is in the middle of a bar's height.
-float text_y(const session::Box& bar);
+float text_y(const Rectangle& bar);
 // Channels are clamped to [0, 1].
 ImU32 color_of(const glm::dvec3& color, int alpha = 255);
 

@@ -209,7 +209,7 @@ void Window::press(int button, int x, int y) {
     session_.history.end_group();
     const auto where = hit(layout_, x, y);
     if (!where) return;
-    const session::Box& box = layout_.cells.front().picture;
+    const Rectangle& box = layout_.cells.front().picture;
     const bool on_line = session_.view == session::View::kSlider && button == GLUT_LEFT_BUTTON &&
                          std::abs(x - (box.x + session_.slider_at * box.width)) < kLinePixels;
     drag_ = on_line                       ? Drag::kSlider
@@ -226,7 +226,7 @@ void Window::release(int x, int y) {
     if (ended == Drag::kLook) menu_.open(x, y);
     if (ended != Drag::kOrbit) return;
     if (const auto where = hit(layout_, x, y)) {
-        const session::Box& box = layout_.cells.front().picture;
+        const Rectangle& box = layout_.cells.front().picture;
         session_.active = session_.view == session::View::kSlider
                               ? (x < box.x + session_.slider_at * box.width ? session_.slider.a : session_.slider.b)
                               : where->pane;
@@ -244,7 +244,7 @@ void Window::motion(int x, int y) {
     if (drag_ == Drag::kOrbit) session::orbit(session_, drag_start_, x - pressed_x_, y - pressed_y_);
     if (drag_ == Drag::kLook) session::look(session_, drag_start_, x - pressed_x_, y - pressed_y_);
     if (drag_ == Drag::kSlider) {
-        const session::Box& box = layout_.cells.front().picture;
+        const Rectangle& box = layout_.cells.front().picture;
         session_.slider_at = std::clamp(static_cast<double>(x - box.x) / box.width, 0.0, 1.0);
     }
 }

@@ -19,7 +19,6 @@
 namespace twinlight::demo {
 namespace {
 
-using session::Box;
 using session::Handle;
 using session::LightMarker;
 
@@ -35,7 +34,7 @@ std::string point_text(const glm::dvec3& point) {
 }
 
 // A marker's place in the window.
-std::optional<ImVec2> window_place(const session::WorldProjection& projection, const Box& box,
+std::optional<ImVec2> window_place(const session::WorldProjection& projection, const Rectangle& box,
                                    const glm::dvec3& point_world) {
     const auto place = projection.place_of(point_world);
     if (!place) return {};
@@ -94,7 +93,7 @@ void WorldView::update(const session::Session& session, programmable::Renderer& 
     texture_.copy_back_buffer(session.width, session.height);
 }
 
-void WorldView::carry_out_mouse(session::Session& session, const Box& box) {
+void WorldView::carry_out_mouse(session::Session& session, const Rectangle& box) {
     ImGui::SetNextWindowPos(corner(box));
     ImGui::SetNextWindowSize(size_of(box));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
@@ -142,7 +141,7 @@ void WorldView::carry_out_mouse(session::Session& session, const Box& box) {
     ImGui::PopStyleVar();
 }
 
-void WorldView::show_markers(const session::Session& session, const Box& box) const {
+void WorldView::show_markers(const session::Session& session, const Rectangle& box) const {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const auto place = [&](const glm::dvec3& point_world) { return window_place(projection_, box, point_world); };
     const auto text = [&](const ImVec2& at, ImU32 color, const std::string& words) {
@@ -219,7 +218,7 @@ void WorldView::show_markers(const session::Session& session, const Box& box) co
 }
 
 // What the scene's own camera sees, in the lower right corner.
-void WorldView::show_inside(const Box& box, unsigned inside) const {
+void WorldView::show_inside(const Rectangle& box, unsigned inside) const {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const float width = static_cast<float>(kInsideShare * box.width),
                 height = static_cast<float>(kInsideShare * box.height);
@@ -245,9 +244,10 @@ std::string WorldView::described(const session::Session& session, const LightMar
 }
 
 void WorldView::show(session::Session& session, const session::Cell& cell, unsigned inside) {
-    const Box& box = cell.picture;
+    const Rectangle& box = cell.picture;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    const auto bar = [&](const Box& at, ImDrawFlags corners, ImU32 color, const std::string& words, ImFont* font) {
+    const auto bar = [&](const Rectangle& at, ImDrawFlags corners, ImU32 color, const std::string& words,
+                         ImFont* font) {
         draw.AddRectFilled(corner(at), far_corner(at), kBar, 4, corners);
         const float y = static_cast<float>(at.y) + (static_cast<float>(at.height) - height_of(*font)) / 2;
         draw.AddText(font, height_of(*font), {static_cast<float>(at.x) + 10, y}, color, words.c_str());

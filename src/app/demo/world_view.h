@@ -37,9 +37,9 @@ class WorldView {
         session::World world;
     };
 
-    void carry_out_mouse(session::Session& session, const session::Box& box);
-    void show_markers(const session::Session& session, const session::Box& box) const;
-    void show_inside(const session::Box& box, unsigned inside) const;
+    void carry_out_mouse(session::Session& session, const Rectangle& box);
+    void show_markers(const session::Session& session, const Rectangle& box) const;
+    void show_inside(const Rectangle& box, unsigned inside) const;
     std::string described(const session::Session& session, const session::LightMarker& light) const;
 
     session::OutsideCamera camera_{};

@@ -31,7 +31,7 @@ Layout layout(const Session& session, int width, int height, double scale) {
     if (session.panel_shown)
         result.panel = {0, 0, std::min(pixels(kPanelWidth), static_cast<int>(kMostOfWindow * width)), height - bar};
 
-    const Box area{result.panel.width, 0, width - result.panel.width, height - bar};
+    const Rectangle area{result.panel.width, 0, width - result.panel.width, height - bar};
     const auto rows = rows_of(session);
     const int across = static_cast<int>(rows.front().size()), down = static_cast<int>(rows.size());
     const int room_x = std::max((area.width - gap * (across + 1)) / across, 1);

@@ -5,25 +5,19 @@
 #include <vector>
 
 #include "app/session/session.h"
+#include "base/image/rectangle.h"
 
 namespace twinlight::session {
-
-struct Box {
-    int x = 0, y = 0, width = 0, height = 0;
-
-    bool contains(int px, int py) const { return px >= x && px < x + width && py >= y && py < y + height; }
-    friend bool operator==(const Box&, const Box&) = default;
-};
 
 // A cell of the picture area. Its header is above its picture, its footer below.
 struct Cell {
     std::size_t pane = 0;  // or kDifferencePane
-    Box header, picture, footer;
+    Rectangle header, picture, footer;
 };
 
 struct Layout {
-    Box panel;   // empty if the panel is hidden
-    Box status;  // the line at the bottom
+    Rectangle panel;   // empty if the panel is hidden
+    Rectangle status;  // the line at the bottom
     std::vector<Cell> cells;
     WindowSize picture;  // of every cell
 };

@@ -281,7 +281,7 @@ std::string normals_text(double shortest, double longest) {
 glm::dvec2 place_of(const Draw& draw, const Frame& frame, const glm::dvec3& point_eye) {
     const glm::dvec4 clip = draw.clip_from_eye * glm::dvec4(point_eye, 1);
     if (!(clip.w > 0)) return {-1, -1};
-    const Viewport& viewport = draw.raster.viewport;
+    const Rectangle& viewport = draw.raster.viewport;
     return {viewport.x + (clip.x / clip.w + 1) / 2 * viewport.width,
             frame.height - (viewport.y + (clip.y / clip.w + 1) / 2 * viewport.height)};
 }

@@ -21,7 +21,7 @@ struct OverlayVertex {
 
 // What is drawn over one Draw of the frame, in its viewport and depth range.
 struct DrawOverlay {
-    Viewport viewport{};
+    Rectangle viewport{};
     double depth_near = 0, depth_far = 1;
     bool hides = false;  // its faces hide what is behind them
 

@@ -120,7 +120,7 @@ std::vector<Color> fixed_colors(const VertexScene& scene) {
 namespace {
 
 // The Draw as points at its vertices, inside the tile. softpipe may draw a point on the view's border beside it, hence the scissor.
-Draw as_points(const VertexScene& scene, const Viewport& tile) {
+Draw as_points(const VertexScene& scene, const Rectangle& tile) {
     Draw draw = scene.draw();
     if (!draws_polygons(draw.mode)) {
         draw.mode = kGL_POINTS;
@@ -142,7 +142,7 @@ std::vector<std::vector<Color>> shader_colors(std::span<const std::optional<Vert
                                               programmable::Renderer& renderer, const programmable::Options& options) {
     Frame frame;
     frame.width = frame.height = kShaderPicture;
-    std::vector<Viewport> tiles;
+    std::vector<Rectangle> tiles;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         const int n = static_cast<int>(i);
         tiles.push_back({n % kShaderTiles * kShaderTile, n / kShaderTiles * kShaderTile, kShaderTile, kShaderTile});

@@ -24,16 +24,16 @@ Check all_lit(int shapes) {
 }
 
 // The strongest of the other two channels over this one, in the mean of a box.
-Measure other_colors(Box box, int channel) {
+Measure other_colors(Rectangle box, int channel) {
     return ratio(largest({mean(box, (channel + 1) % 3), mean(box, (channel + 2) % 3)}), mean(box, channel));
 }
 // How far the mean of a box is from a colour, in its worst channel.
-Measure color_error(Box box, glm::dvec3 color) {
+Measure color_error(Rectangle box, glm::dvec3 color) {
     std::vector<Measure> channels;
     for (int c = 0; c < 3; ++c) channels.push_back(difference(mean(box, c), constant(color[c])));
     return largest(std::move(channels));
 }
-Measure boxes_apart(Box a, Box b) {
+Measure boxes_apart(Rectangle a, Rectangle b) {
     std::vector<Measure> channels;
     for (int c = 0; c < 3; ++c) channels.push_back(difference(mean(a, c), mean(b, c)));
     return largest(std::move(channels));
@@ -45,7 +45,7 @@ Measure next_over_last() {
     return largest(std::move(steps));
 }
 // The share of the background (red: 0.35) that comes through the front ball, which is opaque at the start.
-Measure let_through(Box box) {
+Measure let_through(Rectangle box) {
     const Measure red = mean(box, 0);
     return ratio(difference(red, of_start(red)), difference(constant(0.35), of_start(red)));
 }
@@ -89,8 +89,8 @@ const std::vector<LessonChecks>& table() {
           {"moving-camera", with_camera_moved(spot_angle(0, {0, -1, 0})), 0, 2}}},
         {"shininess",
          {kObjects,
-          {"colors", matte_change({}), 0, kSame},
-          {"peak", ratio_to_start(highlight_peak({})), 0.9, 1.1},
+          {"colors", matte_change(kWholePicture), 0, kSame},
+          {"peak", ratio_to_start(highlight_peak(kWholePicture)), 0.9, 1.1},
           {"size", ratio_to_start(highlight_pixels()), 0, 0.25}}},
         {"local-viewer",
          {kObjects,
@@ -144,7 +144,7 @@ const std::vector<LessonChecks>& table() {
            smallest({whitest({30, 150, 180, 180}), whitest({230, 150, 180, 180}), whitest({430, 150, 180, 180})}), 0.55,
            kMany}}},
         {"textured-highlight",
-         {{"texture", matte_change({}), 0, kSame / 2}, {"highlight", highlight_peak({335, 170, 50, 50}), 0.5, kMany}}},
+         {{"texture", matte_change(kWholePicture), 0, kSame / 2}, {"highlight", highlight_peak({335, 170, 50, 50}), 0.5, kMany}}},
         {"transparency",
          {{"red-ball", change({160, 200, 70, 80}), 0, kSame},
           {"glass", let_through({410, 200, 80, 80}), 0.3, 0.7},

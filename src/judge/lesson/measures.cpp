@@ -25,7 +25,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // Visits the pixels of a box of a picture of kWidth x kHeight.
 template <class Visit>
-void for_each_pixel(Box box, const Visit& visit) {
+void for_each_pixel(Rectangle box, const Visit& visit) {
     const int right = std::min((box.x + box.width) * kWidth / 640, kWidth);
     const int bottom = std::min((box.y + box.height) * kHeight / 480, kHeight);
     for (int y = box.y * kHeight / 480; y < bottom; ++y)
@@ -33,7 +33,7 @@ void for_each_pixel(Box box, const Visit& visit) {
             visit(static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x));
 }
 
-double mean_of(const Image& image, Box box, std::size_t channel) {
+double mean_of(const Image& image, Rectangle box, std::size_t channel) {
     double sum = 0;
     int count = 0;
     for_each_pixel(box, [&](std::size_t i) {
@@ -44,7 +44,7 @@ double mean_of(const Image& image, Box box, std::size_t channel) {
 }
 
 // The mean difference of the channel that differs most.
-double difference_of(const Image& a, const Image& b, Box box) {
+double difference_of(const Image& a, const Image& b, Rectangle box) {
     double most = 0;
     for (std::size_t c = 0; c < 3; ++c) {
         double sum = 0;
@@ -141,35 +141,35 @@ Measure objects_moved() {
     };
 }
 
-Measure mean(Box box, int channel) {
+Measure mean(Rectangle box, int channel) {
     return [=](const Work& work) { return mean_of(work.picture(), box, static_cast<std::size_t>(channel)); };
 }
-Measure change(Box box) {
+Measure change(Rectangle box) {
     return [=](const Work& work) { return difference_of(work.picture(), work.start().picture(), box); };
 }
-Measure change_per_pixel(Box box) {
+Measure change_per_pixel(Rectangle box) {
     return [=](const Work& work) {
         return difference_of(work.picture(Shading::kPhong), work.start().picture(Shading::kPhong), box);
     };
 }
-Measure matte_change(Box box) {
+Measure matte_change(Rectangle box) {
     return [=](const Work& work) { return difference_of(work.matte(), work.start().matte(), box); };
 }
-Measure highlight_peak(Box box) {
+Measure highlight_peak(Rectangle box) {
     return [=](const Work& work) {
         double most = 0;
         for_each_pixel(box, [&](std::size_t i) { most = std::max(most, work.highlight()[i]); });
         return most;
     };
 }
-Measure highlight_least(Box box) {
+Measure highlight_least(Rectangle box) {
     return [=](const Work& work) {
         double least = 1;
         for_each_pixel(box, [&](std::size_t i) { least = std::min(least, work.highlight()[i]); });
         return least;
     };
 }
-Measure whitest(Box box) {
+Measure whitest(Rectangle box) {
     return [=](const Work& work) {
         double most = 0;
         for_each_pixel(box, [&](std::size_t i) {
@@ -188,7 +188,7 @@ Measure highlight_pixels() {
                    : static_cast<double>(std::ranges::count_if(highlight, [half](double h) { return h >= half; }));
     };
 }
-Measure vertex_error(Box box) {
+Measure vertex_error(Rectangle box) {
     return [=](const Work& work) { return difference_of(work.picture(), work.picture(Shading::kPhong), box); };
 }
 
@@ -248,7 +248,7 @@ Measure brightest(int shape) {
         return most;
     });
 }
-Measure least_light(int count, Box box) {
+Measure least_light(int count, Rectangle box) {
     return [=](const Work& work) -> double {
         std::vector<double> gains;
         const std::size_t lights = work.frame().draws().empty() ? 0 : work.frame().draws()[0]->lighting.lights.size();

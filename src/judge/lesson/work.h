@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/image/image.h"
+#include "base/image/rectangle.h"
 #include "render/look.h"
 #include "scene/command/command.h"
 #include "scene/frame/frame.h"
@@ -62,31 +63,29 @@ class Work {
 
 using Measure = std::function<double(const Work&)>;
 
-// A part of the picture, in pixels of a picture of 640 x 480, from the top left.
-struct Box {
-    int x = 0, y = 0, width = 640, height = 480;
-};
+// Parts of the picture are in pixels of a picture of 640 x 480, from the top left.
+inline constexpr Rectangle kWholePicture{0, 0, 640, 480};
 
 // ---- Measures of pictures ----
 
 // The share of the start's pixels (0 to 1) that show another object, or none.
 Measure objects_moved();
 // The mean of a channel (0 red, 1 green, 2 blue) in a box: 0 to 1.
-Measure mean(Box box, int channel);
+Measure mean(Rectangle box, int channel);
 // The largest mean difference of a channel in a box from the start's picture: 0 to 1.
-Measure change(Box box);
+Measure change(Rectangle box);
 // The same of the pictures lit per pixel, and of those without highlights.
-Measure change_per_pixel(Box box);
-Measure matte_change(Box box);
+Measure change_per_pixel(Rectangle box);
+Measure matte_change(Rectangle box);
 // How bright the highlight is at its brightest in a box, 0 to 1, and at its darkest.
-Measure highlight_peak(Box box);
-Measure highlight_least(Box box);
+Measure highlight_peak(Rectangle box);
+Measure highlight_least(Rectangle box);
 // How white the whitest pixel of a box is: its weakest channel, 0 to 1.
-Measure whitest(Box box);
+Measure whitest(Rectangle box);
 // The number of pixels where the highlight has at least half of its largest brightness.
 Measure highlight_pixels();
 // How far the picture with lighting per vertex is from that with lighting per pixel, mean of a box: 0 to 1.
-Measure vertex_error(Box box);
+Measure vertex_error(Rectangle box);
 
 // ---- Measures of lighting ----
 // `shape` is the number of a shape of the start's scene, from 0. "World" is the object space of that shape. The light is the
@@ -110,7 +109,7 @@ Measure normal_length_error(int shape);
 Measure brightest(int shape);
 // How much of the picture the light that changes it least adds: the largest change of a mean channel in a box. 0 where fewer
 // than `count` lights are on.
-Measure least_light(int count, Box box);
+Measure least_light(int count, Rectangle box);
 // The number of different vertex colours of the shape.
 Measure colors(int shape);
 // 1 if the shape is lit by a light that is on, and if it is drawn with GL_FLAT; else 0.

@@ -67,7 +67,7 @@ class AspectOfViewport : public Watch {
         if (is_effect(command, "perspective")) perspective_ = command;
     }
     void drawn(const Draw& draw, const State&) override {
-        const Viewport& viewport = draw.raster.viewport;
+        const Rectangle& viewport = draw.raster.viewport;
         if (!perspective_ || !knows_viewport_ || viewport.width <= 0 || viewport.height <= 0) return;
         if (!is_its_projection(draw.clip_from_eye) || !keeps_proportions(draw.eye_from_object)) return;
         const double aspect = perspective_->number(1), right = static_cast<double>(viewport.width) / viewport.height;

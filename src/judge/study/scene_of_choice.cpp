@@ -50,7 +50,7 @@ Frame enlarged(const Frame& frame, int samples) {
     Frame result = frame;
     result.width *= samples;
     result.height *= samples;
-    const auto enlarge = [&](Viewport& box) {
+    const auto enlarge = [&](Rectangle& box) {
         for (int* length : {&box.x, &box.y, &box.width, &box.height}) *length *= samples;
     };
     for (auto& item : result.items) {

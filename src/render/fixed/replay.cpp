@@ -222,7 +222,7 @@ struct Replay::Impl {
     Impl(const Frame& frame, const ReplayOptions& options)
         : width(frame.width),
           height(frame.height),
-          whole(frame, [&](const Frame& picture, CopiedBuffer buffer, const Viewport& area) {
+          whole(frame, [&](const Frame& picture, CopiedBuffer buffer, const Rectangle& area) {
               return drawn_to_copy(picture, buffer, area, [&] { Replay(picture, options).draw(); });
           }) {}
 

@@ -439,7 +439,7 @@ class Preparation {
 
 // Copies pixels (3.8.2) of pictures that the renderer draws.
 DrawableFrame drawable(const Frame& frame, Renderer& renderer, const Options& options) {
-    return {frame, [&](const Frame& picture, CopiedBuffer buffer, const Viewport& area) {
+    return {frame, [&](const Frame& picture, CopiedBuffer buffer, const Rectangle& area) {
                 return drawn_to_copy(picture, buffer, area, [&] { renderer.draw(picture, options); });
             }};
 }

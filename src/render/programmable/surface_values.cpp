@@ -52,15 +52,15 @@ std::vector<glm::dvec4> clip_corners(const Surface& surface, const glm::dmat4& c
     return corners;
 }
 
-struct Rectangle {  // window coordinates
+struct WindowRectangle {  // window coordinates
     glm::dvec2 low{0}, high{0};
 };
 
 // The surface lies inside this rectangle, which includes a margin of one pixel for float rounding. Nothing if the
 // rectangle is outside the viewport.
-std::optional<Rectangle> window_rectangle(const Viewport& viewport, const std::vector<glm::dvec4>& corners) {
+std::optional<WindowRectangle> window_rectangle(const Rectangle& viewport, const std::vector<glm::dvec4>& corners) {
     const glm::dvec2 origin(viewport.x, viewport.y), size(viewport.width, viewport.height);
-    Rectangle rectangle{origin + size, origin};
+    WindowRectangle rectangle{origin + size, origin};
     for (const glm::dvec4& corner : corners) {
         if (!(corner.w > 0)) {  // behind the eye, so the projected box bounds nothing
             rectangle = {origin, origin + size};
@@ -78,7 +78,8 @@ std::optional<Rectangle> window_rectangle(const Viewport& viewport, const std::v
 
 class SurfaceUniforms {
   public:
-    SurfaceUniforms(const SurfaceDraw& surface, const SurfaceForm& form, const Rectangle& rectangle, Uniforms uniforms)
+    SurfaceUniforms(const SurfaceDraw& surface, const SurfaceForm& form, const WindowRectangle& rectangle,
+                    Uniforms uniforms)
         : surface_(surface.surface),
           draw_(surface.draw),
           form_(form),
@@ -116,7 +117,7 @@ class SurfaceUniforms {
         unit_ = 1 / glm::length(direction(h_));
     }
     glm::dvec2 ndc(const glm::dvec2& window) const {
-        const Viewport& viewport = draw_.raster.viewport;
+        const Rectangle& viewport = draw_.raster.viewport;
         const glm::dvec2 origin(viewport.x, viewport.y), size(viewport.width, viewport.height);
         return (window - origin) / size * 2.0 - 1.0;
     }
@@ -189,7 +190,7 @@ class SurfaceUniforms {
     const Surface& surface_;
     const Draw& draw_;
     const SurfaceForm& form_;
-    const Rectangle rectangle_;
+    const WindowRectangle rectangle_;
     const glm::dmat4 clip_from_surface_ = draw_.clip_from_eye * draw_.eye_from_object;
     const glm::dmat4 surface_from_clip_ = glm::inverse(draw_.eye_from_object) * glm::inverse(draw_.clip_from_eye);
     const glm::dvec4 depth_ = surface_from_clip_[2];
@@ -232,7 +233,7 @@ std::vector<SurfaceProgram> surface_programs(const Draw& draw, const PlanOptions
     for (SurfaceDraw& surface : surface_draws(draw)) {
         const std::vector<glm::dvec4> corners =
             clip_corners(surface.surface, surface.draw.clip_from_eye * surface.draw.eye_from_object);
-        const std::optional<Rectangle> rectangle = window_rectangle(draw.raster.viewport, corners);
+        const std::optional<WindowRectangle> rectangle = window_rectangle(draw.raster.viewport, corners);
         if (!rectangle) continue;
         SurfaceProgram program;
         program.plan = plan_effects(surface.draw, options, surface.facts);

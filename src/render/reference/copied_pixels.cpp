@@ -70,7 +70,7 @@ CopySource values_with_range(const Frame& frame, Options options, CopiedBuffer b
 }  // namespace
 
 DrawableFrame drawable(const Frame& frame, const Options& options) {
-    return {frame, [&options](const Frame& picture, CopiedBuffer buffer, const Viewport&) {
+    return {frame, [&options](const Frame& picture, CopiedBuffer buffer, const Rectangle&) {
                 return buffer == CopiedBuffer::kColors ? CopySource{.picture = render(picture, options)}
                                                        : values(picture, options, buffer);
             }};
@@ -78,7 +78,7 @@ DrawableFrame drawable(const Frame& frame, const Options& options) {
 
 DrawableFrame drawable_with_ranges(const Frame& frame, const Options& options, CopyRanges& ranges) {
     return {frame,
-            [&](const Frame& picture, CopiedBuffer buffer, const Viewport&) {
+            [&](const Frame& picture, CopiedBuffer buffer, const Rectangle&) {
                 return buffer == CopiedBuffer::kColors ? source_with_range(picture, options, ranges)
                                                        : values_with_range(picture, options, buffer, ranges);
             },

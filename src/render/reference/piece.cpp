@@ -51,7 +51,7 @@ void reverse(std::vector<Corner>& corners) {
 // b / w = M^-1 (x_ndc, y_ndc, 1): linear in the window, whatever clipping removes (Olano and Greer, "Triangle scan
 // conversion using 2D homogeneous coordinates", 1997). There are none if the triangle is seen edge on.
 std::optional<Planes> planes_of(const RasterState& raster, const std::array<glm::dvec4, 3>& clip) {
-    const Viewport& viewport = raster.viewport;
+    const Rectangle& viewport = raster.viewport;
     glm::dmat3 m;
     for (int i = 0; i < 3; ++i) m[i] = {clip[i].x, clip[i].y, clip[i].w};
     if (glm::determinant(m) == 0) return std::nullopt;
@@ -313,7 +313,7 @@ bool operator==(const Corners& a, const Corners& b) {
 }
 
 glm::dvec3 window_from_ndc(const RasterState& raster, const glm::dvec3& ndc) {
-    const Viewport& viewport = raster.viewport;
+    const Rectangle& viewport = raster.viewport;
     const DepthRange depth(raster);
     return {(ndc.x + 1) * 0.5 * viewport.width + viewport.x, (ndc.y + 1) * 0.5 * viewport.height + viewport.y,
             ndc.z * depth.scale + depth.offset};

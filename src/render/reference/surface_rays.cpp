@@ -51,7 +51,7 @@ SurfaceRays::SurfaceRays(const Draw& draw, const Surface& surface)
 }
 
 void SurfaceRays::find_window_bounds() {
-    const Viewport& viewport = draw_.raster.viewport;
+    const Rectangle& viewport = draw_.raster.viewport;
     const glm::dvec2 origin(viewport.x, viewport.y), size(viewport.width, viewport.height);
     low_window_ = origin + size;
     high_window_ = origin;
@@ -82,7 +82,7 @@ int SurfaceRays::most_points() const {
 
 template <class Visit>
 void SurfaceRays::for_each_crossing(const glm::dvec2& position_window, const Visit& visit) const {
-    const Viewport& viewport = draw_.raster.viewport;
+    const Rectangle& viewport = draw_.raster.viewport;
     const glm::dvec2 ndc =
         (position_window - glm::dvec2(viewport.x, viewport.y)) / glm::dvec2(viewport.width, viewport.height) * 2.0 -
         1.0;
@@ -144,7 +144,7 @@ SurfaceRays::Tangents SurfaceRays::tangents(const glm::dvec4& position_object, c
     result.v = cross(n, result.u);
     const glm::dvec4 c = clip(position_object), along_u = clip_from_object_ * glm::dvec4(glm_of(result.u), 0),
                      along_v = clip_from_object_ * glm::dvec4(glm_of(result.v), 0);
-    const Viewport& viewport = draw_.raster.viewport;
+    const Rectangle& viewport = draw_.raster.viewport;
     const glm::dvec3 window_per_ndc =
         glm::dvec3(viewport.width, viewport.height, draw_.raster.depth_far - draw_.raster.depth_near) / 2.0;
     result.window_per_u = ndc_change(c, along_u) * window_per_ndc;

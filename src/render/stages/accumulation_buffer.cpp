@@ -57,7 +57,7 @@ constexpr std::size_t kChannels = 4;
 
 }  // namespace
 
-AccumulationBuffer::Box AccumulationBuffer::scissored(const Scissor& scissor) const {
+Rectangle AccumulationBuffer::scissored(const Scissor& scissor) const {
     if (!scissor.enabled) return {0, 0, width_, height_};
     const auto cut = [](int start, int size, int all) {
         const std::int64_t first = std::clamp(start, 0, all);
@@ -70,7 +70,7 @@ AccumulationBuffer::Box AccumulationBuffer::scissored(const Scissor& scissor) co
 }
 
 template <class Visit>
-void AccumulationBuffer::for_each(const Box& box, const Visit& visit) {
+void AccumulationBuffer::for_each(const Rectangle& box, const Visit& visit) {
     for (int y = box.y; y < box.y + box.height; ++y) {
         const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
         for (int x = box.x; x < box.x + box.width; ++x)
@@ -93,7 +93,7 @@ void AccumulationBuffer::clear(const Clear& clear) {
 }
 
 void AccumulationBuffer::apply(const Accumulate& accumulate) {
-    const Box box = scissored(accumulate.scissor);
+    const Rectangle box = scissored(accumulate.scissor);
     if (box.width == 0 || box.height == 0) return;
     need_memory();
     const auto value = static_cast<float>(accumulate.value);

@@ -19,13 +19,10 @@ class AccumulationBuffer {
     void apply(const Accumulate& accumulate);
 
   private:
-    struct Box {
-        int x = 0, y = 0, width = 0, height = 0;
-    };
-    Box scissored(const Scissor& scissor) const;
+    Rectangle scissored(const Scissor& scissor) const;
     // Calls visit(four floats) for each pixel of the box, row by row from the bottom.
     template <class Visit>
-    void for_each(const Box& box, const Visit& visit);
+    void for_each(const Rectangle& box, const Visit& visit);
     void need_memory();
 
     int width_, height_;

@@ -105,7 +105,7 @@ void FixedStages::set(const RasterState& raster, const RasterState* before) {
         return before == nullptr || ((raster.*members != before->*members) || ...);
     };
     using State = RasterState;
-    const Viewport& v = raster.viewport;
+    const Rectangle& v = raster.viewport;
     if (differ(&State::viewport)) glViewport(v.x, v.y, v.width, v.height);
     if (differ(&State::depth_near, &State::depth_far)) glDepthRange(raster.depth_near, raster.depth_far);
     if (differ(&State::front_face, &State::cull_enabled, &State::cull_face, &State::polygon_mode_front,

@@ -126,7 +126,7 @@ bool are_same(const Texture& a, const Texture& b) {
 
 }  // namespace
 
-CopySource drawn_to_copy(const Frame& picture, CopiedBuffer buffer, const Viewport& area,
+CopySource drawn_to_copy(const Frame& picture, CopiedBuffer buffer, const Rectangle& area,
                          const std::function<void()>& draw) {
     const auto drawn = [&]() -> CopySource {
         draw();

@@ -19,7 +19,7 @@ enum class Clamping : std::uint8_t { kDriver, kShader };
 
 // A DrawSource: calls draw(), and returns the area. The picture of a framebuffer object is drawn into a buffer of its own, another
 // into the current one.
-CopySource drawn_to_copy(const Frame& picture, CopiedBuffer buffer, const Viewport& area,
+CopySource drawn_to_copy(const Frame& picture, CopiedBuffer buffer, const Rectangle& area,
                          const std::function<void()>& draw);
 
 // Texture units with their numbers.

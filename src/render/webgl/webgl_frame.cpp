@@ -43,7 +43,7 @@ Json numbers_in(const Uniforms& uniforms) {
     return json;
 }
 
-Json box(const Viewport& v) { return {v.x, v.y, v.width, v.height}; }
+Json box(const Rectangle& v) { return {v.x, v.y, v.width, v.height}; }
 Json color_of(const glm::dvec4& c) { return {c.r, c.g, c.b, c.a}; }
 
 // WebGL allows no depth range from far to near (its specification, "Viewport Depth Range"). The same depths result from clip coordinates with

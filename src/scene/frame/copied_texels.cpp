@@ -34,7 +34,7 @@ struct TakenPixels {
 };
 
 // The smallest rectangle around both.
-Viewport around(const Viewport& a, const Viewport& b) {
+Rectangle around(const Rectangle& a, const Rectangle& b) {
     if (a.width == 0 || a.height == 0) return b;
     if (b.width == 0 || b.height == 0) return a;
     const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
@@ -42,7 +42,7 @@ Viewport around(const Viewport& a, const Viewport& b) {
 }
 
 // What of the rectangle is inside a picture. The rectangle may be anywhere.
-Viewport inside(const Viewport& area, int width, int height) {
+Rectangle inside(const Rectangle& area, int width, int height) {
     const auto end = [](std::int64_t from, int size, int low, int high) {
         return static_cast<int>(std::clamp<std::int64_t>(from + size, low, high));
     };
@@ -52,7 +52,7 @@ Viewport inside(const Viewport& area, int width, int height) {
 
 // A pixel of a copy from a picture, of which `image` has at least what the copy needs. A frame that was resized has a rectangle
 // of another size than its copy: then the copy has the pixel at the centre.
-Rgba taken_pixel(const Image& image, const glm::ivec2& corner, const CopiedPixels& size, const Viewport& from, int i,
+Rgba taken_pixel(const Image& image, const glm::ivec2& corner, const CopiedPixels& size, const Rectangle& from, int i,
                  int j, float outside) {
     const auto scaled = [](int place, int wide, int narrow) {
         return wide == narrow ? place : static_cast<std::int64_t>(std::floor((place + 0.5) * wide / narrow));
@@ -68,7 +68,7 @@ Rgba taken_pixel(const Image& image, const glm::ivec2& corner, const CopiedPixel
 }
 
 // All pixels of a copy.
-std::vector<Rgba> cut(const Image& image, const glm::ivec2& corner, const CopiedPixels& copy, const Viewport& from,
+std::vector<Rgba> cut(const Image& image, const glm::ivec2& corner, const CopiedPixels& copy, const Rectangle& from,
                       float outside) {
     std::vector<Rgba> pixels;
     pixels.reserve(static_cast<std::size_t>(copy.width) * static_cast<std::size_t>(copy.height));
@@ -224,7 +224,7 @@ class Copier {
         areas_.clear();
         for (const FrameItem& item : items)
             if (const TakePixels* copy = copy_from_here(item)) {
-                Viewport& area = areas_[copy->pixels->buffer];
+                Rectangle& area = areas_[copy->pixels->buffer];
                 area = around(area, inside(copy->from, frame_.width, frame_.height));
             }
         for (const FrameItem& item : items) {
@@ -273,7 +273,7 @@ class Copier {
     }
 
     // A picture of what a framebuffer object shows.
-    CopySource source(const ObjectPicture& object, CopiedBuffer buffer, const Viewport& area) {
+    CopySource source(const ObjectPicture& object, CopiedBuffer buffer, const Rectangle& area) {
         Frame picture = frame_without_items();
         picture.width = object.width;
         picture.height = object.height;
@@ -292,7 +292,7 @@ class Copier {
     }
 
     void take(const TakePixels& copy) { take(source(copy.pixels->buffer), *copy.pixels, copy.from); }
-    void take(const CopySource& source, const CopiedPixels& copy, const Viewport& from) {
+    void take(const CopySource& source, const CopiedPixels& copy, const Rectangle& from) {
         const auto& [picture, low, high, corner] = source;
         TakenPixels& taken = taken_[&copy];
         taken.width = copy.width;
@@ -308,7 +308,7 @@ class Copier {
         for (const ImagePart& part : image.parts) {
             if (!part.copied || !part.copied->drawn || taken_.contains(part.copied.get())) continue;
             const CopiedPixels& copy = *part.copied;
-            const Viewport area{copy.x, copy.y, copy.width, copy.height};
+            const Rectangle area{copy.x, copy.y, copy.width, copy.height};
             take(source(*copy.drawn, copy.buffer, area), copy, area);
         }
     }
@@ -369,7 +369,7 @@ class Copier {
     std::set<const CopiedPixels*> used_;          // by Draws
     FrameItems hidden_, shown_;                   // the picture so far: before and since the last Clear that hides all
     std::map<CopiedBuffer, CopySource> sources_;  // of shown_
-    std::map<CopiedBuffer, Viewport> areas_;      // what is copied while these items are gone through
+    std::map<CopiedBuffer, Rectangle> areas_;     // what is copied while these items are gone through
     bool has_range_ = false;
     CopyRanges* ranges_;
     std::map<const CopiedPixels*, TakenPixels> taken_;

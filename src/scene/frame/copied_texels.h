@@ -52,7 +52,7 @@ struct CopyRanges {
 
 // Draws a Frame in which all copies are filled in, and returns its colours, depths or stencil values: those in the rectangle at
 // least, which lies inside the picture. The picture of a framebuffer object has its own size, and is drawn apart from the window's.
-using DrawSource = std::function<CopySource(const Frame&, CopiedBuffer, const Viewport&)>;
+using DrawSource = std::function<CopySource(const Frame&, CopiedBuffer, const Rectangle&)>;
 
 // The frame with all copied texels in its textures and all copied pixels in its Draws, and without the commands that copied
 // texels. The Draws are the same, in the same order. RULING: pixels outside the window, which 3.8.2 and 4.3.2 leave undefined,

@@ -22,6 +22,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/image/rectangle.h"
 #include "base/math/arithmetic.h"
 #include "scene/command/names.h"
 #include "scene/command/place.h"
@@ -227,13 +228,6 @@ struct LightingState {
 
 // ---- Rasterisation ----
 
-struct Viewport {
-    int x = 0, y = 0;  // the lower left corner, in window coordinates (y up)
-    int width = 0, height = 0;
-
-    friend bool operator==(const Viewport&, const Viewport&) = default;
-};
-
 struct PolygonOffset {  // 3.5.5
     double factor = 0;
     double units = 0;
@@ -280,7 +274,7 @@ struct PointParameters {  // 3.3, 3.3.1: glPointParameter
 inline constexpr int kMaxClipPlanes = 8;  // GL requires at least 6 (table 6.29); Mesa has 8
 
 struct RasterState {
-    Viewport viewport;
+    Rectangle viewport;                    // in window coordinates, y up
     double depth_near = 0, depth_far = 1;  // glDepthRange (2.11.1)
     Enum front_face = kGL_CCW;
     bool cull_enabled = false;
@@ -331,7 +325,7 @@ struct CopiedPixels {
 // Takes pixels from a rectangle of the picture as it is now: an item of the frame for a texture, or what a Draw begins with.
 struct TakePixels {
     std::shared_ptr<const CopiedPixels> pixels;
-    Viewport from;  // of the same size, unless the frame was resized
+    Rectangle from;  // of the same size, unless the frame was resized
 };
 
 // Texels of an image over those that it had before, all in one layer.
@@ -515,7 +509,7 @@ struct Fog {  // 3.10; the factor f depends on the distance |z_eye|, or on the v
 
 struct Scissor {  // 4.1.2
     bool enabled = false;
-    Viewport box;
+    Rectangle box;
 
     friend bool operator==(const Scissor&, const Scissor&) = default;
 };
@@ -625,7 +619,7 @@ struct WindowPixels {
 };
 // Pixels beyond are not kept. A viewport of this size, a power of two, puts their centres exactly there with floats.
 inline constexpr int kMostWindowPixels = 8192;
-inline constexpr Viewport kWindowOfPixels{0, 0, kMostWindowPixels, kMostWindowPixels};
+inline constexpr Rectangle kWindowOfPixels{0, 0, kMostWindowPixels, kMostWindowPixels};
 
 // One batch of primitives with all state that affects it.
 struct Draw {
@@ -697,7 +691,7 @@ struct Draw {
         for_each_unit([&](std::size_t, const TextureUnit& unit) { shows = shows || unit.texture->has_copies(); });
         return shows;
     }
-    // Calls change(Viewport&) for the rectangle of the window that the Draw's pixels are copied from, if they are.
+    // Calls change(Rectangle&) for the rectangle of the window that the Draw's pixels are copied from, if they are.
     template <class Change>
     void change_source(const Change& change) {
         if (!pixels || !pixels->copied || pixels->copied->source.pixels->drawn) return;

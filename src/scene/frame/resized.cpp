@@ -12,7 +12,7 @@ Frame resized(Frame frame, int width, int height) {
         length = static_cast<int>(std::lround((start + length) * factor)) - first;
         start = first;
     };
-    const auto scale_box = [&](Viewport& box) {
+    const auto scale_box = [&](Rectangle& box) {
         scale(box.x, box.width, across);
         scale(box.y, box.height, up);
     };

@@ -133,7 +133,7 @@ class Player {
         return choice_.number && frame_ < *choice_.number && frame_end_ == FrameEnd::kSwap && !keeps_ &&
                frame_ < first_shown_;
     }
-    void reach(const Viewport& viewport) {
+    void reach(const Rectangle& viewport) {
         reach_x_ = std::max(reach_x_, std::int64_t{viewport.x} + viewport.width);
         reach_y_ = std::max(reach_y_, std::int64_t{viewport.y} + viewport.height);
     }
@@ -169,7 +169,7 @@ class Player {
     bool draws_in_initial_viewport_ = false;
     bool is_viewport_of_window_ = true;  // the newest glViewport is not of selection or feedback
     std::int64_t reach_x_ = 0, reach_y_ = 0;
-    Viewport first_;  // the first that starts in the corner
+    Rectangle first_;  // the first that starts in the corner
     // Why the first frame is too large, if it is. Where nothing is ever swapped, it ends at a glFlush, and may be smaller.
     std::optional<std::string> exhausted_;
     std::vector<std::string> notes_;
@@ -238,8 +238,8 @@ void Player::command(const Command& command) {
     // Programs with framebuffer objects also set the viewport for those, and selection and feedback (5.2, 5.3) may use any viewport.
     if (command.id == CommandId::glViewport) is_viewport_of_window_ = state_.render_mode() == kGL_RENDER;
     if (command.id == CommandId::glViewport && is_viewport_of_window_ && state_.framebuffers().named.empty()) {
-        const Viewport& viewport = state_.raster().viewport;
-        if (first_ == Viewport{} && viewport.x == 0 && viewport.y == 0) first_ = viewport;
+        const Rectangle& viewport = state_.raster().viewport;
+        if (first_ == Rectangle{} && viewport.x == 0 && viewport.y == 0) first_ = viewport;
         reach(viewport);
     }
     if (state_.items().size() == before) return;
@@ -253,7 +253,7 @@ void Player::command(const Command& command) {
         changed_ = true;
         const Draw* draw = std::get_if<Draw>(&*item);
         if (!draw) continue;
-        const Viewport& viewport = draw->raster.viewport;
+        const Rectangle& viewport = draw->raster.viewport;
         vertices_ += draw->vertices.size();
         drawn_ = ever_drawn_ = true;
         if (draw->pixels) continue;  // its viewport is not the program's

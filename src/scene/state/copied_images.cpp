@@ -36,7 +36,7 @@ bool is_driver_only_format(Enum format) {
 // The texels of the texture that the bound framebuffer object reads its colours from, if they are all known: if nothing was drawn or
 // copied into it. nullopt if they are not, or if the rectangle reaches beyond them. `format`: of the image that gets them.
 std::optional<std::vector<glm::vec4>> texels_to_copy(const Framebuffers& framebuffers, const TextureObjects& textures,
-                                                     const Viewport& from, const InternalFormat& format) {
+                                                     const Rectangle& from, const InternalFormat& format) {
     if (framebuffers.read == 0 || format.base_format == kGL_DEPTH_COMPONENT) return std::nullopt;
     const FramebufferObject& object = *framebuffers.named.at(framebuffers.read);
     const Attachment* attachment = object.color(object.read_buffer);
@@ -77,7 +77,7 @@ void add_part(TextureImage& image, ImagePart part) {
     image.parts.push_back(std::move(part));
 }
 
-std::shared_ptr<const CopiedPixels> State::copied_pixels(const Command& c, CopiedBuffer buffer, const Viewport& from,
+std::shared_ptr<const CopiedPixels> State::copied_pixels(const Command& c, CopiedBuffer buffer, const Rectangle& from,
                                                          double count) {
     if (!has_time(c, count + static_cast<double>(items_.size()))) return nullptr;
     std::shared_ptr<const ObjectPicture> drawn;
@@ -99,7 +99,7 @@ std::shared_ptr<const CopiedPixels> State::copied_pixels(const Command& c, Copie
                                                              .y = from.y});
 }
 
-std::shared_ptr<const CopiedPixels> State::take_pixels(const Command& c, CopiedBuffer buffer, const Viewport& from) {
+std::shared_ptr<const CopiedPixels> State::take_pixels(const Command& c, CopiedBuffer buffer, const Rectangle& from) {
     if (!a_.pixel_transfer.is_initial()) note_lasting(fmt::format("{} with glPixelTransfer", c.name()), c.place);
     auto pixels = copied_pixels(c, buffer, from, static_cast<double>(from.width) * from.height);
     if (pixels && !pixels->drawn) items_.emplace_back(TakePixels{pixels, from});
@@ -113,7 +113,7 @@ void State::copy_tex_image(const Command& c) {
     if (!target) return;
     const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
     const int level = whole(1), border = whole(two ? 7 : 6);
-    Viewport from{whole(3), whole(4), whole(5), two ? whole(6) : 1};
+    Rectangle from{whole(3), whole(4), whole(5), two ? whole(6) : 1};
     const int largest = level >= 0 && level < kMaxTextureLevels ? kMaxTextureSize >> level : 0;
     const auto fits = [&](int side) { return side >= 2 * border && side <= largest + 2 * border; };
     const auto raise_size = [&] {
@@ -179,7 +179,7 @@ void State::copy_tex_sub_image(const Command& c) {
     const auto whole = [&c](std::size_t i) { return static_cast<int>(c.number(i)); };
     const int level = whole(1), x0 = whole(2), y0 = is_flat ? 0 : whole(3), z0 = is_volume ? whole(4) : 0;
     const std::size_t at = 2 + dimensions;
-    const Viewport from{whole(at), whole(at + 1), whole(at + 2), is_flat ? 1 : whole(at + 3)};
+    const Rectangle from{whole(at), whole(at + 1), whole(at + 2), is_flat ? 1 : whole(at + 3)};
     const int levels_at_most = is_volume ? kMax3dTextureLevels : kMaxTextureLevels;
     if (level < 0 || level >= levels_at_most)
         return raise(kGL_INVALID_VALUE, c, "the level is {}; it must be in [0, {}]", level, levels_at_most - 1);

@@ -331,7 +331,7 @@ bool hides_all(const Draw& draw, int width, int height, bool has_alpha) {
     const RasterState& raster = draw.raster;
     std::array<bool, 4> mask = fragment.color_mask;
     mask[3] = mask[3] || !has_alpha;
-    const Viewport& box = fragment.scissor.box;
+    const Rectangle& box = fragment.scissor.box;
     const bool is_cut = fragment.scissor.enabled &&
                         (box.x > 0 || box.y > 0 || box.x + box.width < width || box.y + box.height < height);
     const bool fills = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL &&
@@ -347,7 +347,7 @@ bool hides_all(const Draw& draw, int width, int height, bool has_alpha) {
     for (std::size_t i = 0; i < 4; ++i) {
         const glm::dvec4 clip = draw.clip_from_eye * (draw.eye_from_object * draw.vertices[around[i]].position_object);
         if (!(clip.w > 0) || !(std::abs(clip.z) <= clip.w)) return false;
-        const Viewport& v = raster.viewport;
+        const Rectangle& v = raster.viewport;
         corners[i] = {v.x + v.width * (clip.x / clip.w + 1) / 2, v.y + v.height * (clip.y / clip.w + 1) / 2};
     }
     const auto is_beyond = [&](int axis, int size) {  // 2 corners below 0, 2 above the size, in turn or in pairs

@@ -286,8 +286,8 @@ void State::copy_pixels(const Command& c) {
 }
 
 void State::copy_buffer(const Command& c, CopiedBuffer buffer) {
-    const Viewport from{static_cast<int>(c.number(0)), static_cast<int>(c.number(1)), static_cast<int>(c.number(2)),
-                        static_cast<int>(c.number(3))};
+    const Rectangle from{static_cast<int>(c.number(0)), static_cast<int>(c.number(1)), static_cast<int>(c.number(2)),
+                         static_cast<int>(c.number(3))};
     const RasterPosition& position = a_.raster_position;
     const std::vector<Covered> columns = covered(position, position.position_window.x, a_.pixel_zoom.x, from.width);
     const std::vector<Covered> rows = covered(position, position.position_window.y, a_.pixel_zoom.y, from.height);

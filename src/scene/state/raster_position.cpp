@@ -131,7 +131,7 @@ void State::raster_pos(const Command& c) {
     position.vertex = raster;
     if (!position.is_valid && !position.is_doubtful) return;
     const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
-    const Viewport& viewport = a_.raster.viewport;
+    const Rectangle& viewport = a_.raster.viewport;
     const double near = a_.raster.depth_near, far = a_.raster.depth_far;
     position.position_window = {(ndc.x + 1) / 2 * viewport.width + viewport.x,
                                 (ndc.y + 1) / 2 * viewport.height + viewport.y, (ndc.z + 1) / 2 * (far - near) + near,

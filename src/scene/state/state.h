@@ -255,10 +255,10 @@ class State {
     // target; for one of a proxy only if not `allows_proxy`.
     std::optional<ImageTarget> image_target(const Command& command, bool allows_proxy = false);
     // Pixels of the picture so far. Raises the error and returns null if there is no room for `count` values.
-    std::shared_ptr<const CopiedPixels> copied_pixels(const Command& command, CopiedBuffer buffer, const Viewport& from,
-                                                      double count);
+    std::shared_ptr<const CopiedPixels> copied_pixels(const Command& command, CopiedBuffer buffer,
+                                                      const Rectangle& from, double count);
     // The same for all pixels of the rectangle, for a texture.
-    std::shared_ptr<const CopiedPixels> take_pixels(const Command& command, CopiedBuffer buffer, const Viewport& from);
+    std::shared_ptr<const CopiedPixels> take_pixels(const Command& command, CopiedBuffer buffer, const Rectangle& from);
     // Framebuffer objects: framebuffers.cpp.
     struct AttachedImage {
         int width = 0, height = 0;

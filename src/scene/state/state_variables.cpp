@@ -17,7 +17,7 @@ template <class Value>
 void add(Values& values, const Value& value) {
     if constexpr (std::is_arithmetic_v<Value>)
         values.push_back(static_cast<double>(value));
-    else if constexpr (std::same_as<Value, Viewport>)
+    else if constexpr (std::same_as<Value, Rectangle>)
         for (const int number : {value.x, value.y, value.width, value.height}) values.push_back(number);
     else if constexpr (requires { value.size(); })
         for (const auto part : value) values.push_back(part);

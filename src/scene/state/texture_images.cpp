@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <string>
@@ -65,8 +66,8 @@ void State::pixel_store(const Command& c) {
     const bool is_alignment = pname == kGL_UNPACK_ALIGNMENT || pname == kGL_PACK_ALIGNMENT;
     if (is_alignment && value != 1 && value != 2 && value != 4 && value != 8)
         return raise(kGL_INVALID_VALUE, c, "{} is {}; it must be 1, 2, 4 or 8", enum_name(pname), value);
-    const double number = value;
-    set_parameter(pixel_store_, *find_parameter_row<PixelStore>(pname), std::span(&number, 1));
+    const std::array<double, 4> numbers{static_cast<double>(value)};
+    set_parameter(pixel_store_, *find_parameter_row<PixelStore>(pname), numbers);
 }
 
 // 3.6.4: checks that the format and the type are known and can be used together.

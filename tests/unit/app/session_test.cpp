@@ -258,7 +258,7 @@ TEST(SessionAnimation, TurnsTheSelectedLightAroundTheMiddle) {
 
 // ---- Layout ----
 
-bool overlap(const Box& a, const Box& b) {
+bool overlap(const Rectangle& a, const Rectangle& b) {
     return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
@@ -269,7 +269,7 @@ TEST(SessionLayout, NothingOverlapsInAnyWindow) {
         for (const auto& [width, height] : {std::pair{800, 600}, {1280, 800}, {1920, 1080}, {3840, 2160}}) {
             for (const double scale : {1.0, 1.5, 2.0}) {
                 const Layout places = layout(session, width, height, scale);
-                std::vector<Box> boxes{places.panel, places.status};
+                std::vector<Rectangle> boxes{places.panel, places.status};
                 for (const Cell& cell : places.cells) {
                     boxes.insert(boxes.end(), {cell.header, cell.picture, cell.footer});
                     EXPECT_EQ(cell.picture.width, places.picture.width);
@@ -294,7 +294,7 @@ TEST(SessionLayout, FindsThePixelUnderTheMouse) {
     session.view = View::kGrid;
     const Layout places = layout(session, 1280, 800, 1);
     ASSERT_EQ(places.cells.size(), 4u);
-    const Box& third = places.cells[2].picture;
+    const Rectangle& third = places.cells[2].picture;
     const auto found = hit(places, third.x + 7, third.y + 9);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->pane, 2u);

@@ -110,7 +110,7 @@ class Writer {
 
     void write_scissor(const Scissor& scissor, const std::array<bool, 4>& mask) {
         enable(kGL_SCISSOR_TEST, scissor.enabled);
-        const Viewport& box = scissor.box;
+        const Rectangle& box = scissor.box;
         if (scissor.enabled)
             set("scissor", fmt::format("glScissor({}, {}, {}, {});", box.x, box.y, box.width, box.height));
         set("color mask", fmt::format("glColorMask({:d}, {:d}, {:d}, {:d});", mask[0], mask[1], mask[2], mask[3]));
@@ -159,7 +159,7 @@ class Writer {
 
     void write_raster(const Draw& draw) {
         const RasterState& raster = draw.raster;
-        const Viewport& v = raster.viewport;
+        const Rectangle& v = raster.viewport;
         set("viewport", fmt::format("glViewport({}, {}, {}, {});", v.x, v.y, v.width, v.height));
         set("depth range", fmt::format("glDepthRange({}, {});", raster.depth_near, raster.depth_far));
         set("front face", fmt::format("glFrontFace({});", enum_name(raster.front_face)));
