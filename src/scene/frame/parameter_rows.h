@@ -1,5 +1,6 @@
-// The parameters of lights, materials, the light model, textures and pixel storage as rows: the name that glLight, glMaterial, glLightModel,
-// glTexParameter, glPixelStore and their queries take (GL 2.1 tables 2.9, 2.10, 3.1 and 3.18; 6.1), and the member that holds the value.
+// The parameters of lights, materials, the light model and textures as rows, and in attributes.h those of pixel storage: the name that
+// glLight, glMaterial, glLightModel, glTexParameter, glPixelStore and their queries take (GL 2.1 tables 2.9, 2.10, 3.1 and 3.18; 6.1), and
+// the member that holds the value.
 // The members have GL's initial values. parameters.def has the number of values and their range, argument_help.def the words.
 #pragma once
 
@@ -21,8 +22,8 @@ struct ParameterRow {
     Enum pname;
     std::variant<glm::dvec4 Owner::*, glm::dvec3 Owner::*, double Owner::*, bool Owner::*, int Owner::*, Enum Owner::*>
         member;
-    std::string_view glsl =
-        "";  // in gl_LightSource, gl_FrontMaterial and gl_LightModel (GLSL 1.20, 7.5); empty: not there
+    // Its name in gl_LightSource, gl_FrontMaterial and gl_LightModel (GLSL 1.20, 7.5); empty: it is not there.
+    std::string_view glsl = "";
 };
 
 // In the order in which the window shows them.
@@ -73,6 +74,7 @@ inline constexpr std::array kTextureParameters = {
     ParameterRow<Texture>{kGL_GENERATE_MIPMAP, &Texture::generate_mipmap},
     ParameterRow<Texture>{kGL_TEXTURE_MAX_ANISOTROPY_EXT, &Texture::max_anisotropy},
 };
+
 // The rows of an Owner. What is no part of a Draw has a specialisation beside it (attributes.h).
 template <class Owner>
 inline constexpr std::span<const ParameterRow<Owner>> kParameterRows;
