@@ -104,13 +104,13 @@ template <class Owner>
 void set_parameter(Owner& owner, const ParameterRow<Owner>& parameter, std::span<const double> values) {
     const auto set = [&](auto member) {
         auto& of = owner.*member;
-        using Value = std::remove_reference_t<decltype(of)>;
-        if constexpr (std::is_same_v<Value, bool>)
+        using Of = std::remove_reference_t<decltype(of)>;
+        if constexpr (std::is_same_v<Of, bool>)
             of = values[0] != 0;
-        else if constexpr (std::is_arithmetic_v<Value>)
-            of = static_cast<Value>(values[0]);
+        else if constexpr (std::is_arithmetic_v<Of>)
+            of = static_cast<Of>(values[0]);
         else
-            for (int i = 0; i < Value::length(); ++i) of[i] = values[static_cast<std::size_t>(i)];
+            for (int i = 0; i < Of::length(); ++i) of[i] = values[static_cast<std::size_t>(i)];
     };
     std::visit(set, parameter.member);
 }
@@ -120,11 +120,11 @@ template <class Owner>
 std::vector<double> values_of(const Owner& owner, const ParameterRow<Owner>& parameter) {
     const auto get = [&](auto member) -> std::vector<double> {
         const auto& of = owner.*member;
-        using Value = std::remove_cvref_t<decltype(of)>;
-        if constexpr (std::is_arithmetic_v<Value>)
+        using Of = std::remove_cvref_t<decltype(of)>;
+        if constexpr (std::is_arithmetic_v<Of>)
             return {static_cast<double>(of)};
         else
-            return {&of[0], &of[0] + Value::length()};
+            return {&of[0], &of[0] + Of::length()};
     };
     return std::visit(get, parameter.member);
 }
