@@ -26,12 +26,7 @@ bool tracks_color(const LightingState& state, Enum face, Enum pname) {
 }
 
 // Follows which command set each value.
-struct Origins {
-    std::vector<LightValues> lights = std::vector<LightValues>(kMaxLights);
-    FaceValues front, back;
-    std::array<SetBy, kLightModelParameters.size()> light_model{};
-    SetBy color_material, color_material_mode;
-
+struct Origins : ValueOrigins {
     void set_color(const LightingState& state, std::size_t command) {
         for (const auto& [face, values] : {std::pair(kGL_FRONT, &front), {kGL_BACK, &back}})
             for (std::size_t i = 0; i < kMaterialParameters.size(); ++i)
@@ -210,13 +205,11 @@ std::optional<LightingValues> lighting_values(const CommandList& commands, std::
     const Command& command = commands.commands[drawing_command];
     values.drawing = {drawing_command, 0, 1, first.lighting.enabled, name_of_drawing(command) + line_of(command)};
     values.state = first.lighting;
-    values.lights = std::move(origins.lights);
+    static_cast<ValueOrigins&>(values) = std::move(origins);
     for (std::size_t l = 0; l < values.lights.size(); ++l) {
         values.lights[l].stored = first.lighting.lights[l];
         values.lights[l].typed = frame.typed_lights.at(first.lighting.lights[l].typed);
     }
-    values.front = origins.front;
-    values.back = origins.back;
     values.front.material = first.lighting.front;
     values.back.material = first.lighting.back;
     for (const auto& [face, of] : {std::pair(kGL_FRONT, &values.front), {kGL_BACK, &values.back}}) {
@@ -228,9 +221,6 @@ std::optional<LightingValues> lighting_values(const CommandList& commands, std::
             set_parameter(of->material, row, std::span(&color[0], 4));
         }
     }
-    values.light_model = origins.light_model;
-    values.color_material = origins.color_material;
-    values.color_material_mode = origins.color_material_mode;
     return values;
 }
 

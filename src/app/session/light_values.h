@@ -56,16 +56,20 @@ struct FaceValues {
     const SetBy& set_by_of(Enum pname) const { return set_by[number_of_parameter<Material>(pname)]; }
 };
 
-struct LightingValues {
-    DrawingCommand drawing;
-    LightingState state;  // of the first Draw
-    std::vector<LightValues> lights;
+// What set the values of all lights, both materials and the light model.
+struct ValueOrigins {
+    std::vector<LightValues> lights = std::vector<LightValues>(kMaxLights);
     FaceValues front, back;
     std::array<SetBy, kLightModelParameters.size()> light_model{};
-    SetBy color_material, color_material_mode;   // glEnable(GL_COLOR_MATERIAL), glColorMaterial
-    std::optional<std::size_t> color_command{};  // the last glColor before the first vertex
+    SetBy color_material, color_material_mode;  // glEnable(GL_COLOR_MATERIAL), glColorMaterial
 
     const SetBy& light_model_set_by(Enum pname) const { return light_model[number_of_parameter<LightModel>(pname)]; }
+};
+
+struct LightingValues : ValueOrigins {
+    DrawingCommand drawing;
+    LightingState state;                         // of the first Draw
+    std::optional<std::size_t> color_command{};  // the last glColor before the first vertex
 };
 // For the drawing command with this index; nullopt if it draws nothing.
 std::optional<LightingValues> lighting_values(const CommandList& commands, std::size_t drawing_command);
