@@ -362,7 +362,7 @@ class Preparation {
     }
 
     static bool lies_inside(const glm::ivec2& place, const Frame& frame) {
-        return place.x >= 0 && place.x < frame.width && place.y >= 0 && place.y < frame.height;
+        return Rectangle{0, 0, frame.width, frame.height}.contains(place.x, place.y);
     }
     static bool lies_inside(const WindowPixels& pixels, const Frame& frame) {
         return std::ranges::all_of(pixels.places, [&](const glm::ivec2& place) { return lies_inside(place, frame); });

@@ -59,7 +59,7 @@ Rgba taken_pixel(const Image& image, const glm::ivec2& corner, const CopiedPixel
     };
     const std::int64_t x = from.x + scaled(i, from.width, size.width) - corner.x,
                        y = from.y + scaled(j, from.height, size.height) - corner.y;
-    const bool is_inside = x >= 0 && x < image.width && y >= 0 && y < image.height;
+    const bool is_inside = Rectangle{0, 0, image.width, image.height}.contains(x, y);
     Rgba pixel{outside, outside, outside, outside};
     if (is_inside) pixel = image.at(static_cast<int>(x), image.height - 1 - static_cast<int>(y));
     if (size.buffer == CopiedBuffer::kColors)

@@ -102,8 +102,6 @@ void write_only_depth(Draw& draw) {
     draw.raster.depth_func = kGL_ALWAYS;
 }
 
-bool is_in_window(int x, int y) { return x >= 0 && y >= 0 && x < kMostWindowPixels && y < kMostWindowPixels; }
-
 }  // namespace
 
 // ---- Drawing ----
@@ -192,7 +190,7 @@ void State::bitmap(const Command& c) {
                 for (int x = 0; x < width; ++x)
                     if (bits[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                              static_cast<std::size_t>(x)] &&
-                        is_in_window(x0 + x, y0 + y))
+                        kWindowOfPixels.contains(x0 + x, y0 + y))
                         places.emplace_back(x0 + x, y0 + y);
         };
         add(columns.front(), rows.front(), pixels.places);
