@@ -33,10 +33,13 @@ struct Arrival {
 
     double reach() const { return attenuation * spot; }
 };
-inline Arrival arrival_at(const glm::dvec3& point_eye, const LightSource& source) {
-    const lighting::Light<double> light = lighting_of(source);
+inline Arrival arrival_at(const glm::dvec3& point_eye, const lighting::Light<double>& light) {
     const auto [dir, distance] = lighting::toward_light(light, vec3_cast<Vec3<double>>(point_eye));
     return {vec3_cast<glm::dvec3>(dir), lighting::attenuation(light, distance), lighting::spot(light, dir)};
+}
+// For a single point: the conversion costs more than the rest.
+inline Arrival arrival_at(const glm::dvec3& point_eye, const LightSource& source) {
+    return arrival_at(point_eye, lighting_of(source));
 }
 
 }  // namespace twinlight

@@ -104,7 +104,7 @@ struct AllowedDifference {
     Image channels() const;
     // Whether any channel of the pixel may be off because of this.
     bool allows(Why why, std::size_t i) const;
-    // The part with this cause. If there is none yet, adds one in which nothing is allowed.
+    // The part with this cause: a new one that allows nothing, if there was none.
     Image& part(Why why);
 };
 

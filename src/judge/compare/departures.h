@@ -72,7 +72,7 @@ class DeparturesOfScene {
     // The departure that applies, or null. Those that affect shaders too come first.
     const Departure* at(const Draw& draw, const Vertex& vertex) const;
     const Departure* in(const Frame& frame) const;
-    // The departure with which the driver may crash: it should not draw such a frame. Null if there is none.
+    // A departure that may crash the driver, so that it should not draw the frame; null if no known one may.
     const Departure* crash_in(const Frame& frame) const;
 
   private:

@@ -151,13 +151,13 @@ enum class Dark : std::uint8_t { kNot, kFacesAway, kLightInside, kOutsideCone, k
 
 double largest(const glm::dvec3& color) { return std::max({color.r, color.g, color.b}); }
 
-Dark dark_reason(const Draw& draw, const LightSource& light, const EyeVertex& vertex, const Vertex& given) {
+Dark dark_reason(const Draw& draw, const LightSource& light, const Arrival& arrival, const EyeVertex& vertex,
+                 const Vertex& given) {
     const Material& material = draw.materials.empty() ? draw.lighting.front : draw.materials[given.material].front;
     const glm::dvec3 diffuse =
         draw.lighting.color_material.enabled ? glm::dvec3(given.color) : glm::dvec3(material.diffuse);
     const glm::dvec3 ambient =
         draw.lighting.color_material.enabled ? glm::dvec3(given.color) : glm::dvec3(material.ambient);
-    const Arrival arrival = arrival_at(vertex.position, light);
     const double facing = glm::dot(vertex.normal, arrival.to_light_dir);
     const double brightest = std::max({largest(light.ambient), largest(light.diffuse), largest(light.specular)});
     if (arrival.spot == 0) return Dark::kOutsideCone;
@@ -193,14 +193,15 @@ std::map<int, const Draw*> lost_spots(const Frame& frame) {
     const auto is_spot = [](const LightSource& light) {
         return light.spot_cutoff_deg < 90 && !light.is_directional() && !is_black(light);
     };
-    const auto lights = [](const LightSource& light, const EyeVertex& point) {
+    const auto lights = [](const lighting::Light<double>& light, const EyeVertex& point) {
         const Arrival arrival = arrival_at(point.position, light);
         return arrival.reach() > 0.05 && glm::dot(point.normal, arrival.to_light_dir) > 0.05;
     };
     for (const Draw* draw : draws) {
         for (const int number : enabled_lights(*draw)) {
-            const LightSource& light = draw->lighting.lights[static_cast<std::size_t>(number)];
-            if (!is_spot(light) || found.contains(number)) continue;
+            const LightSource& source = draw->lighting.lights[static_cast<std::size_t>(number)];
+            if (!is_spot(source) || found.contains(number)) continue;
+            const lighting::Light<double> light = lighting_of(source);
             const std::vector<EyeVertex> vertices = eye_vertices(*draw);
             if (std::ranges::any_of(
                     vertices, [&](const EyeVertex& vertex) { return arrival_at(vertex.position, light).spot > 0; })) {
@@ -265,10 +266,12 @@ DarkFrame dark_frame(const Frame& frame) {
         for (const int number : lights) {
             const LightSource& light = draw->lighting.lights[static_cast<std::size_t>(number)];
             if (is_black(light)) continue;
+            const lighting::Light<double> arriving = lighting_of(light);
             std::size_t away = 0;
             for (std::size_t i = 0; i < vertices.size(); ++i) {
                 if (vertices[i].normal == glm::dvec3(0)) return {};  // normal-zero
-                const Dark why = dark_reason(*draw, light, vertices[i], draw->vertices[i]);
+                const Dark why = dark_reason(*draw, light, arrival_at(vertices[i].position, arriving), vertices[i],
+                                             draw->vertices[i]);
                 if (why == Dark::kNot) return {};
                 ++(why == Dark::kFacesAway ? away : counts[why]);
                 if (result.place.line == 0) {
@@ -344,7 +347,7 @@ class SpotBetweenVertices : public Watch {
 };
 
 // (n . h)^s with attenuation and cone, section 2.14.1.
-double highlight(const Draw& draw, const LightSource& light, const EyeVertex& point, bool local_viewer) {
+double highlight(const Draw& draw, const lighting::Light<double>& light, const EyeVertex& point, bool local_viewer) {
     const Arrival arrival = arrival_at(point.position, light);
     const glm::dvec3 way = arrival.to_light_dir;
     if (glm::dot(point.normal, way) <= 0) return 0;
@@ -355,7 +358,7 @@ double highlight(const Draw& draw, const LightSource& light, const EyeVertex& po
     const double cosine = std::max(0.0, glm::dot(point.normal, glm::normalize(half)));
     const Material& front = draw.lighting.front;
     return std::pow(cosine, front.shininess) * arrival.reach() *
-           largest(glm::dvec3(light.specular) * glm::dvec3(front.specular));
+           largest(vec3_cast<glm::dvec3>(light.specular) * glm::dvec3(front.specular));
 }
 
 class HighlightBetweenVertices : public Watch {
@@ -367,7 +370,8 @@ class HighlightBetweenVertices : public Watch {
             const std::vector<EyeVertex> vertices = eye_vertices(*draw);
             const std::vector<Triangle> triangles = triangles_of(*draw);
             for (const int number : enabled_lights(*draw)) {
-                const LightSource& light = draw->lighting.lights[static_cast<std::size_t>(number)];
+                const lighting::Light<double> light =
+                    lighting_of(draw->lighting.lights[static_cast<std::size_t>(number)]);
                 const auto at = [&](const EyeVertex& point) {
                     return highlight(*draw, light, point, draw->lighting.light_model.local_viewer);
                 };
@@ -398,7 +402,8 @@ class HighlightEverywhere : public Watch {
             std::vector<EyeVertex> in_view;
             if (!add_plane(draws, in_view) || in_view.size() < kManyVertices) continue;
             for (const int number : enabled_lights(first)) {
-                const LightSource& light = first.lighting.lights[static_cast<std::size_t>(number)];
+                const lighting::Light<double> light =
+                    lighting_of(first.lighting.lights[static_cast<std::size_t>(number)]);
                 double least = INFINITY, most = 0;
                 for (const EyeVertex& vertex : in_view) {
                     const double local = highlight(first, light, vertex, true);

@@ -85,27 +85,38 @@ TexturePlace place_of(const Coordinates& over_w, const CubePlace& on_face) {
 // the four. The direction is s, t and r divided by `divisor`, which a driver may divide by before (1/w, or q/w).
 struct Divisor {
     double value = 0, per_x = 0, per_y = 0;
+
+    friend bool operator==(const Divisor&, const Divisor&) = default;
 };
 Interval rho_of_differences(const Texture& texture, const Coordinates& over_w, const Divisor& divisor,
                             std::size_t face) {
-    const auto direction = [&](int x, int y) {
-        const glm::dvec3 str(over_w.value + static_cast<double>(x) * over_w.per_x +
-                             static_cast<double>(y) * over_w.per_y);
-        return str / (divisor.value + x * divisor.per_x + y * divisor.per_y);
+    // The directions at this pixel and at the eight around it.
+    std::array<std::array<glm::dvec3, 3>, 3> directions{};
+    const auto direction = [&](const glm::ivec2& at) -> glm::dvec3& {
+        return directions[static_cast<std::size_t>(at.y + 1)][static_cast<std::size_t>(at.x + 1)];
     };
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            const glm::dvec3 str(over_w.value + static_cast<double>(x) * over_w.per_x +
+                                 static_cast<double>(y) * over_w.per_y);
+            direction({x, y}) = str / (divisor.value + x * divisor.per_x + y * divisor.per_y);
+        }
     const glm::dvec3 size = size_in_texels(texture);
     double least = HUGE_VAL, most = 0;
     // The pixel (x, y) of the four whose lower left one is at `corner`.
     const auto add = [&](const glm::ivec2& corner, int x, int y) {
-        const CubePlace on_face = place_on_face(direction(corner.x + x, corner.y + y), face);
+        const CubePlace on_face = place_on_face(direction(corner + glm::ivec2(x, y)), face);
         if (on_face.major <= 0) return;
         const auto change = [&](const glm::ivec2& from, const glm::ivec2& to) {
-            return glm::length(size * change_on_face(on_face, direction(to.x, to.y) - direction(from.x, from.y)));
+            return glm::length(size * change_on_face(on_face, direction(to) - direction(from)));
         };
-        for (int row = 0; row < 2; ++row)
-            for (int column = 0; column < 2; ++column) {
-                const double one = std::max(change(corner + glm::ivec2(0, row), corner + glm::ivec2(1, row)),
-                                            change(corner + glm::ivec2(column, 0), corner + glm::ivec2(column, 1)));
+        const std::array across{change(corner, corner + glm::ivec2(1, 0)),
+                                change(corner + glm::ivec2(0, 1), corner + glm::ivec2(1, 1))};
+        const std::array up{change(corner, corner + glm::ivec2(0, 1)),
+                            change(corner + glm::ivec2(1, 0), corner + glm::ivec2(1, 1))};
+        for (const double of_row : across)
+            for (const double of_column : up) {
+                const double one = std::max(of_row, of_column);
                 if (!std::isfinite(one)) continue;
                 least = std::min(least, one);
                 most = std::max(most, one);
@@ -150,8 +161,9 @@ std::vector<TexturePlaceBounds> cube_place_bounds(const TexCoords& tex_coords, c
     const Divisor one_over_w{sum(weights_over_w.value), sum(weights_over_w.per_x), sum(weights_over_w.per_y)},
         q_over_w{over_w.value.w, over_w.per_x.w, over_w.per_y.w};
     const auto rho_of_differences = [&](std::size_t face) {
-        return hull(reference::rho_of_differences(texture, over_w, one_over_w, face),
-                    reference::rho_of_differences(texture, over_w, q_over_w, face));
+        const Interval rho = reference::rho_of_differences(texture, over_w, one_over_w, face);
+        if (q_over_w == one_over_w) return rho;  // q is 1
+        return hull(rho, reference::rho_of_differences(texture, over_w, q_over_w, face));
     };
     std::vector<TexturePlaceBounds> bounds;
     for (std::size_t face = 0; face < texture.face_count(); ++face) {

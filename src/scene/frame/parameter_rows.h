@@ -87,7 +87,7 @@ inline constexpr std::span<const ParameterRow<LightModel>> kParameterRows<LightM
 template <>
 inline constexpr std::span<const ParameterRow<Texture>> kParameterRows<Texture> = kTextureParameters;
 
-// The row's number; the number of rows if there is none.
+// The index of the row with this name; how many rows there are, if none has it.
 template <class Owner>
 std::size_t number_of_parameter(Enum pname) {
     const auto rows = kParameterRows<Owner>;
@@ -133,8 +133,16 @@ std::vector<double> values_of(const Owner& owner, const ParameterRow<Owner>& par
 template <class Owner>
 std::array<float, 4> floats_of(const Owner& owner, const ParameterRow<Owner>& parameter) {
     std::array<float, 4> floats{};
-    std::ranges::transform(values_of(owner, parameter), floats.begin(),
+    const auto get = [&](auto member) {
+        const auto& of = owner.*member;
+        using Of = std::remove_cvref_t<decltype(of)>;
+        if constexpr (std::is_arithmetic_v<Of>)
+            floats[0] = static_cast<float>(of);
+        else
+            std::transform(&of[0], &of[0] + Of::length(), floats.begin(),
                            [](double value) { return static_cast<float>(value); });
+    };
+    std::visit(get, parameter.member);
     return floats;
 }
 

@@ -22,6 +22,6 @@ struct StateVariable {
 };
 
 std::span<const StateVariable> state_variables();
-const StateVariable* find_state_variable(Enum pname);  // null if there is none
+const StateVariable* find_state_variable(Enum pname);  // null for other names
 
 }  // namespace twinlight
