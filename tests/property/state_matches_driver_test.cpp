@@ -315,7 +315,7 @@ bool is_departure(const Command& command, const State& state) {
     // 2.7: glTexCoord1 to 3 set the others to 0, 0, 1, and glColor3 sets alpha to 1; the driver may keep what was
     // there.
     const auto is_plain = [&](std::size_t unit) {
-        const glm::dvec4& coords = state.attributes().tex_coord(unit);
+        const glm::dvec4& coords = state.attributes().current.tex_coord_of(unit);
         return coords == glm::dvec4(coords.s, 0, 0, 1);
     };
     if (name.starts_with("glTexCoord") && name[10] != '4' && !is_plain(0)) return true;

@@ -280,7 +280,8 @@ bool any_tex_coord(const Draw& draw, const Vertex& vertex, const Holds& holds) {
     const std::size_t number = static_cast<std::size_t>(&vertex - draw.vertices.data());  // if it is one of the Draw's
     bool any = draw.texture.texture && holds(*draw.texture.texture, staged.tex_coord);
     for (const FurtherUnit& further : draw.further_units) {
-        const glm::dvec4 own = number < further.tex_coords.size() ? further.tex_coords[number] : vertex.tex_coord;
+        const glm::dvec4 own =
+            number < draw.vertices.size() ? draw.tex_coord(further.number, number) : vertex.tex_coord;
         const glm::dvec4 generated =
             reference::generated_tex_coord(further.unit, vertex, own, staged.position_eye, staged.normal_eye);
         any = any || holds(*further.unit.texture, further.unit.texture_matrix * generated);
@@ -329,7 +330,7 @@ bool biases_level_of_points(const Draw& draw) {
 
 bool adds_secondary_color_in_fog(const Draw& draw) {
     const bool separates = draw.lighting.enabled && draw.lighting.light_model.color_control != kGL_SINGLE_COLOR;
-    return draw.fog.enabled && (separates || !draw.secondary_colors.empty());
+    return draw.fog.enabled && (separates || draw.column(VertexAttribute::kSecondaryColor));
 }
 
 namespace {
@@ -387,7 +388,8 @@ bool has_exponential_fog_behind_the_eye(const Draw& draw) {
 }
 
 bool has_negative_fog_coords(const Draw& draw) {
-    return std::ranges::any_of(draw.fog_coords, [](double coordinate) { return coordinate < 0; });
+    const std::vector<glm::dvec4>* coordinates = draw.column(VertexAttribute::kFogCoord);
+    return coordinates && std::ranges::any_of(*coordinates, [](const glm::dvec4& c) { return c.x < 0; });
 }
 
 // Mesa makes separate lines of the strips in a list if another strip or line follows, so the count begins with each.

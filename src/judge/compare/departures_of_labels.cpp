@@ -59,7 +59,7 @@ bool transfers_copied_depths(const Draw& draw) {
 }
 
 bool has_secondary_color_at_raster_position(const Draw& draw) {
-    if (draw.pixels && !draw.secondary_colors.empty()) return true;
+    if (draw.pixels && draw.column(VertexAttribute::kSecondaryColor)) return true;
     return is_lit_label(draw) && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR &&
            glm::dvec3(draw.lighting.front.specular) != glm::dvec3(0) &&
            any_light(draw, [](const LightSource& light) { return glm::dvec3(light.specular) != glm::dvec3(0); });

@@ -208,7 +208,7 @@ Lines after_lighting_lines(const ColorSteps& steps, const Draw& draw, bool is_ex
     for (const TextureSteps& texture : steps.textures) lines += texture_lines(texture, draw, is_exact);
     const bool separates =
         draw.lighting.enabled && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
-    if (separates || !draw.secondary_colors.empty()) {
+    if (separates || draw.column(VertexAttribute::kSecondaryColor)) {
         lines += head("colour sum (3.9)") +
                  color_line("", "the colour so far",
                             rgb_of(steps.textures.empty() ? steps.primary : steps.textures.back().result)) +

@@ -179,7 +179,7 @@ std::string steps_after_lighting(const PixelFragment& fragment, const Draw& draw
     else if (draw.texture.texture)
         steps += ", texture (3.8)";
     const bool separates = fragment.is_lit && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
-    if (separates || !draw.secondary_colors.empty()) steps += ", colour sum (3.9)";
+    if (separates || draw.column(VertexAttribute::kSecondaryColor)) steps += ", colour sum (3.9)";
     if (draw.fog.enabled) steps += ", fog (3.10)";
     if (lecture_variants && draw.fragment.srgb_coded) steps += ", sRGB";
     return steps;

@@ -189,7 +189,7 @@ void plan_fragments(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
     plan.effects.clip_plane_count = draw.raster.clip_plane_count();
     if (plan.effects.clip_plane_count == 0) plan.leave_out("clip planes", "none is enabled", true);
     plan.effects.attenuated_points = draw.raster.point_parameters.attenuates();
-    plan.effects.secondary_color = !draw.secondary_colors.empty();
+    plan.effects.secondary_color = draw.column(VertexAttribute::kSecondaryColor) != nullptr;
     if (draw.fragment.color_sum && !draw.lighting.enabled && !plan.effects.secondary_color)
         plan.leave_out("colour sum", "the secondary colour is black");
 }

@@ -57,13 +57,12 @@ void reset_pixels(const PixelStore& store) {
     for (GLenum map = GL_PIXEL_MAP_I_TO_I; map <= GL_PIXEL_MAP_A_TO_A; ++map) glPixelMapfv(map, 1, &zero);
 }
 
-void reset_current_values(const Attributes& start) {
-    const Vertex& current = start.current;
+void reset_current_values(const VertexValues& current) {
     glColor4dv(&current.color[0]);
     glNormal3dv(&current.normal_object[0]);
     glEdgeFlag(current.edge_flag);
-    glSecondaryColor3dv(&start.secondary_color[0]);
-    glFogCoordd(start.fog_coord);
+    glSecondaryColor3dv(&current.further(VertexAttribute::kSecondaryColor)[0]);
+    glFogCoordd(current.further(VertexAttribute::kFogCoord).x);
 }
 
 void reset_stipples() {
@@ -196,7 +195,7 @@ void reset(int width, int height, std::uint32_t framebuffer) {
         if (!row.is_per_unit()) set_enabled(row.cap, *initial.capability(row.cap));
     for (const auto& [target, mode] : start.hints) glHint(target, mode);
     glListBase(start.list_base);
-    reset_current_values(start);
+    reset_current_values(start.current);
     set_lighting(start.lighting, true);
     glMaterialfv(GL_FRONT_AND_BACK, GL_COLOR_INDEXES, &glm::vec3(start.lighting.front.color_indexes)[0]);
     glShadeModel(start.lighting.shade_model);
@@ -211,7 +210,7 @@ void reset(int width, int height, std::uint32_t framebuffer) {
     // With the current values. They are set again, because Mesa (22.3) forgets here that they are new, and then a
     // glPopAttrib(GL_CURRENT_BIT) of the scene does not restore them.
     glWindowPos3f(0, 0, 0);
-    reset_current_values(start);
+    reset_current_values(start.current);
     reset_texture_units(start.current);
     reset_evaluators();  // needs unit 0 active
     reset_arrays();

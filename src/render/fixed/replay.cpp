@@ -143,13 +143,13 @@ struct PreparedDraw {
         stages.set(draw->raster, draw->fragment);
         glShadeModel(shade_model);
         set_enabled(GL_FOG, fogged);
-        set_enabled(GL_COLOR_SUM, !draw->secondary_colors.empty());
+        set_enabled(GL_COLOR_SUM, draw->column(VertexAttribute::kSecondaryColor) != nullptr);
         if (fogged) set_fog(draw->fog);
         set_texture(textures);
         load_matrix(GL_PROJECTION, draw->clip_from_eye);
         load_matrix(GL_MODELVIEW, draw->eye_from_object);
         const bool has_only_colors = !lighting.enabled && !textured && units.empty() && !fogged;
-        if (draw->pixels && has_only_colors && draw->secondary_colors.empty())
+        if (draw->pixels && has_only_colors && !draw->column(VertexAttribute::kSecondaryColor))
             draw->pixels->image ? draw_image(*draw->pixels) : draw_points(*draw);
         else if (draw->pixels)
             draw_pixels(*draw);

@@ -16,6 +16,46 @@ bool all_share(const Draw& draw, Property Vertex::*property) {
                                [&](const Vertex& v) { return v.*property == draw.vertices.front().*property; });
 }
 
+// The texture unit of an attribute; nothing if it has no unit.
+std::optional<GLenum> unit_of(VertexAttribute attribute) {
+    const std::size_t unit = number_of(attribute) - number_of(VertexAttribute::kTexCoord0);
+    return unit < kMaxTextureUnits ? std::optional(GL_TEXTURE0 + static_cast<GLenum>(unit)) : std::nullopt;
+}
+
+GLenum array_of(VertexAttribute attribute) {
+    switch (attribute) {
+        case VertexAttribute::kPosition: return GL_VERTEX_ARRAY;
+        case VertexAttribute::kNormal: return GL_NORMAL_ARRAY;
+        case VertexAttribute::kColor: return GL_COLOR_ARRAY;
+        case VertexAttribute::kSecondaryColor: return GL_SECONDARY_COLOR_ARRAY;
+        case VertexAttribute::kFogCoord: return GL_FOG_COORD_ARRAY;
+        default: return GL_TEXTURE_COORD_ARRAY;
+    }
+}
+
+void set_pointer(VertexAttribute attribute, GLint size, GLsizei stride, const void* values) {
+    switch (attribute) {
+        case VertexAttribute::kPosition: return glVertexPointer(size, GL_FLOAT, stride, values);
+        case VertexAttribute::kNormal: return glNormalPointer(GL_FLOAT, stride, values);
+        case VertexAttribute::kColor: return glColorPointer(size, GL_FLOAT, stride, values);
+        case VertexAttribute::kSecondaryColor: return glSecondaryColorPointer(size, GL_FLOAT, stride, values);
+        case VertexAttribute::kFogCoord: return glFogCoordPointer(GL_FLOAT, stride, values);
+        default: return glTexCoordPointer(size, GL_FLOAT, stride, values);
+    }
+}
+
+// Between glBegin and glEnd.
+void send(VertexAttribute attribute, GLint size, const float* values) {
+    switch (attribute) {
+        case VertexAttribute::kPosition: return size == 3 ? glVertex3fv(values) : glVertex4fv(values);
+        case VertexAttribute::kNormal: return glNormal3fv(values);
+        case VertexAttribute::kColor: return glColor4fv(values);
+        case VertexAttribute::kSecondaryColor: return glSecondaryColor3fv(values);
+        case VertexAttribute::kFogCoord: return glFogCoordfv(values);
+        default: return glMultiTexCoord4fv(*unit_of(attribute), values);
+    }
+}
+
 }  // namespace
 
 SentMesh::SentMesh(const Draw& draw, const MeshContents& contents, const ReplayOptions& options)
@@ -24,39 +64,37 @@ SentMesh::SentMesh(const Draw& draw, const MeshContents& contents, const ReplayO
     shared_ = draw.vertices.front();
     const bool w_is_1 =
         std::ranges::all_of(draw.vertices, [](const Vertex& vertex) { return vertex.position_object.w == 1; });
-    const auto add = [&](Attribute& attribute, int size) {
-        attribute = {size, stride_};
+    const auto add = [&](VertexAttribute attribute, int size) {
+        sent_.push_back({attribute, size, stride_});
         stride_ += static_cast<std::size_t>(size) * sizeof(float);
     };
-    add(position_, w_is_1 ? 3 : 4);
-    if (contents.normal) add(normal_, 3);
-    if (contents.color && !all_share(draw, &Vertex::color)) add(color_, 4);
-    if (contents.tex_coord && !all_share(draw, &Vertex::tex_coord)) add(tex_coord_, 4);
-    for (const FurtherUnit& further : draw.further_units)
-        if (contents.further_tex_coords)
-            add(further_tex_coords_.emplace_back(GL_TEXTURE0 + static_cast<GLenum>(further.number), Attribute{}).second,
-                4);
-    if (!draw.secondary_colors.empty()) add(secondary_color_, 3);
-    if (!draw.fog_coords.empty()) add(fog_coord_, 1);
+    if (contents.normal) add(VertexAttribute::kNormal, 3);
+    if (contents.color && !all_share(draw, &Vertex::color)) add(VertexAttribute::kColor, 4);
+    if (contents.tex_coord && !all_share(draw, &Vertex::tex_coord)) add(VertexAttribute::kTexCoord0, 4);
+    for (const VertexColumn& column : draw.columns)
+        if (contents.further_tex_coords || !unit_of(column.attribute))
+            add(column.attribute, row_of(column.attribute).size);
+    add(VertexAttribute::kPosition, w_is_1 ? 3 : 4);
 
     const bool in_buffers = sending_ == Sending::kBuffers;
     if (in_buffers) elements_.emplace(draw, options.patches);
     const bool has_flags = needs_edge_flags(draw);
     values_.reserve(draw.vertices.size() * stride_ / sizeof(float));
     for_each_vertex(draw, in_buffers ? elements_->vertices() : std::vector<std::uint32_t>{}, [&](const Vertex& vertex) {
-        const auto put = [&](const auto& v, const Attribute& attribute) {
-            for (int n = 0; n < attribute.size; ++n) values_.push_back(static_cast<float>(v[n]));
+        const auto put = [&](const auto& v, int size) {
+            for (int n = 0; n < size; ++n) values_.push_back(static_cast<float>(v[n]));
         };
-        put(vertex.position_object, position_);
-        put(vertex.normal_object, normal_);
-        put(vertex.color, color_);
-        put(vertex.tex_coord, tex_coord_);
-        for (const auto& [unit, attribute] : further_tex_coords_)
-            put(draw.tex_coord(unit - GL_TEXTURE0, static_cast<std::size_t>(&vertex - draw.vertices.data())),
-                attribute);
-        const auto number = static_cast<std::size_t>(&vertex - draw.vertices.data());
-        if (secondary_color_.size != 0) put(draw.secondary_colors[number], secondary_color_);
-        if (fog_coord_.size != 0) values_.push_back(static_cast<float>(draw.fog_coords[number]));
+        for (const Sent& sent : sent_) {
+            switch (sent.attribute) {
+                case VertexAttribute::kPosition: put(vertex.position_object, sent.size); break;
+                case VertexAttribute::kNormal: put(vertex.normal_object, sent.size); break;
+                case VertexAttribute::kColor: put(vertex.color, sent.size); break;
+                case VertexAttribute::kTexCoord0: put(vertex.tex_coord, sent.size); break;
+                default:
+                    put((*draw.column(sent.attribute))[static_cast<std::size_t>(&vertex - draw.vertices.data())],
+                        sent.size);
+            }
+        }
         if (has_flags) flags_.push_back(vertex.edge_flag ? 1 : 0);
     });
     if (in_buffers) {
@@ -104,36 +142,11 @@ void SentMesh::draw_arrays() const {
     const auto stride = static_cast<GLsizei>(stride_);
     // The array's address, or its offset into the bound buffer.
     const auto* memory = reinterpret_cast<const char*>(values_.data());
-    const auto at = [&](const Attribute& attribute) {
-        return elements_ ? buffer_offset(attribute.offset) : memory + attribute.offset;
-    };
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-    glEnableClientState(GL_VERTEX_ARRAY);
-    glVertexPointer(position_.size, GL_FLOAT, stride, at(position_));
-    if (normal_.size != 0) {
-        glEnableClientState(GL_NORMAL_ARRAY);
-        glNormalPointer(GL_FLOAT, stride, at(normal_));
-    }
-    if (color_.size != 0) {
-        glEnableClientState(GL_COLOR_ARRAY);
-        glColorPointer(color_.size, GL_FLOAT, stride, at(color_));
-    }
-    if (tex_coord_.size != 0) {
-        glEnableClientState(GL_TEXTURE_COORD_ARRAY);
-        glTexCoordPointer(tex_coord_.size, GL_FLOAT, stride, at(tex_coord_));
-    }
-    for (const auto& [unit, attribute] : further_tex_coords_) {
-        glClientActiveTexture(unit);
-        glEnableClientState(GL_TEXTURE_COORD_ARRAY);
-        glTexCoordPointer(attribute.size, GL_FLOAT, stride, at(attribute));
-    }
-    if (secondary_color_.size != 0) {
-        glEnableClientState(GL_SECONDARY_COLOR_ARRAY);
-        glSecondaryColorPointer(secondary_color_.size, GL_FLOAT, stride, at(secondary_color_));
-    }
-    if (fog_coord_.size != 0) {
-        glEnableClientState(GL_FOG_COORD_ARRAY);
-        glFogCoordPointer(GL_FLOAT, stride, at(fog_coord_));
+    for (const Sent& sent : sent_) {
+        if (const auto unit = unit_of(sent.attribute)) glClientActiveTexture(*unit);
+        glEnableClientState(array_of(sent.attribute));
+        set_pointer(sent.attribute, sent.size, stride, elements_ ? buffer_offset(sent.offset) : memory + sent.offset);
     }
     if (edge_flags_ != 0 || !flags_.empty()) {
         glBindBuffer(GL_ARRAY_BUFFER, edge_flags_);
@@ -146,14 +159,12 @@ void SentMesh::draw_arrays() const {
         glDrawArrays(mode_, 0, count_);
     else
         glDrawElements(mode_, count_, GL_UNSIGNED_INT, indices_.data());
-    for (const auto& [unit, attribute] : further_tex_coords_) {
-        glClientActiveTexture(unit);
-        glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+    for (const Sent& sent : sent_) {
+        if (const auto unit = unit_of(sent.attribute)) glClientActiveTexture(*unit);
+        glDisableClientState(array_of(sent.attribute));
     }
-    if (!further_tex_coords_.empty()) glClientActiveTexture(GL_TEXTURE0);
-    for (const GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY,
-                               GL_EDGE_FLAG_ARRAY, GL_SECONDARY_COLOR_ARRAY, GL_FOG_COORD_ARRAY})
-        glDisableClientState(array);
+    glClientActiveTexture(GL_TEXTURE0);
+    glDisableClientState(GL_EDGE_FLAG_ARRAY);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
 }
@@ -164,18 +175,8 @@ void SentMesh::draw_immediately() const {
     for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
         const std::size_t index = indices_.empty() ? i : indices_[i];
         const float* vertex = values_.data() + index * stride;
-        const auto at = [&](const Attribute& attribute) { return vertex + attribute.offset / sizeof(float); };
         if (!flags_.empty()) glEdgeFlag(flags_[index]);
-        if (normal_.size != 0) glNormal3fv(at(normal_));
-        if (color_.size != 0) glColor4fv(at(color_));
-        if (tex_coord_.size != 0) glTexCoord4fv(at(tex_coord_));
-        for (const auto& [unit, attribute] : further_tex_coords_) glMultiTexCoord4fv(unit, at(attribute));
-        if (secondary_color_.size != 0) glSecondaryColor3fv(at(secondary_color_));
-        if (fog_coord_.size != 0) glFogCoordfv(at(fog_coord_));
-        if (position_.size == 3)
-            glVertex3fv(at(position_));
-        else
-            glVertex4fv(at(position_));
+        for (const Sent& sent : sent_) send(sent.attribute, sent.size, vertex + sent.offset / sizeof(float));
     }
     glEnd();
 }
@@ -203,10 +204,8 @@ void send_values(const Draw& draw, std::size_t index) {
     glNormal3fv(&glm::vec3(vertex.normal_object)[0]);
     glColor4fv(&glm::vec4(vertex.color)[0]);
     glTexCoord4fv(&glm::vec4(vertex.tex_coord)[0]);
-    for (const FurtherUnit& further : draw.further_units)
-        glMultiTexCoord4fv(GL_TEXTURE0 + static_cast<GLenum>(further.number), &glm::vec4(further.tex_coords[index])[0]);
-    if (!draw.secondary_colors.empty()) glSecondaryColor3dv(&draw.secondary_colors[index][0]);
-    if (!draw.fog_coords.empty()) glFogCoordd(draw.fog_coords[index]);
+    for (const VertexColumn& column : draw.columns)
+        send(column.attribute, row_of(column.attribute).size, &glm::vec4(column.values[index])[0]);
 }
 
 void draw_with_materials(const Draw& draw, const FaceEffects& front, const FaceEffects& back) {

@@ -30,8 +30,9 @@ class SentMesh {
     void draw() const;
 
   private:
-    struct Attribute {
-        int size = 0;  // floats; 0: not in the array
+    struct Sent {
+        VertexAttribute attribute = VertexAttribute::kPosition;
+        int size = 0;  // in floats
         std::size_t offset = 0;
     };
 
@@ -39,9 +40,7 @@ class SentMesh {
     void draw_immediately() const;
 
     Sending sending_;
-    Attribute position_, normal_, color_, tex_coord_;
-    std::vector<std::pair<unsigned, Attribute>> further_tex_coords_;  // by GL_TEXTUREn
-    Attribute secondary_color_, fog_coord_;
+    std::vector<Sent> sent_;  // what the array has of each vertex; the position last
     std::size_t stride_ = 0;
     Vertex shared_;  // has the properties that all vertices share
 

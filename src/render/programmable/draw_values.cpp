@@ -669,6 +669,9 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, cons
                                 const glm::dvec3& origin_object) {
     const bool normals_made_unit = makes_normals_unit(effects);
     const std::vector<VertexProperty> properties = vertex_properties(effects);
+    std::vector<std::pair<const std::vector<glm::dvec4>*, int>> further;
+    for (const VertexAttribute attribute : further_attributes(effects))
+        further.emplace_back(draw.column(attribute), row_of(attribute).size);
     std::size_t floats_per_vertex = 0;
     for (const Attribute& attribute : attributes(effects))
         floats_per_vertex += static_cast<std::size_t>(attribute.size);
@@ -687,12 +690,8 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, cons
         }
         if (effects.needs_color()) add(vertex.color, 4);
         if (effects.takes_tex_coord()) add(vertex.tex_coord, 4);
-        for (const UnitEffects& unit : effects.units)
-            if (!unit.texture.generates_all())
-                add(draw.tex_coord(unit.number, static_cast<std::size_t>(&vertex - draw.vertices.data())), 4);
         const auto number = static_cast<std::size_t>(&vertex - draw.vertices.data());
-        if (effects.secondary_color) add(draw.secondary_colors.at(number), 3);
-        if (effects.fog_coords) values.push_back(to_float(draw.fog_coords.at(number)));
+        for (const auto& [column, size] : further) add(column ? (*column)[number] : vertex.tex_coord, size);
         if (effects.at_pixels)
             add(glm::dvec3((glm::dvec2(draw.pixels->places.at(number)) + 0.5) / (kMostWindowPixels / 2.0),
                            2 * draw.pixels->depth(number)) -

@@ -49,9 +49,7 @@ bool is_known_to_be_one_state(const Draw& a, const Draw& b) {
 }
 
 // Whether all values of its vertices are in Draw::vertices.
-bool has_only_vertices(const Draw& draw) {
-    return draw.further_units.empty() && draw.secondary_colors.empty() && draw.fog_coords.empty() && !draw.pixels;
-}
+bool has_only_vertices(const Draw& draw) { return draw.further_units.empty() && draw.columns.empty() && !draw.pixels; }
 
 }  // namespace
 

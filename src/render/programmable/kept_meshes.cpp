@@ -78,13 +78,12 @@ std::vector<KeptMeshes::Part> KeptMeshes::parts_of(DrawRun run) {
 
 // Draws that are drawn as one have the same materials, and no values of vertices besides Draw::vertices.
 bool KeptMeshes::Known::has_same_rest(const Draw& draw) const {
-    const auto is_same = [](const std::vector<glm::dvec4>& kept, const FurtherUnit& unit) {
-        return are_same_bits(kept, unit.tex_coords);
+    const auto is_same = [](const VertexColumn& kept, const VertexColumn& column) {
+        return kept.attribute == column.attribute && are_same_bits(kept.values, column.values);
     };
     const bool at_same_pixels = pixels == draw.pixels || (pixels && draw.pixels && *pixels == *draw.pixels);
     return at_same_pixels && are_same_bits(materials, draw.materials) &&
-           are_same_bits(secondary_colors, draw.secondary_colors) && are_same_bits(fog_coords, draw.fog_coords) &&
-           std::ranges::equal(further_tex_coords, draw.further_units, is_same);
+           std::ranges::equal(columns, draw.columns, is_same);
 }
 
 bool KeptMeshes::Known::is(DrawRun run) {
@@ -138,17 +137,15 @@ std::shared_ptr<KeptMeshes::Known> KeptMeshes::known(DrawRun run) {
     if (run.size() > 1) all = joined(run);
     const Draw& draw = run.size() > 1 ? all.draw : *run.front();
     known->facts = vertex_facts(draw);
-    std::size_t bytes = bytes_of(draw.materials) + bytes_of(draw.secondary_colors) + bytes_of(draw.fog_coords);
+    std::size_t bytes = bytes_of(draw.materials);
     for (const Draw* part : run) bytes += bytes_of(part->vertices) + bytes_of(part->indices);
-    for (const FurtherUnit& unit : draw.further_units) bytes += bytes_of(unit.tex_coords);
+    for (const VertexColumn& column : draw.columns) bytes += bytes_of(column.values);
     if (!make_room(bytes)) return known;
     known->sample = key;
     known->parts = parts_of(run);
     known->materials = draw.materials;
-    known->secondary_colors = draw.secondary_colors;
-    known->fog_coords = draw.fog_coords;
+    known->columns = draw.columns;
     known->pixels = draw.pixels;
-    for (const FurtherUnit& unit : draw.further_units) known->further_tex_coords.push_back(unit.tex_coords);
     known->bytes = bytes;
     known->first_frame = known->last_frame = frame_;
     order_.push_front(known);

@@ -45,9 +45,7 @@ class KeptMeshes {
         std::size_t sample = 0;  // its key in index_
         std::vector<Part> parts;
         std::vector<Materials> materials;
-        std::vector<std::vector<glm::dvec4>> further_tex_coords;  // of Draw::further_units; only of a single Draw
-        std::vector<glm::dvec3> secondary_colors;
-        std::vector<double> fog_coords;
+        std::vector<VertexColumn> columns;  // only of a single Draw
         std::shared_ptr<const WindowPixels> pixels;
         std::vector<std::pair<MeshForm, std::shared_ptr<const UploadedMesh>>> meshes;  // a few
         std::size_t bytes = 0;                                                         // 0: not kept

@@ -21,6 +21,15 @@ std::vector<VertexProperty> vertex_properties(const EffectSet& effects) {
     return properties;
 }
 
+std::vector<VertexAttribute> further_attributes(const EffectSet& effects) {
+    std::vector<VertexAttribute> list;
+    for (const UnitEffects& unit : effects.units)
+        if (!unit.texture.generates_all()) list.push_back(tex_coord_attribute(unit.number));
+    if (effects.secondary_color) list.push_back(VertexAttribute::kSecondaryColor);
+    if (effects.fog_coords) list.push_back(VertexAttribute::kFogCoord);
+    return list;
+}
+
 std::vector<Attribute> attributes(const EffectSet& effects) {
     std::vector<Attribute> list;
     list.reserve(4);
@@ -28,10 +37,10 @@ std::vector<Attribute> attributes(const EffectSet& effects) {
     if (effects.takes_normal()) list.push_back({"a_normal", 4, "vec3"});
     if (effects.needs_color()) list.push_back({"a_color", 4});
     if (effects.takes_tex_coord()) list.push_back({"a_tex_coord", 4});
-    for (const UnitEffects& unit : effects.units)
-        if (!unit.texture.generates_all()) list.push_back({fmt::format("a_tex_coord{}", unit.number), 4});
-    if (effects.secondary_color) list.push_back({"a_secondary_color", 3, "vec3"});
-    if (effects.fog_coords) list.push_back({"a_fog_coord", 1, "float"});
+    for (const VertexAttribute further : further_attributes(effects)) {
+        const auto& [name, size] = row_of(further);
+        list.push_back({fmt::format("a_{}", name), size, size == 1 ? "float" : fmt::format("vec{}", size)});
+    }
     if (effects.at_pixels) list.push_back({"a_pixel_ndc", 3, "vec3"});
     for (const VertexProperty& property : vertex_properties(effects))
         list.push_back({"a_" + property.name, property.size, property.type()});

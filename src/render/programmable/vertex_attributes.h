@@ -6,6 +6,7 @@
 
 #include "render/effect/effect_set.h"
 #include "render/programmable/form.h"
+#include "scene/frame/vertex_attributes.h"
 
 namespace twinlight::programmable {
 
@@ -32,6 +33,9 @@ struct Attribute {
 // Attribute numbers are positions in this list. A vertex's floats have the same order: the position, then as needed the
 // normal, colour, texture coordinates and material properties.
 std::vector<Attribute> attributes(const EffectSet& effects);
+
+// Of these, the columns of a Draw, and all texture coordinates if units are combined.
+std::vector<VertexAttribute> further_attributes(const EffectSet& effects);
 
 // Those that follow in the program of a Form with rectangles or flat edges.
 std::vector<Attribute> line_attributes(const Form& form);

@@ -77,11 +77,12 @@ void Shader::light_vertices() {
     const auto light = [&](Face face, std::vector<LitColors>& lit) {
         lit.reserve(vertices_.size());
         if (!lighting_.enabled()) {
+            const std::vector<glm::dvec4>* secondary_colors = draw_.column(VertexAttribute::kSecondaryColor);
             for (std::size_t i = 0; i < vertices_.size(); ++i) {
                 lit.push_back(clamped_colors(lighting_.colors(vertices_[i], face)));
                 // 3.9: GL_COLOR_SUM.
-                if (!draw_.secondary_colors.empty())
-                    lit.back().secondary = glm::dvec4(glm::clamp(draw_.secondary_colors[i], 0.0, 1.0), 1);
+                if (secondary_colors)
+                    lit.back().secondary = glm::dvec4(glm::clamp(glm::dvec3((*secondary_colors)[i]), 0.0, 1.0), 1);
             }
             return;
         }
@@ -175,8 +176,9 @@ Shader::Finish<Real> Shader::finish(const Fragment& fragment) const {
 double Shader::fog_distance(const Fragment& fragment) const {
     if (draw_.fog.by_coordinates) {
         const glm::dvec3 weights = weights_at(*fragment.piece, fragment.position_window);
+        const std::vector<glm::dvec4>& coordinates = *draw_.column(VertexAttribute::kFogCoord);
         double coordinate = 0;
-        for (int i = 0; i < 3; ++i) coordinate += weights[i] * draw_.fog_coords[fragment.piece->primitive.vertices[i]];
+        for (int i = 0; i < 3; ++i) coordinate += weights[i] * coordinates[fragment.piece->primitive.vertices[i]].x;
         return coordinate;
     }
     const glm::dvec2 zw = eye_zw(fragment);

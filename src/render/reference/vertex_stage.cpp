@@ -54,7 +54,7 @@ std::vector<glm::dvec4> staged_tex_coords(const Draw& draw, const FurtherUnit& f
     result.reserve(staged.size());
     for (std::size_t i = 0; i < staged.size(); ++i)
         result.push_back(further.unit.texture_matrix *
-                         generated_tex_coord(further.unit, draw.vertices[i], further.tex_coords[i],
+                         generated_tex_coord(further.unit, draw.vertices[i], draw.tex_coord(further.number, i),
                                              staged[i].position_eye, staged[i].normal_eye));
     return result;
 }

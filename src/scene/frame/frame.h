@@ -27,6 +27,7 @@
 #include "scene/command/names.h"
 #include "scene/command/place.h"
 #include "scene/frame/shared_vector.h"
+#include "scene/frame/vertex_attributes.h"
 #include "scene/shape/surface.h"
 #include "scene/spectrum/samples.h"
 
@@ -557,16 +558,6 @@ struct FragmentState {
 
 // ---- Draws ----
 
-struct Vertex {
-    glm::dvec4 position_object{0, 0, 0, 1};
-    glm::dvec3 normal_object{0, 0, 1};
-    glm::dvec4 color{1, 1, 1, 1};
-    glm::dvec4 tex_coord{0, 0, 0, 1};
-    bool edge_flag =
-        true;  // 2.6.2: whether the edge to the next vertex is drawn; for separate triangles, quads and polygons
-    std::uint32_t material = 0;  // index into Draw::materials; 0 if that is empty
-};
-
 // The materials of both faces.
 struct Materials {
     Material front, back;
@@ -577,13 +568,10 @@ struct Materials {
 // Whether a mode of glBegin draws polygons (2.6.1), which have two faces, rather than points or lines.
 inline bool draws_polygons(Enum mode) { return mode >= kGL_TRIANGLES; }
 
-inline constexpr std::size_t kMaxTextureUnits = 8;  // GL_MAX_TEXTURE_UNITS: at least 2 (table 6.31); 8 in Mesa
-
-// A texture unit above unit 0 that has a texture, and the texture coordinates that the Draw's vertices have for it.
+// A texture unit above unit 0 that has a texture.
 struct FurtherUnit {
     std::size_t number = 1;
     TextureUnit unit{};
-    std::vector<glm::dvec4> tex_coords{};  // one for each of Draw::vertices
 };
 
 // Where glCopyPixels has the colours, depths or stencil values of a Draw's pixels from.
@@ -625,16 +613,15 @@ inline constexpr Rectangle kWindowOfPixels{0, 0, kMostWindowPixels, kMostWindowP
 struct Draw {
     Enum mode = kGL_TRIANGLES;  // glBegin's primitive type
     SharedVector<Vertex> vertices;
+    // In the order of their attributes: texture coordinates of further_units; secondary colours, which are added after texturing,
+    // without lighting (3.9), unless all are black or GL_COLOR_SUM is off; fog coordinates, if fog asks for them.
+    std::vector<VertexColumn> columns;
     SharedVector<std::uint32_t> indices;  // into vertices, in drawing order; empty: 0, 1, 2, ...
 
     LightingState lighting;
     RasterState raster;
     TextureUnit texture;                     // unit 0
     std::vector<FurtherUnit> further_units;  // those with a texture, in ascending order
-    // One for each vertex. The first are added after texturing, without lighting (3.9); empty: all are black, or
-    // GL_COLOR_SUM is off. The second are empty unless fog asks for them.
-    std::vector<glm::dvec3> secondary_colors;
-    std::vector<double> fog_coords;
     Fog fog;
     FragmentState fragment;
     // The materials of the vertices, if glMaterial is called between glBegin and glEnd. Then materials[0] equals
@@ -678,7 +665,7 @@ struct Draw {
     // Whether the picture gets pixels->image as it is: nothing but fragment operations changes its colours.
     bool shows_only_image() const {
         return pixels && pixels->image && !texture.texture && further_units.empty() && !lighting.enabled &&
-               !fog.enabled && secondary_colors.empty();
+               !fog.enabled && !column(VertexAttribute::kSecondaryColor);
     }
     // Visits the texture units that have a texture: visit(number, unit), in ascending order.
     template <class Visit>
@@ -701,10 +688,15 @@ struct Draw {
         changed.copied = std::make_shared<const CopiedGroups>(std::move(groups));
         pixels = std::make_shared<const WindowPixels>(std::move(changed));
     }
+    // The values of an attribute that Vertex does not have; null if the Draw needs none.
+    const std::vector<glm::dvec4>* column(VertexAttribute attribute) const {
+        const auto found = std::ranges::find(columns, attribute, &VertexColumn::attribute);
+        return found == columns.end() ? nullptr : &found->values;
+    }
     // A texture coordinate of a vertex, of a unit that has a texture.
     const glm::dvec4& tex_coord(std::size_t unit, std::size_t vertex) const {
-        const auto further = std::ranges::find(further_units, unit, &FurtherUnit::number);
-        return further == further_units.end() ? vertices[vertex].tex_coord : further->tex_coords[vertex];
+        const std::vector<glm::dvec4>* further = column(tex_coord_attribute(unit));
+        return further ? (*further)[vertex] : vertices[vertex].tex_coord;
     }
 
     // Whether Shading::kExact draws surfaces instead of the mesh. It does so only for filled polygons whose texture
@@ -715,8 +707,8 @@ struct Draw {
     // surface's.
     bool has_exact_surfaces() const {
         return surfaces && !draws_borders() && !combines_textures() && texture.generated.empty() &&
-               !(texture.texture && texture.texture->needs_r()) && secondary_colors.empty() && fog_coords.empty() &&
-               raster.viewport.width > 0 && raster.viewport.height > 0 &&
+               !(texture.texture && texture.texture->needs_r()) && !column(VertexAttribute::kSecondaryColor) &&
+               !column(VertexAttribute::kFogCoord) && raster.viewport.width > 0 && raster.viewport.height > 0 &&
                (!fragment.stencil || fragment.stencil->front == fragment.stencil->back);
     }
 

@@ -50,9 +50,11 @@ Answer of_raster_position(const Attributes& a, Enum pname) {
         case kGL_CURRENT_RASTER_SECONDARY_COLOR:
             return position.vertex->lighting.enabled
                        ? Answer{}
-                       : list(glm::dvec4(glm::clamp(position.vertex->secondary_color, 0.0, 1.0), 1));
+                       : list(glm::clamp(position.vertex->vertex.further(VertexAttribute::kSecondaryColor), 0.0, 1.0));
         case kGL_CURRENT_RASTER_TEXTURE_COORDS:
-            return unit.generated.empty() ? list(unit.texture_matrix * unit.tex_coord) : Answer{};
+            return unit.generated.empty()
+                       ? list(unit.texture_matrix * position.vertex->vertex.tex_coord_of(a.active_unit))
+                       : Answer{};
         default: return {};
     }
 }
@@ -120,7 +122,7 @@ Answer answer(const State& state, Enum pname) {
     const TextureBindings& unit = a.units[a.active_unit];
     const glm::dmat4 &texture = state.texture_matrix(), &m = state.modelview(), &p = state.projection();
     switch (pname) {
-        case kGL_CURRENT_TEXTURE_COORDS: return list(a.tex_coord(a.active_unit));
+        case kGL_CURRENT_TEXTURE_COORDS: return list(a.current.tex_coord_of(a.active_unit));
         case kGL_MODELVIEW_MATRIX: return list(m);
         case kGL_PROJECTION_MATRIX: return list(p);
         case kGL_TEXTURE_MATRIX: return list(texture);

@@ -198,9 +198,9 @@ void VertexArrays::read_element(std::uint64_t index, SignedRule rule, ArrayVerti
     values(client_.normal, vertex.normal_object, true);
     values(client_.color, vertex.color, true);
     values(client_.tex_coord[0], vertex.tex_coord, false);
-    for (std::size_t unit = 1; unit < client_.tex_coord.size(); ++unit)
-        if (client_.tex_coord[unit].enabled)
-            values(client_.tex_coord[unit], read.further_tex_coords[unit].emplace_back(0, 0, 0, 1), false);
+    for (VertexColumn& column : read.columns)
+        values(client_.tex_coord[number_of(column.attribute) - number_of(VertexAttribute::kTexCoord0)],
+               column.values.emplace_back(0, 0, 0, 1), false);
     std::array<double, 1> flag{1};
     values(client_.edge_flag, flag, false);
     vertex.edge_flag = flag[0] != 0;
@@ -212,6 +212,8 @@ ArrayVertices VertexArrays::read(const Command& draw, SignedRule rule) const {
                        .has_color = client_.color.enabled,
                        .has_tex_coord = client_.tex_coord[0].enabled,
                        .has_edge_flag = client_.edge_flag.enabled};
+    for (std::size_t unit = 1; unit < client_.tex_coord.size(); ++unit)
+        if (client_.tex_coord[unit].enabled) read.columns.push_back({tex_coord_attribute(unit)});
     const auto add = [&](std::uint64_t index) { read_element(index, rule, read); };
     if (draw.id == CommandId::glArrayElement) {
         add(static_cast<std::uint64_t>(draw.number(0)));

@@ -54,8 +54,7 @@ struct ArrayVertices {
     Enum mode = kGL_POINTS;
     std::vector<Vertex> vertices{};
     std::vector<std::uint32_t> indices{};  // empty: 0, 1, 2, ...
-    // Texture coordinates by unit, one for each of `vertices`. Only units above 0 that have an array are here.
-    std::map<std::size_t, std::vector<glm::dvec4>> further_tex_coords{};
+    std::vector<VertexColumn> columns{};   // the texture coordinates of the units above 0 that have an array
     bool has_position = false, has_normal = false, has_color = false, has_tex_coord = false, has_edge_flag = false;
 };
 

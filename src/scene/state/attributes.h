@@ -135,12 +135,9 @@ std::shared_ptr<const PolygonStipple> solid_stipple();  // every bit is 1
 // The values of the vertex that glRasterPos was given, and of the state that its colours and texture coordinates come from
 // (2.13). Renderers light it when it draws.
 struct RasterVertex {
-    Vertex vertex;
-    glm::dvec3 secondary_color{0};
-    double fog_coord = 0;
+    VertexValues vertex;
     bool fog_by_coordinates = false;
     struct Unit {
-        glm::dvec4 tex_coord{0, 0, 0, 1};
         glm::dmat4 texture_matrix{1};
         std::vector<GeneratedCoordinate> generated{};
     };
@@ -205,15 +202,12 @@ struct Attributes {
     std::array<TextureBindings, kMaxTextureUnits> units;
     std::size_t active_unit = 0;  // glActiveTexture's
     std::array<ClipPlane, kMaxClipPlanes> clip_planes;
-    Vertex current;  // colour, normal, texture coordinates of unit 0, edge flag
+    VertexValues current;
     RasterPosition raster_position;
     PixelTransfer pixel_transfer;
     StencilTransfer stencil_transfer;
     glm::dvec2 pixel_zoom{1, 1};
-    glm::dvec3 secondary_color{0};                                                           // the current one
-    double fog_coord = 0;                                                                    // the current one
-    std::array<glm::dvec4, kMaxTextureUnits - 1> further_tex_coords = initial_tex_coords();  // of units 1, 2, ...
-    Clear clear;                                                                             // the values to clear with
+    Clear clear;              // the values to clear with
     bool draws_color = true;  // false: glDrawBuffer(GL_NONE)
     Hints hints{{kGL_PERSPECTIVE_CORRECTION_HINT, kGL_DONT_CARE},
                 {kGL_POINT_SMOOTH_HINT, kGL_DONT_CARE},
@@ -228,19 +222,6 @@ struct Attributes {
     // The enabled capabilities that only the driver supports, with the place of glEnable. The key is the capability and
     // its texture unit (0 for capabilities without units).
     std::map<std::pair<Enum, std::size_t>, Place> driver_only{{{kGL_DITHER, 0}, {}}, {{kGL_MULTISAMPLE, 0}, {}}};
-
-    // The current texture coordinates of a unit.
-    glm::dvec4& tex_coord(std::size_t unit) { return unit == 0 ? current.tex_coord : further_tex_coords.at(unit - 1); }
-    const glm::dvec4& tex_coord(std::size_t unit) const {
-        return unit == 0 ? current.tex_coord : further_tex_coords.at(unit - 1);
-    }
-
-  private:
-    static std::array<glm::dvec4, kMaxTextureUnits - 1> initial_tex_coords() {
-        std::array<glm::dvec4, kMaxTextureUnits - 1> all;
-        all.fill({0, 0, 0, 1});
-        return all;
-    }
 };
 
 }  // namespace twinlight

@@ -28,8 +28,8 @@ std::optional<ArrayVertices> State::array_vertices(const Command& c) {
     }
     ArrayVertices read = arrays_.read(c, options_.signed_rule);
     for (Vertex& v : read.vertices) sanitize(v);
-    for (auto& [unit, tex_coords] : read.further_tex_coords)
-        for (glm::dvec4& tex_coord : tex_coords) sanitize(tex_coord);
+    for (VertexColumn& column : read.columns)
+        for (glm::dvec4& values : column.values) sanitize(values);
     return read;
 }
 
@@ -62,10 +62,11 @@ void State::draw(const Command& c, const ArrayVertices& read) {
     for (Vertex& v : vertices) v.material = 0;
     draw.vertices = std::move(vertices);
     draw.indices = read.indices;
-    for (FurtherUnit& further : draw.further_units)
-        if (const auto found = read.further_tex_coords.find(further.number); found != read.further_tex_coords.end())
-            further.tex_coords = found->second;
-    add_further_values(draw);
+    for (VertexColumn& column : draw.columns) {
+        const auto found = std::ranges::find(read.columns, column.attribute, &VertexColumn::attribute);
+        if (found != read.columns.end()) column.values = found->values;
+    }
+    fill_columns(draw, a_.current);
     show(std::move(draw));
 }
 
@@ -78,14 +79,14 @@ void State::send_element(const Command& c, const ArrayVertices& element) {
     const Vertex values = complete(element.vertices.front(), element, a_.current);
     a_.current.normal_object = values.normal_object;
     a_.current.tex_coord = values.tex_coord;
-    for (const auto& [unit, tex_coords] : element.further_tex_coords) a_.tex_coord(unit) = tex_coords.front();
+    for (const VertexColumn& column : element.columns) a_.current.further(column.attribute) = column.values.front();
     a_.current.edge_flag = values.edge_flag;
     a_.current.color = values.color;
     if (element.has_color) track_color();
     if (!element.has_position || !open_ || !has_room(c, vertex_bytes(open_->mode, 1))) return;
     a_.current.position_object = values.position_object;
     open_->vertices.edit().push_back(a_.current);
-    add_further_values(*open_);
+    fill_columns(*open_, a_.current);
 }
 
 }  // namespace twinlight

@@ -239,7 +239,7 @@ void State::send_evaluated(const Command& c, double u, std::optional<double> v) 
     const std::optional<Vertex> vertex = evaluated(u, v);
     if (!vertex || !has_time(c, 1) || !has_room(c, vertex_bytes(open_->mode, 1))) return;
     open_->vertices.edit().push_back(*vertex);
-    add_further_values(*open_);
+    fill_columns(*open_, a_.current);
 }
 
 void State::eval_coord(const Command& c) {
@@ -278,7 +278,7 @@ void State::eval_mesh(const Command& c) {
         for (const GridPoint& at : line) vertices.push_back(*evaluated(at.u, two ? std::optional(at.v) : std::nullopt));
         for (Vertex& vertex : vertices) vertex.material = 0;
         draw.vertices = std::move(vertices);
-        add_further_values(draw);
+        fill_columns(draw, a_.current);
         show(std::move(draw));
     }
 }

@@ -92,6 +92,7 @@ void write_only_stencil(Draw& draw, std::uint32_t write_mask) {
     draw.lighting = {};
     draw.texture = {};
     draw.further_units.clear();
+    draw.columns.clear();
     draw.fog = {};
 }
 
@@ -141,23 +142,19 @@ void State::draw_at_raster_position(const Command& c, WindowPixels pixels, const
         unit.generated = unit.texture ? values.generated : std::vector<GeneratedCoordinate>();
     };
     take(draw.texture, raster.units[0]);
-    for (FurtherUnit& further : draw.further_units) {
-        take(further.unit, raster.units[further.number]);
-        further.tex_coords.assign(draw.vertices.size(), raster.units[further.number].tex_coord);
-    }
+    for (FurtherUnit& further : draw.further_units) take(further.unit, raster.units[further.number]);
     draw.fog.by_coordinates = raster.fog_by_coordinates;
-    if (draw.fog.enabled && draw.fog.by_coordinates) draw.fog_coords.assign(draw.vertices.size(), raster.fog_coord);
     // 3.9: the secondary colour is added if lighting or GL_COLOR_SUM is enabled now.
     const bool adds_secondary = draw.lighting.enabled || draw.fragment.color_sum;
     draw.lighting = raster.lighting;
+    draw.columns = columns_of(draw, colors.empty() && !draw.lighting.enabled && adds_secondary);
+    fill_columns(draw, raster.vertex);
     if (!colors.empty()) {
         // RULING (3.6.4 does not say): colours of glDrawPixels have no secondary colour.
         draw.lighting = LightingState();
         std::vector<Vertex>& vertices = draw.vertices.edit();
         for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i].color = colors[i];
         if (!pixels.copied) pixels.image = image_of_pixels(pixels.places, vertices);
-    } else if (!draw.lighting.enabled && adds_secondary) {
-        draw.secondary_colors.assign(draw.vertices.size(), raster.secondary_color);
     } else if (draw.lighting.enabled && !adds_secondary &&
                draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR) {
         note_unsupported("glDisable(GL_LIGHTING) between glRasterPos and glBitmap, with separate specular colours",

@@ -90,10 +90,7 @@ std::shared_ptr<RasterVertex> State::raster_vertex() const {
     raster->vertex = a_.current;
     raster->vertex.position_object = {0, 0, 0, 1};
     raster->vertex.material = 0;
-    raster->secondary_color = a_.secondary_color;
-    raster->fog_coord = a_.fog_coord;
     raster->fog_by_coordinates = a_.fog.by_coordinates;
-    for (std::size_t i = 0; i < raster->units.size(); ++i) raster->units[i].tex_coord = a_.tex_coord(i);
     return raster;
 }
 

@@ -42,7 +42,7 @@ void State::send_shape(const Command& c, std::vector<ShapePart> parts, std::vect
         Draw draw = new_draw(part.mode, c.place);
         std::vector<Vertex> vertices;
         vertices.reserve(part.vertices.size());
-        const Vertex before = a_.current;
+        const VertexValues before = a_.current;
         for (std::size_t i = 0; i < part.vertices.size(); ++i) {
             const ShapeVertex& sent = part.vertices[i];
             if (i >= part.first_normal) a_.current.normal_object = sent.normal_object;
@@ -53,7 +53,7 @@ void State::send_shape(const Command& c, std::vector<ShapePart> parts, std::vect
         }
         if (!part.immediate) a_.current = before;
         draw.vertices = std::move(vertices);
-        add_further_values(draw);
+        fill_columns(draw, a_.current);
         draw.indices = std::move(part.indices);
         draw.surfaces = shared;
         show(std::move(draw));

@@ -185,7 +185,7 @@ void State::vertex(const Command& c) {
     for (std::size_t i = 0; i < c.arguments.size(); ++i) a_.current.position_object[static_cast<int>(i)] = c.number(i);
     sanitize(a_.current);
     open_->vertices.edit().push_back(a_.current);
-    add_further_values(*open_);
+    fill_columns(*open_, a_.current);
 }
 
 void State::normal(const Command& c) {
@@ -205,13 +205,16 @@ void State::color(const Command& c) {
 
 void State::secondary_color(const Command& c) {
     const Kind kind = c.sig().parameters[0].kind;
-    for (int i = 0; i < 3; ++i) {
-        const double value = to_real(c.number(static_cast<std::size_t>(i)), kind);
-        a_.secondary_color[i] = is_in_float_range(value) ? value : 0;
-    }
+    glm::dvec4& color = a_.current.further(VertexAttribute::kSecondaryColor);
+    for (std::size_t i = 0; i < c.arguments.size(); ++i) color[static_cast<int>(i)] = to_real(c.number(i), kind);
+    sanitize(color);
 }
 
-void State::fog_coord(const Command& c) { a_.fog_coord = is_in_float_range(c.number(0)) ? c.number(0) : 0; }
+void State::fog_coord(const Command& c) {
+    glm::dvec4& coordinate = a_.current.further(VertexAttribute::kFogCoord);
+    coordinate.x = c.number(0);
+    sanitize(coordinate);
+}
 
 void State::tex_coord(const Command& c) {
     a_.current.tex_coord = {0, 0, 0, 1};
@@ -227,19 +230,18 @@ void sanitize(Vertex& vertex) {
     };
     if (!all_in_range(vertex.position_object)) vertex.position_object = glm::dvec4(0);
     if (!all_in_range(vertex.normal_object)) vertex.normal_object = glm::dvec3(0);
-    for (int i = 0; i < 4; ++i)
-        if (!is_in_float_range(vertex.color[i])) vertex.color[i] = 0;
+    sanitize(vertex.color);
     sanitize(vertex.tex_coord);
 }
 
-void sanitize(glm::dvec4& tex_coord) {
+void sanitize(glm::dvec4& values) {
     for (int i = 0; i < 4; ++i)
-        if (!is_in_float_range(tex_coord[i])) tex_coord[i] = 0;
+        if (!is_in_float_range(values[i])) values[i] = 0;
 }
 
 void State::multi_tex_coord(const Command& c) {
     if (auto error = wrong_texture_unit(c)) return raise(std::move(*error));
-    glm::dvec4& tex_coord = a_.tex_coord(c.enumerant(0) - kGL_TEXTURE0);
+    glm::dvec4& tex_coord = a_.current.tex_coord_of(c.enumerant(0) - kGL_TEXTURE0);
     tex_coord = {0, 0, 0, 1};
     for (std::size_t i = 1; i < c.arguments.size(); ++i) tex_coord[static_cast<int>(i) - 1] = c.number(i);
     sanitize(tex_coord);
@@ -265,12 +267,17 @@ TextureUnit State::texture_unit(std::size_t number) const {
     return unit;
 }
 
-void State::add_further_values(Draw& draw) const {
-    for (FurtherUnit& further : draw.further_units)
-        further.tex_coords.resize(draw.vertices.size(), a_.tex_coord(further.number));
-    if (draw.fragment.color_sum && !draw.lighting.enabled)
-        draw.secondary_colors.resize(draw.vertices.size(), a_.secondary_color);
-    if (draw.fog.enabled && draw.fog.by_coordinates) draw.fog_coords.resize(draw.vertices.size(), a_.fog_coord);
+std::vector<VertexColumn> State::columns_of(const Draw& draw, bool has_secondary_colors) {
+    std::vector<VertexColumn> columns;
+    for (const FurtherUnit& further : draw.further_units) columns.push_back({tex_coord_attribute(further.number)});
+    if (has_secondary_colors) columns.push_back({VertexAttribute::kSecondaryColor});
+    if (draw.fog.enabled && draw.fog.by_coordinates) columns.push_back({VertexAttribute::kFogCoord});
+    return columns;
+}
+
+void State::fill_columns(Draw& draw, const VertexValues& values) {
+    for (VertexColumn& column : draw.columns)
+        column.values.resize(draw.vertices.size(), values.further(column.attribute));
 }
 
 namespace {
@@ -320,6 +327,7 @@ Draw State::new_draw(Enum mode, const Place& place) {
     });
     draw.fog = a_.fog;
     draw.fragment = a_.fragment;
+    draw.columns = columns_of(draw, draw.fragment.color_sum && !draw.lighting.enabled);
     if (!draws_color()) draw.fragment.color_mask.fill(false);
     if (a_.stencil_enabled) draw.fragment.stencil = a_.stencil_test;
     if (a_.logic_op_enabled) draw.fragment.logic_op = a_.logic_op;
@@ -350,9 +358,11 @@ Draw State::new_draw(Enum mode, const Place& place) {
 
 // 5.2, 5.3: in selection and feedback mode drawing and clearing change no pixel.
 void State::show(FrameItem item) {
-    Draw* draw = std::get_if<Draw>(&item);
-    if (draw && std::ranges::all_of(draw->secondary_colors, [](const glm::dvec3& c) { return c == glm::dvec3(0); }))
-        draw->secondary_colors.clear();
+    const auto is_black = [](const VertexColumn& column) {
+        return column.attribute == VertexAttribute::kSecondaryColor &&
+               std::ranges::all_of(column.values, [](const glm::dvec4& c) { return glm::dvec3(c) == glm::dvec3(0); });
+    };
+    if (Draw* draw = std::get_if<Draw>(&item)) std::erase_if(draw->columns, is_black);
     if (render_mode_ != kGL_RENDER) return;
     if (framebuffers_.draw != 0) return show_in_object(std::move(item));
     items_.push_back(std::move(item));
@@ -367,7 +377,7 @@ void State::rect(const Command& c) {
         a_.current.position_object = {x, y, 0, 1};
         draw.vertices.edit().push_back(a_.current);
     }
-    add_further_values(draw);
+    fill_columns(draw, a_.current);
     show(std::move(draw));
 }
 

@@ -65,7 +65,7 @@ constexpr std::size_t bytes_of_tex_coords(std::size_t vertices) { return 100 * v
 // RULING for a vertex with NaN, infinity or a number beyond the largest float: a position with such a component becomes
 // (0, 0, 0, 0), which is clipped away (2.12); a normal becomes (0, 0, 0); in colours and texture coordinates only the component becomes 0.
 void sanitize(Vertex& vertex);
-void sanitize(glm::dvec4& tex_coord);
+void sanitize(glm::dvec4& values);
 
 class State {
   public:
@@ -188,7 +188,10 @@ class State {
         const Command& draw);  // raises the error and returns nullopt if it is wrong
     void draw(const Command& command, const ArrayVertices& read);
     // Gives the Draw's newest vertices the current values that a Vertex does not hold.
-    void add_further_values(Draw& draw) const;
+    // The columns that a Draw with this state has, without values yet.
+    static std::vector<VertexColumn> columns_of(const Draw& draw, bool has_secondary_colors);
+    // Gives the vertices that have no values in the columns these.
+    static void fill_columns(Draw& draw, const VertexValues& values);
     TextureUnit texture_unit(std::size_t number) const;  // of a Draw made now
     void set_combine(const Command& command, Enum pname, double value);
     std::optional<Owner> environment_owner(const Command& command);  // raises GL_INVALID_ENUM for another target

@@ -70,13 +70,10 @@ constexpr StateVariable kRows[] = {
     // Table 6.5. Texture coordinates belong to units.
     row(kGL_CURRENT_COLOR, kGL_CURRENT_BIT, AT(current.color)),
     row(kGL_CURRENT_NORMAL, kGL_CURRENT_BIT, AT(current.normal_object)),
-    row(kGL_CURRENT_SECONDARY_COLOR, kGL_CURRENT_BIT, AT(secondary_color),
-        [](const Attributes& a) { return numbers(glm::dvec4(a.secondary_color, 1)); }),
-    row(kGL_CURRENT_FOG_COORD, kGL_CURRENT_BIT, AT(fog_coord)),
+    row(kGL_CURRENT_SECONDARY_COLOR, kGL_CURRENT_BIT, AT(current.further(VertexAttribute::kSecondaryColor))),
+    row(kGL_CURRENT_FOG_COORD, kGL_CURRENT_BIT, AT(current.further(VertexAttribute::kFogCoord).x)),
     row(kGL_EDGE_FLAG, kGL_CURRENT_BIT, AT(current.edge_flag)),
-    row(kGL_CURRENT_BIT, AT(current.tex_coord)),
-    row(kGL_CURRENT_BIT, AT(current.material)),
-    row(kGL_CURRENT_BIT, AT(further_tex_coords)),
+    row(kGL_CURRENT_BIT, AT(current)),
     row(kGL_CURRENT_BIT, AT(raster_position)),
 
     // Table 6.10: transformation.

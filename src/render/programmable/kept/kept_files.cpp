@@ -401,8 +401,9 @@ std::string why_not_in_files(const Frame& frame) {
         if (draw->raster.point_parameters.depends_on_distance())
             return "its points become smaller with the distance (glPointParameter)";
         if (draw->texture.texture && draw->texture.texture->is_cube()) return "it uses a cube map";
-        if (!draw->secondary_colors.empty()) return "it adds secondary colours without lighting (glSecondaryColor)";
-        if (!draw->fog_coords.empty()) return "it uses fog coordinates (glFogCoord)";
+        if (draw->column(VertexAttribute::kSecondaryColor))
+            return "it adds secondary colours without lighting (glSecondaryColor)";
+        if (draw->column(VertexAttribute::kFogCoord)) return "it uses fog coordinates (glFogCoord)";
         if (draw->raster.line_stipple) return "it uses a line stipple, which core GL lacks";
         if (draw->raster.polygon_stipple) return "it uses a polygon stipple, which core GL lacks";
         if (draw->raster.point_sprite) return "it uses point sprites (GL_POINT_SPRITE)";
