@@ -172,7 +172,7 @@ SCENES_of_tests := $(patsubst %,src/scene/scenes/%.gl,commands legacy)
 FILES_scenes := $(sort $(filter-out $(SCENES_of_tests),$(wildcard src/scene/scenes/*.gl))) $(SCENES_of_tests)
 # What the scenes load: pictures, and meshes with their materials.
 FILES_scene_assets := $(wildcard $(addprefix src/scene/scenes/*.,png obj mtl))
-FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.glsl precise/*.glsl kept/*.glsl kept/loader.*))
+FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.glsl export/*.glsl export/loader.*))
 FILES_webgl := $(addprefix src/render/webgl/,exported_page.html gl.js viewer.js)
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
 CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
@@ -202,7 +202,7 @@ object = $(sort $(patsubst %.cpp,$(BUILD)/objects/%.o,$(filter $(ALONE),$(1))) \
     $(patsubst %,$(BUILD)/objects/%.room.o,$(patsubst %/,%,$(dir $(filter-out $(ALONE),$(1))))))
 # The rooms that are optimised less.
 LESS := $(patsubst %,src/%,app app/cli app/demo app/session app/web base/text judge/check judge/explain judge/fuzz judge/lesson judge/lint \
-    judge/report judge/study render/programmable/kept render/programmable/precise render/webgl scene/scenes) \
+    judge/report judge/study render/programmable/export render/webgl scene/scenes) \
     $(patsubst %/,%,$(sort $(dir $(SOURCES_tests))))
 OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
 OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
@@ -297,7 +297,7 @@ check:  ## check the format, compile each file by itself, run clang-tidy, and ru
 	    else echo "tidy: skipped, because clang-tidy is not installed"; fi
 	@$(MAKE) test config=sanitize units=files
 
-# A source includes its own header first, so only headers without a source are compiled here. (kept/loader.h is C; only Emscripten needs
+# A source includes its own header first, so only headers without a source are compiled here. (export/loader.h is C; only Emscripten needs
 # app/web/compat.)
 HEADERS_alone := $(filter-out $(SOURCES_all:.cpp=.h) $(FILES_shaders) src/app/web/compat/%,$(HEADERS))
 headers: deps  ## compile headers by themselves: each must include what it uses (units=files does so with sources)

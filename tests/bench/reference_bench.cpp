@@ -13,8 +13,8 @@
 #include "render/context/gl.h"
 #include "render/effect/scrubbed_state.h"
 #include "render/programmable/programmable.h"
-#include "render/reference/draw_lighting.h"
 #include "render/reference/reference.h"
+#include "render/reference/vertices/draw_lighting.h"
 
 namespace twinlight::bench::reference_bench {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "ratios.h"
 #include "render/fixed/replay.h"
-#include "render/programmable/shader_options.h"
+#include "render/programmable/numbers/shader_options.h"
 #include "scene/frame/frame.h"
 
 namespace twinlight::bench {

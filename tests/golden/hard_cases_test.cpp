@@ -14,6 +14,7 @@
 #include "judge/compare/vertex_colors.h"
 #include "render/context/driver_name.h"
 #include "render/reference/reference.h"
+#include "render/reference/vertices/lit_vertices.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 

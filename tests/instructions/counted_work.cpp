@@ -7,7 +7,7 @@
 
 #include "../bench/lit_spheres.h"
 #include "render/effect/plan.h"
-#include "render/reference/reference.h"
+#include "render/reference/vertices/lit_vertices.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
 #include "scene/shape/vertex_order.h"

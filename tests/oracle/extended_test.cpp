@@ -21,7 +21,7 @@
 #include "judge/oracle/oracle.h"
 #include "lighting/equation.h"
 #include "lighting/real_cast.h"
-#include "render/reference/draw_lighting.h"
+#include "render/reference/vertices/draw_lighting.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 

@@ -7,7 +7,7 @@
 
 #include "../unit/compare_three_ways.h"
 #include "../unit/one_pixel.h"
-#include "render/reference/texture.h"
+#include "render/reference/textures/texture.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 

@@ -9,7 +9,7 @@
 
 #include "judge/fuzz/random.h"
 #include "render/context/context.h"
-#include "render/reference/vertex_stage.h"
+#include "render/reference/vertices/vertex_stage.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 #include "sent_points.h"

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/programmable/shader_options.h"
+#include "render/programmable/numbers/shader_options.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"

@@ -15,7 +15,7 @@
 #include "judge/fuzz/random.h"
 #include "random_spectra.h"
 #include "render/effect/plan.h"
-#include "render/reference/draw_lighting.h"
+#include "render/reference/vertices/draw_lighting.h"
 
 namespace twinlight::plan_bounds_test {
 namespace {

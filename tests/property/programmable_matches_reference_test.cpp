@@ -14,6 +14,7 @@
 #include "render/effect/plan.h"
 #include "render/programmable/programmable.h"
 #include "render/reference/reference.h"
+#include "render/reference/vertices/lit_vertices.h"
 
 namespace twinlight::programmable_matches_reference_test {
 namespace {

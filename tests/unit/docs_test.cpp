@@ -14,7 +14,7 @@
 
 #include "app/session/keys.h"
 #include "base/image/file.h"
-#include "render/programmable/programmable.h"
+#include "render/programmable/export/shader_text.h"
 #include "scene/command/command.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"

@@ -15,7 +15,7 @@
 #include "base/text/json.h"
 #include "judge/compare/tolerance.h"
 #include "judge/fuzz/random_states.h"
-#include "render/programmable/program_uniforms.h"
+#include "render/programmable/numbers/program_uniforms.h"
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 

@@ -9,9 +9,9 @@
 
 #include "app/cli/command_line.h"
 #include "base/image/file.h"
-#include "render/programmable/kept/kept_code.h"
-#include "render/programmable/kept/kept_files.h"
-#include "render/programmable/programmable.h"
+#include "render/programmable/export/kept_code.h"
+#include "render/programmable/export/kept_files.h"
+#include "render/programmable/export/shader_text.h"
 #include "render/reference/copied_pixels.h"
 #include "render/webgl/exported_page.h"
 #include "scene/command/text.h"

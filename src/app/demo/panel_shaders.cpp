@@ -9,8 +9,8 @@
 
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
-#include "render/programmable/kept/kept_files.h"
-#include "render/programmable/programmable.h"
+#include "render/programmable/export/kept_files.h"
+#include "render/programmable/export/shader_text.h"
 
 namespace twinlight::demo {
 namespace {

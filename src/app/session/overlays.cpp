@@ -10,9 +10,10 @@
 #include <set>
 #include <span>
 
-#include "render/reference/primitive_assembly.h"
+#include "render/reference/geometry/primitive_assembly.h"
 #include "render/reference/reference.h"
-#include "render/reference/vertex_stage.h"
+#include "render/reference/vertices/lit_vertices.h"
+#include "render/reference/vertices/vertex_stage.h"
 
 namespace twinlight::session {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/image/file.h"
-#include "render/programmable/kept/kept_code.h"
-#include "render/programmable/kept/kept_files.h"
+#include "render/programmable/export/kept_code.h"
+#include "render/programmable/export/kept_files.h"
 #include "render/webgl/exported_page.h"
 #include "scene/command/text.h"
 #include "scene/shape/written_out.h"

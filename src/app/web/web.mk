@@ -10,13 +10,12 @@ EDITOR_web := $(addprefix $(PAGE)/codemirror/,codemirror.js codemirror.css copyr
 
 # The module has the rooms and files that need neither GL nor processes.
 ROOMS_web := $(addprefix src/,base/image base/math base/text base/threads scene/command scene/mesh scene/scenes scene/shape scene/spectrum \
-    scene/frame scene/state scene/recorded scene/trace lighting render/effect render/programmable render/programmable/kept render/programmable/precise render/reference render/webgl judge/compare \
+    scene/frame scene/state scene/recorded scene/trace lighting render/effect \
+    $(addprefix render/programmable/,numbers text export) $(addprefix render/reference/,vertices textures geometry) render/reference render/webgl judge/compare \
     judge/explain judge/lesson judge/lint judge/study app/session app/web)
 # The files of app/session that the page needs.
 SESSION_web := axes camera edits history keys lesson_state scaled session world world_handles
 WITHOUT_web := $(wildcard src/lighting/points_avx*.cpp) $(filter-out %/tolerance.cpp,$(wildcard src/judge/compare/*.cpp)) \
-    $(addprefix src/render/programmable/,kept_meshes.cpp kept_programs.cpp programmable.cpp shader_program.cpp uploaded_mesh.cpp \
-        precise/precise_support.cpp) \
     $(filter-out %/scene_of_choice.cpp,$(wildcard src/judge/study/*.cpp)) \
     $(filter-out $(patsubst %,src/app/session/%.cpp,$(SESSION_web)),$(wildcard src/app/session/*.cpp))
 sources_web = $(sort $(filter-out $(WITHOUT_web),$(wildcard $(1)/*.cpp)))

@@ -19,6 +19,7 @@
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
 #include "render/reference/reference.h"
+#include "render/reference/vertices/lit_vertices.h"
 #include "scene/command/text.h"
 #include "scene/frame/lecture_variants.h"
 #include "scene/state/state.h"

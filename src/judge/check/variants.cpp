@@ -1,7 +1,7 @@
 #include "judge/check/variants.h"
 
 #include "render/context/driver_name.h"
-#include "render/programmable/precise/precise.h"
+#include "render/programmable/precise_support.h"
 
 namespace twinlight::check {
 

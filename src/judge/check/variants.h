@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "render/programmable/shader_options.h"
-#include "render/reference/reference_options.h"
+#include "render/programmable/numbers/shader_options.h"
+#include "render/reference/vertices/reference_options.h"
 
 namespace twinlight::check {
 

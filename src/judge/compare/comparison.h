@@ -16,7 +16,7 @@
 #include "render/fixed/fixed.h"
 #include "render/path.h"
 #include "render/programmable/programmable.h"
-#include "render/reference/reference_options.h"
+#include "render/reference/vertices/reference_options.h"
 #include "scene/frame/scene.h"
 
 namespace twinlight::compare {

@@ -11,9 +11,9 @@
 #include <optional>
 
 #include "judge/compare/departure_rules.h"
-#include "render/reference/primitive_assembly.h"
-#include "render/reference/tex_gen.h"
-#include "render/reference/vertex_stage.h"
+#include "render/reference/geometry/primitive_assembly.h"
+#include "render/reference/vertices/tex_gen.h"
+#include "render/reference/vertices/vertex_stage.h"
 
 namespace twinlight::compare {
 

@@ -7,7 +7,7 @@
 
 #include "judge/compare/departure_rules.h"
 #include "render/lighting_of.h"
-#include "render/reference/vertex_stage.h"
+#include "render/reference/vertices/vertex_stage.h"
 
 namespace twinlight::compare {
 

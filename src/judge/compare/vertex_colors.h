@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "render/programmable/programmable.h"
-#include "render/reference/reference.h"
+#include "render/reference/vertices/lit_vertices.h"
 #include "scene/frame/scene.h"
 
 namespace twinlight::compare {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "judge/explain/derivation_light.h"
-#include "render/reference/texture_environment.h"
+#include "render/reference/textures/texture_environment.h"
 #include "scene/command/names.h"
 
 namespace twinlight::explain {

@@ -26,8 +26,9 @@
 #include "render/context/driver_name.h"
 #include "render/effect/vertex_facts.h"
 #include "render/lighting_of.h"
-#include "render/programmable/wide_range.h"
+#include "render/programmable/numbers/wide_range.h"
 #include "render/reference/reference.h"
+#include "render/reference/vertices/lit_vertices.h"
 #include "scene/command/text.h"
 
 namespace twinlight::fuzz {

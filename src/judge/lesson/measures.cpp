@@ -13,7 +13,8 @@
 #include "judge/lesson/work.h"
 #include "render/lighting_of.h"
 #include "render/reference/reference.h"
-#include "render/reference/vertex_stage.h"
+#include "render/reference/vertices/lit_vertices.h"
+#include "render/reference/vertices/vertex_stage.h"
 
 namespace twinlight::lesson {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/math/directions.h"
-#include "render/reference/primitive_assembly.h"
-#include "render/reference/vertex_stage.h"
+#include "render/reference/geometry/primitive_assembly.h"
+#include "render/reference/vertices/vertex_stage.h"
 #include "scene/frame/resized.h"
 
 namespace twinlight::lint {

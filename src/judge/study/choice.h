@@ -8,8 +8,8 @@
 
 #include "judge/study/lighting_change.h"
 #include "render/fixed/replay.h"
-#include "render/programmable/shader_options.h"
-#include "render/reference/reference_options.h"
+#include "render/programmable/numbers/shader_options.h"
+#include "render/reference/vertices/reference_options.h"
 #include "scene/frame/frame.h"
 
 namespace twinlight::study {

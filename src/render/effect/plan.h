@@ -95,7 +95,7 @@ struct PlanOptions : Look {
     // to point; the picture is the same. Used to measure the cost of samples (judge/study/spectral.h).
     bool fold_spectra = true;
     // Decides by state, not by where things are, so that the effects stay right when objects, lights and the camera
-    // move (programmable/kept/): no light is left out as faint, behind or outside its cone; a light that is on keeps
+    // move (programmable/export/): no light is left out as faint, behind or outside its cone; a light that is on keeps
     // its own ambient term; colours are always clamped; GL_NORMALIZE normalizes. The budget is then 0.
     bool for_any_pose = false;
     // False leaves Plan::left_out empty. Writing the reasons takes longer than the rest of a plan.

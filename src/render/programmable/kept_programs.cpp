@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "render/programmable/bake.h"
+#include "render/programmable/text/bake.h"
 
 namespace twinlight::programmable {
 namespace {

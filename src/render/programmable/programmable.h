@@ -9,7 +9,7 @@
 
 #include "base/image/image.h"
 #include "render/effect/explanation.h"
-#include "render/programmable/shader_options.h"
+#include "render/programmable/numbers/shader_options.h"
 #include "scene/frame/frame.h"
 
 namespace twinlight::programmable {
@@ -88,9 +88,5 @@ class Renderer {
     class Drawing;
     std::unique_ptr<Impl> impl_;
 };
-
-// The GLSL that draws the frame, as text to read: each program with its effects, what is left out and why, and the
-// values of the uniforms in comments. Needs no context.
-std::string shader_source(const Frame& frame, const Options& options);
 
 }  // namespace twinlight::programmable

@@ -13,7 +13,7 @@
 
 #include "base/text/input_text.h"
 #include "render/context/gl.h"
-#include "render/programmable/vertex_attributes.h"
+#include "render/programmable/numbers/vertex_attributes.h"
 
 namespace twinlight::programmable {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "render/programmable/draw_values.h"
-#include "render/programmable/shader_assembly.h"
+#include "render/programmable/numbers/draw_values.h"
+#include "render/programmable/text/shader_assembly.h"
 
 namespace twinlight::programmable {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "render/context/gl.h"
-#include "render/programmable/draw_values.h"
+#include "render/programmable/numbers/draw_values.h"
 #include "render/stages/buffers.h"
 
 namespace twinlight::programmable {

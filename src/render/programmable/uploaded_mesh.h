@@ -6,7 +6,7 @@
 
 #include "render/effect/effect_set.h"
 #include "render/programmable/joined_draws.h"
-#include "render/programmable/vertex_attributes.h"
+#include "render/programmable/numbers/vertex_attributes.h"
 #include "render/stages/elements.h"
 #include "scene/frame/frame.h"
 

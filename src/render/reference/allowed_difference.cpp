@@ -18,8 +18,8 @@
 #include <utility>
 
 #include "render/reference/fragment_loop.h"
+#include "render/reference/geometry/texture_place.h"
 #include "render/reference/reference.h"
-#include "render/reference/texture_place.h"
 #include "render/reference/undefined_colors.h"
 
 namespace twinlight::reference {

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "render/reference/coverage.h"
+#include "render/reference/geometry/coverage.h"
 #include "render/reference/pictures.h"
 
 namespace twinlight::reference {

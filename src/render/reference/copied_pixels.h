@@ -1,7 +1,7 @@
 // Frames whose textures copy pixels of the picture (3.8.2), with the reference's own pixels in them.
 #pragma once
 
-#include "render/reference/reference_options.h"
+#include "render/reference/vertices/reference_options.h"
 #include "scene/frame/copied_texels.h"
 
 namespace twinlight::reference {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "render/reference/interval.h"
+#include "render/reference/textures/interval.h"
 #include "scene/frame/frame.h"
 
 namespace twinlight::reference {

@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "base/image/difference.h"
-#include "render/reference/coverage.h"
 #include "render/reference/fragment_operations.h"
+#include "render/reference/geometry/coverage.h"
 #include "render/reference/staged_frame.h"
 
 namespace twinlight::reference {

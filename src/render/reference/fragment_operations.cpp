@@ -9,12 +9,8 @@ namespace twinlight::reference {
 namespace {
 
 constexpr int kColorCodes = 255;
-// Two depths closer than this may be stored as the same number in a 24-bit buffer, since each is rounded.
-constexpr double kDepthQuantum = 2 * kDepthStep;
 // The error of a colour in float arithmetic (2.1.1: 1 part in 10^5 per operation), for the alpha test.
 constexpr double kArithmetic = 1e-4;
-
-Outcome outcome(bool passes) { return passes ? Outcome::kPasses : Outcome::kFails; }
 
 // The number of products in the blend equation that round: all except those with 0 or 1.
 int rounding_products(const FragmentState& state, std::size_t i) {
@@ -37,19 +33,6 @@ Outcome stipple_outcome(const LineStipple& stipple, int count, int doubt) {
     return bit(count) ? Outcome::kPasses : Outcome::kFails;
 }
 
-bool compares(Enum func, double incoming, double stored) {
-    switch (func) {
-        case kGL_NEVER: return false;
-        case kGL_LESS: return incoming < stored;
-        case kGL_EQUAL: return incoming == stored;
-        case kGL_LEQUAL: return incoming <= stored;
-        case kGL_GREATER: return incoming > stored;
-        case kGL_NOTEQUAL: return incoming != stored;
-        case kGL_GEQUAL: return incoming >= stored;
-    }
-    return true;  // GL_ALWAYS
-}
-
 PixelRect scissored(const Scissor& scissor, const PixelRect& rect) {
     if (!scissor.enabled) return rect;
     const auto end = [](int start, int size) {  // the sum may overflow an int
@@ -61,7 +44,7 @@ PixelRect scissored(const Scissor& scissor, const PixelRect& rect) {
 }
 
 Outcome alpha_outcome(const FragmentState& state, double alpha) {
-    return outcome(compares(state.alpha_func, held(alpha), held(state.alpha_ref)));
+    return outcome_of(compares(state.alpha_func, held(alpha), held(state.alpha_ref)));
 }
 
 Outcome alpha_outcome(const FragmentState& state, const Interval& alpha) {
@@ -72,14 +55,6 @@ Outcome alpha_outcome(const FragmentState& state, const Interval& alpha) {
     if (!equal && may_be_equal && state.alpha_func != kGL_ALWAYS && state.alpha_func != kGL_NEVER)
         return Outcome::kOpen;
     return alpha_outcome(state, alpha.low);
-}
-
-Outcome depth_outcome(Enum depth_func, const Interval& difference) {
-    if (depth_func == kGL_ALWAYS || depth_func == kGL_NEVER) return outcome(depth_func == kGL_ALWAYS);
-    const bool nearer = difference.high<-kDepthQuantum, farther = difference.low> kDepthQuantum;
-    if (!nearer && !farther) return Outcome::kOpen;
-    // Equality is impossible here, so one comparison decides.
-    return outcome(compares(depth_func, nearer ? -1 : 1, 0));
 }
 
 bool passes_stencil(const StencilFace& face, int stored) {

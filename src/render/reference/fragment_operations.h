@@ -5,20 +5,14 @@
 // rounds a channel to the nearest k / 255, and later fragments read the rounded value.
 #pragma once
 
-#include "render/reference/coverage.h"
-#include "render/reference/interval.h"
+#include "render/reference/geometry/coverage.h"
+#include "render/reference/textures/comparison.h"
+#include "render/reference/textures/interval.h"
 #include "scene/frame/frame.h"
 
 namespace twinlight::reference {
 
 // ---- Which fragments are drawn ----
-
-// kOpen: correct implementations may differ; only intervals give it. In this order, so that the minimum of several
-// outcomes is their combined outcome.
-enum class Outcome : std::uint8_t { kFails, kOpen, kPasses };
-
-// GL_NEVER to GL_ALWAYS (4.1.4 to 4.1.6).
-bool compares(Enum func, double incoming, double stored);
 
 // 3.4.2: whether a stippled line has a fragment at the pixel: its count is within `doubt` of `count`.
 Outcome stipple_outcome(const LineStipple& stipple, int count, int doubt);
@@ -36,9 +30,6 @@ bool passes_stencil(const StencilFace& face, int stored);
 int stencil_after(const StencilFace& face, Enum operation, int stored);
 // The stored value after glClear (4.2.3).
 int cleared_stencil(const Clear& clear, int stored);
-
-// 4.1.6. `difference`: the fragment's depth minus the stored one.
-Outcome depth_outcome(Enum depth_func, const Interval& difference);
 
 // ---- Writing colours ----
 

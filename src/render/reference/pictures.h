@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/reference/coverage.h"
+#include "render/reference/geometry/coverage.h"
 #include "render/reference/reference.h"
 #include "render/reference/staged_frame.h"
 

@@ -11,9 +11,9 @@
 
 #include "base/image/image.h"
 #include "lighting/equation.h"
-#include "render/reference/color_steps.h"
-#include "render/reference/draw_lighting.h"
-#include "render/reference/reference_options.h"
+#include "render/reference/textures/color_steps.h"
+#include "render/reference/vertices/draw_lighting.h"
+#include "render/reference/vertices/reference_options.h"
 #include "scene/frame/frame.h"
 
 namespace twinlight::reference {

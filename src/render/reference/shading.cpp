@@ -5,10 +5,10 @@
 #include <type_traits>
 
 #include "base/math/srgb.h"
-#include "render/reference/tex_gen.h"
-#include "render/reference/texture_bounds.h"
-#include "render/reference/texture_environment.h"
-#include "render/reference/texture_place.h"
+#include "render/reference/geometry/texture_place.h"
+#include "render/reference/textures/texture_bounds.h"
+#include "render/reference/textures/texture_environment.h"
+#include "render/reference/vertices/tex_gen.h"
 
 namespace twinlight::reference {
 

@@ -7,13 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "render/reference/color_steps.h"
 #include "render/reference/fog.h"
-#include "render/reference/interval.h"
-#include "render/reference/piece.h"
+#include "render/reference/geometry/piece.h"
+#include "render/reference/geometry/surface_rays.h"
+#include "render/reference/geometry/texture_place.h"
 #include "render/reference/reference.h"
-#include "render/reference/surface_rays.h"
-#include "render/reference/texture_place.h"
+#include "render/reference/textures/color_steps.h"
+#include "render/reference/textures/interval.h"
 
 namespace twinlight::reference {
 

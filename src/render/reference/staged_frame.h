@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "render/reference/piece.h"
+#include "render/reference/geometry/piece.h"
 #include "render/reference/shading.h"
 
 namespace twinlight::reference {

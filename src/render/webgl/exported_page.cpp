@@ -9,8 +9,8 @@
 
 #include "base/text/json.h"
 #include "base/text/page.h"
-#include "render/programmable/kept/c_text.h"
-#include "render/programmable/kept/kept_code.h"
+#include "render/programmable/export/c_text.h"
+#include "render/programmable/export/kept_code.h"
 #include "render/reference/copied_pixels.h"
 #include "render/webgl/webgl_frame.h"
 

@@ -1,5 +1,5 @@
 // twinlight export --as html: one page that draws a scene with WebGL 2, and loads nothing else. Its shaders stay right when the camera
-// turns and lights are switched (programmable/kept/); gl.js draws, as on the page for browsers, and viewer.js turns the camera.
+// turns and lights are switched (programmable/export/); gl.js draws, as on the page for browsers, and viewer.js turns the camera.
 #pragma once
 
 #include <string>

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "base/math/directions.h"
-#include "render/programmable/draw_values.h"
-#include "render/programmable/light_values.h"
+#include "render/programmable/numbers/draw_values.h"
+#include "render/programmable/numbers/light_values.h"
 #include "scene/frame/parameter_rows.h"
 
 namespace twinlight::webgl {

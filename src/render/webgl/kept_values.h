@@ -1,11 +1,11 @@
-// The numbers of programs for any pose (programmable/kept/kept_code.h): GL's state under the names of their uniforms.
+// The numbers of programs for any pose (programmable/export/kept_code.h): GL's state under the names of their uniforms.
 #pragma once
 
 #include <vector>
 
 #include "base/text/json.h"
 #include "render/effect/plan.h"
-#include "render/programmable/form.h"
+#include "render/programmable/numbers/form.h"
 #include "scene/frame/frame.h"
 
 namespace twinlight::webgl {

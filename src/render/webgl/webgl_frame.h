@@ -29,7 +29,7 @@ struct WebglFrame {
 };
 
 // The frame must not show copied pixels: reference::drawable() fills them in. With options.for_any_pose the programs are those of
-// programmable/kept/kept_code.h, and the uniforms GL's state (kept_values.h), which viewer.js changes as the camera turns.
+// programmable/export/kept_code.h, and the uniforms GL's state (kept_values.h), which viewer.js changes as the camera turns.
 WebglFrame webgl_frame(const Frame& frame, const PlanOptions& options);
 
 }  // namespace twinlight::webgl

@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "render/programmable/kept/core_elements.h"
-#include "render/reference/piece.h"
+#include "render/programmable/export/core_elements.h"
+#include "render/reference/geometry/piece.h"
 
 namespace twinlight::webgl {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/programmable/form.h"
+#include "render/programmable/numbers/form.h"
 #include "scene/frame/frame.h"
 
 namespace twinlight::webgl {

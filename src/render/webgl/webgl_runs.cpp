@@ -7,8 +7,8 @@
 #include <span>
 #include <utility>
 
-#include "render/reference/piece.h"
-#include "render/reference/vertex_stage.h"
+#include "render/reference/geometry/piece.h"
+#include "render/reference/vertices/vertex_stage.h"
 
 namespace twinlight::webgl {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "render/programmable/kept/core_elements.h"
+#include "render/programmable/export/core_elements.h"
 
 namespace twinlight::webgl {
 

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "render/programmable/draw_values.h"
-#include "render/programmable/vertex_attributes.h"
+#include "render/programmable/numbers/draw_values.h"
+#include "render/programmable/numbers/vertex_attributes.h"
 
 namespace twinlight::webgl {
 

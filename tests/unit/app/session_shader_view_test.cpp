@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/session/shader_view.h"
-#include "render/programmable/programmable.h"
+#include "render/programmable/export/shader_text.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "render/context/context.h"
+#include "render/programmable/export/shader_text.h"
 #include "render/programmable/programmable.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"

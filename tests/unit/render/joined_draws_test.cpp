@@ -16,7 +16,7 @@
 #include "../hand_built_draws.h"
 #include "base/image/difference.h"
 #include "judge/fuzz/fuzzer.h"
-#include "render/programmable/draw_values.h"
+#include "render/programmable/numbers/draw_values.h"
 #include "scene/command/text.h"
 #include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"

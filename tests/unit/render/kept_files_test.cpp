@@ -1,5 +1,5 @@
 // Shaders to keep: planned by state and not by pose, one pair for each kind, GL's names, every version's spelling.
-#include "render/programmable/kept/kept_files.h"
+#include "render/programmable/export/kept_files.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "../hand_built_draws.h"
-#include "render/programmable/kept/kept_code.h"
-#include "render/programmable/kept/kept_text.h"
+#include "render/programmable/export/kept_code.h"
+#include "render/programmable/text/kept_text.h"
 #include "render/webgl/exported_page.h"
 
 namespace twinlight::programmable::kept_files_test {

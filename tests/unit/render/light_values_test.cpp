@@ -1,6 +1,6 @@
 // A program and its Draw meet in one list: each uniform that the text declares has a value, whatever is drawn and planned, and no
 // other uniform has one.
-#include "render/programmable/light_values.h"
+#include "render/programmable/numbers/light_values.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -21,10 +21,10 @@
 #include "../effort.h"
 #include "judge/fuzz/random_states.h"
 #include "judge/study/lighting_change.h"
-#include "render/programmable/bake.h"
-#include "render/programmable/precise/precise.h"
-#include "render/programmable/program_uniforms.h"
-#include "render/programmable/surface_values.h"
+#include "render/programmable/numbers/precise.h"
+#include "render/programmable/numbers/program_uniforms.h"
+#include "render/programmable/numbers/surface_values.h"
+#include "render/programmable/text/bake.h"
 #include "scene/frame/frame.h"
 #include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"

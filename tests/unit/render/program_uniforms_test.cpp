@@ -1,5 +1,5 @@
 // The list of uniforms. light_values_test.cpp checks that every program has values for it.
-#include "render/programmable/program_uniforms.h"
+#include "render/programmable/numbers/program_uniforms.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "render/programmable/light_values.h"
-#include "render/programmable/lighting_names.h"
-#include "render/programmable/shader_pieces.h"
+#include "render/programmable/numbers/light_values.h"
+#include "render/programmable/text/lighting_names.h"
+#include "render/programmable/text/shader_pieces.h"
 
 namespace twinlight::programmable::program_uniforms_test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "../hand_built_draws.h"
 #include "render/effect/plan.h"
-#include "render/programmable/shader_assembly.h"
+#include "render/programmable/text/shader_assembly.h"
 
 namespace twinlight::programmable::programmable_fragments_test {
 namespace {

@@ -1,14 +1,13 @@
 // The programmable renderer: the text of its programs, and pictures of hand-built draws compared with colours computed
 // by hand.
-#include "render/programmable/programmable.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "../hand_built_draws.h"
 #include "render/effect/plan.h"
-#include "render/programmable/shader_assembly.h"
+#include "render/programmable/export/shader_text.h"
+#include "render/programmable/text/shader_assembly.h"
 
 namespace twinlight::programmable::programmable_test {
 namespace {

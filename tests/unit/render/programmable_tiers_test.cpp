@@ -8,7 +8,7 @@
 #include "../hand_built_draws.h"
 #include "../quad_cuts.h"
 #include "render/effect/plan.h"
-#include "render/programmable/bake.h"
+#include "render/programmable/text/bake.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "../small_frames.h"
-#include "render/reference/coverage.h"
+#include "render/reference/geometry/coverage.h"
 #include "render/reference/staged_frame.h"
 
 namespace twinlight::rasteriser_test {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "../hand_built_draws.h"
-#include "render/programmable/shader_assembly.h"
-#include "render/programmable/shader_pieces.h"
+#include "render/programmable/text/shader_assembly.h"
+#include "render/programmable/text/shader_pieces.h"
 
 namespace twinlight::programmable::shader_files_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <glm/ext/matrix_transform.hpp>
 
 #include "../planned_draws.h"
-#include "render/reference/vertex_stage.h"
+#include "render/reference/vertices/vertex_stage.h"
 #include "scene/command/text.h"
 #include "scene/state/answers.h"
 #include "scene/state/state.h"

@@ -1,5 +1,5 @@
 // Texturing in the reference, compared with values computed by hand: wrap modes, filters, levels, functions, fog.
-#include "render/reference/texture.h"
+#include "render/reference/textures/texture.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include "../small_frames.h"
 #include "render/reference/fog.h"
 #include "render/reference/fragment_operations.h"
-#include "render/reference/texture_bounds.h"
-#include "render/reference/texture_environment.h"
+#include "render/reference/textures/texture_bounds.h"
+#include "render/reference/textures/texture_environment.h"
 
 namespace twinlight::texture_test {
 namespace {

@@ -1,5 +1,5 @@
 // Uniforms: the flat list, and programs that set only what differs from the last use.
-#include "render/programmable/uniforms.h"
+#include "render/programmable/numbers/uniforms.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The reference's vertex stage: transformation, normals, colour material, clamping (GL 2.1 sections 2.11, 2.14), and
 // its effect on pixels.
-#include "render/reference/vertex_stage.h"
+#include "render/reference/vertices/vertex_stage.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "../small_frames.h"
+#include "render/reference/vertices/lit_vertices.h"
 
 namespace twinlight::vertex_stage_test {
 namespace {

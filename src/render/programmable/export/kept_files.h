@@ -1,0 +1,29 @@
+// Shaders to keep: a scene as shaders that stay right when objects, lights and the camera move, with a program in C
+// that draws the scene with them.
+//
+// There is one vertex and one fragment shader for each kind of Draw: kinds differ in state (which lights are on, which
+// terms are not 0, textures, fog), not in where things are (PlanOptions::for_any_pose). Uniforms are GL's state with
+// GL's names (kept_uniforms.glsl).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/programmable/numbers/form.h"
+#include "render/programmable/numbers/shader_options.h"
+
+namespace twinlight::programmable {
+
+struct NamedFile {
+    std::string name;  // without a folder
+    std::string bytes;
+};
+
+// kindN.vert and kindN.frag, scene.c, scene.bin, loader.c, loader.h and README.md. Of the options only the shading
+// counts. `name` is the scene's. Throws std::runtime_error if why_not_in_files() has a reason.
+std::vector<NamedFile> kept_files(const Frame& frame, const Options& options, Glsl version, const std::string& name);
+
+// What in the frame the files cannot draw; empty if they can draw it.
+std::string why_not_in_files(const Frame& frame);
+
+}  // namespace twinlight::programmable
