@@ -187,7 +187,6 @@ class State {
     std::optional<ArrayVertices> array_vertices(
         const Command& draw);  // raises the error and returns nullopt if it is wrong
     void draw(const Command& command, const ArrayVertices& read);
-    // Gives the Draw's newest vertices the current values that a Vertex does not hold.
     // The columns that a Draw with this state has, without values yet.
     static std::vector<VertexColumn> columns_of(const Draw& draw, bool has_secondary_colors);
     // Gives the vertices that have no values in the columns these.
