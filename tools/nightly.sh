@@ -4,7 +4,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
-parts=(cases fuzz bookworm trixie forky noble resolute)
+parts=(cases fuzz recipes bookworm trixie forky noble resolute)
 usage() {
     cat <<END
 Usage: tools/nightly.sh [PART...]
@@ -12,6 +12,7 @@ Runs the parts of the nightly tests (all of them without PART), and writes their
 
   cases     every test with all of its cases
   fuzz      random input into everything that reads files, ten minutes a target (FUZZ_TIME=seconds)
+  recipes   small changes by the recipes of CONTRIBUTING.md, each built and tested (tests/recipes)
   bookworm, trixie, forky, noble, resolute
             'make demo && make test' on a bare Debian 12, Debian 13, Debian testing, Ubuntu 24.04 and Ubuntu 26.04 (as root)
 
@@ -60,6 +61,7 @@ for part; do
     case $part in
     cases) command="make test ALL_CASES=true" ;;
     fuzz) command="make fuzz TIME=${FUZZ_TIME:-600}" ;;
+    recipes) command="tools/try-recipes.sh" ;;
     *) command="" ;;
     esac
     if [ -n "$command" ]; then
