@@ -86,14 +86,18 @@ class Walk {
     std::vector<std::unique_ptr<Watch>> watches_;
 };
 
-// Warnings of a rule with the same key are one, with the number of its places.
+// Warnings of a rule with the same key or message are one, with the number of its places.
 std::vector<Warning> joined(std::vector<Warning> warnings) {
     std::vector<Warning> kept;
     std::map<std::tuple<const Rule*, std::string>, std::size_t> numbers;
     std::vector<std::set<std::pair<int, int>>> places;  // of each kept warning
     for (Warning& warning : warnings) {
+        const auto known = numbers.find({warning.rule, warning.message});
+        const std::size_t number = known == numbers.end() ? kept.size() : known->second;
+        numbers.emplace(std::tuple(warning.rule, warning.message), number);
         const std::string key = warning.key.empty() ? warning.message : warning.key;
-        const auto [at, is_new] = numbers.try_emplace({warning.rule, key}, kept.size());
+        const auto at = numbers.try_emplace({warning.rule, key}, number).first;
+        const bool is_new = at->second == kept.size();
         const std::pair place(warning.place.line, warning.place.column);
         if (is_new) {
             kept.push_back(std::move(warning));

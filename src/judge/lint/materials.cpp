@@ -99,12 +99,12 @@ class ColorMaterialTooEarly : public Watch {
     Enum mode_ = 0;
 };
 
-// glMaterial of a property that follows the current colour.
+// glMaterial of a property that follows the current colour, for all faces that it names and that count.
 class MaterialOverridden : public Watch {
   public:
     void after(const Command& command, const State& state) override {
         const ColorMaterial& tracking = state.lighting().color_material;
-        if (is_effect(command, "disable") && command.enumerant(0) == kGL_COLOR_MATERIAL) open_.reset();
+        if (is_effect(command, "disable") && command.enumerant(0) == kGL_COLOR_MATERIAL) open_.clear();
         if (!is_effect(command, "material") || !tracking.enabled) return;
         if (!tracks(tracking.mode, pname_of(command)) || !overlap(tracking.face, command.enumerant(0))) return;
         // A property beside the tracked one is set as well.
@@ -113,20 +113,89 @@ class MaterialOverridden : public Watch {
         bool differs = false;
         for (int i = 0; i < 3 && i < static_cast<int>(values.size()); ++i)
             differs |= std::abs(values[static_cast<std::size_t>(i)] - state.attributes().current.color[i]) > 0.002;
-        if (differs) open_ = command;
+        if (differs) open_.push_back(command);
     }
     void drawn(const Draw& draw, const State&) override {
-        if (!open_ || !draw.lighting.enabled || !draw.lighting.color_material.enabled) return;
-        warn({.place = open_->place,
-              .message = fmt::format("this {} has no effect: GL_COLOR_MATERIAL is enabled, so glColor sets it",
-                                     enum_name(pname_of(*open_))),
-              .fix = "glDisable(GL_COLOR_MATERIAL); before it, or use glColor",
-              .edits = {{.place = open_->place, .insert = "glDisable(GL_COLOR_MATERIAL);"}}});
-        open_.reset();
+        const ColorMaterial& tracking = draw.lighting.color_material;
+        if (!draw.lighting.enabled || !tracking.enabled) return;
+        for (const Command& command : open_) {
+            // Without two-sided lighting, both faces have the front's material.
+            const Enum named = command.enumerant(0),
+                       counts = !draw.lighting.light_model.two_side && named == kGL_FRONT_AND_BACK ? kGL_FRONT : named;
+            if (tracking.face != kGL_FRONT_AND_BACK && tracking.face != counts) continue;
+            warn({.place = command.place,
+                  .message = fmt::format("this {} has no effect: GL_COLOR_MATERIAL is enabled, so glColor sets it",
+                                         enum_name(pname_of(command))),
+                  .fix = "glDisable(GL_COLOR_MATERIAL); before it, or use glColor",
+                  .edits = {{.place = command.place, .insert = "glDisable(GL_COLOR_MATERIAL);"}}});
+        }
+        open_.clear();
     }
 
   private:
-    std::optional<Command> open_;
+    std::vector<Command> open_;  // since the last Draw
+};
+
+// glColorMaterial(GL_BACK, ...), where only the front's material counts.
+class ColorMaterialOfTheBack : public Watch {
+  public:
+    void after(const Command& command, const State&) override {
+        if (is_effect(command, "color_material")) chosen_ = command;
+        if (is_effect(command, "color")) has_color_ = true;
+    }
+    void drawn(const Draw& draw, const State&) override {
+        const ColorMaterial& tracking = draw.lighting.color_material;
+        if (!draw.lighting.enabled || !tracking.enabled || !chosen_) return;
+        if (!has_color_ || tracking.face != kGL_BACK || draw.lighting.light_model.two_side) return;
+        const std::string call = fmt::format("glColorMaterial(GL_FRONT_AND_BACK, {});", enum_name(tracking.mode));
+        warn({.place = chosen_->place,
+              .message =
+                  "glColor has no effect: this glColorMaterial replaces all earlier ones, and so only the back's "
+                  "material follows glColor, but lighting is one-sided, so both faces have the front's",
+              .fix = call,
+              .edits = {{.place = chosen_->place, .removes = true, .insert = call}},
+              .key = "back"});
+    }
+
+  private:
+    std::optional<Command> chosen_;
+    bool has_color_ = false;
+};
+
+// The emission of one object that later objects, which get colours of their own, still have.
+class EmissionStays : public Watch {
+  public:
+    void after(const Command& command, const State& state) override {
+        if (!is_effect(command, "material") || command.enumerant(0) == kGL_BACK) return;
+        if (pname_of(command) == kGL_EMISSION) {
+            const glm::dvec4& color = state.lighting().front.emission;
+            constexpr double kGlows = 0.3;
+            emission_.reset();
+            if (std::max({color.r, color.g, color.b}) >= kGlows) emission_ = command;
+            has_drawn_ = false;
+            next_ = {};
+        } else if (emission_ && has_drawn_ && next_.line == 0 && pname_of(command) != kGL_SHININESS) {
+            next_ = command.place;
+        }
+    }
+    void drawn(const Draw& draw, const State&) override {
+        if (!emission_ || !draw.lighting.enabled) return;
+        has_drawn_ = true;
+        if (next_.line == 0) return;
+        const std::string call = fmt::format("glMaterialfv({}, GL_EMISSION, (GLfloat[]){{0, 0, 0, 1}});",
+                                             enum_name(emission_->enumerant(0)));
+        warn({.place = emission_->place,
+              .message =
+                  fmt::format("this GL_EMISSION is never taken back: the objects after {} glow, too", where(next_)),
+              .fix = call + " after the object that glows",
+              .edits = {{.place = next_, .insert = call}}});
+        emission_.reset();
+    }
+
+  private:
+    std::optional<Command> emission_;  // bright, and still set
+    bool has_drawn_ = false;           // with it
+    Place next_;                       // the next glMaterial of another colour
 };
 
 // What of the front's material commands have set.
@@ -464,6 +533,41 @@ std::vector<Rule> material_rules() {
  glutSolidSphere(1.5, 40, 20);
 )",
          make_watch<MaterialOverridden>},
+        {"color-material-back",
+         "`glColorMaterial` names only `GL_BACK`, but lighting is one-sided, so `glColor` changes nothing. Often there "
+         "are "
+         "two calls, one for each side: only the last counts.",
+         "Section 2.14.3: a `glColorMaterial` replaces the one before. Section 2.14.1: without "
+         "`GL_LIGHT_MODEL_TWO_SIDE` both faces have the colour of the front's material.",
+         "glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);",
+         R"(// the view
+// the light
+-glColorMaterial(GL_FRONT, GL_AMBIENT_AND_DIFFUSE);
+-glColorMaterial(GL_BACK, GL_AMBIENT_AND_DIFFUSE);
++glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
+ glEnable(GL_COLOR_MATERIAL);
+ glColor3f(1, 0.2, 0.1);
+ glutSolidSphere(1.5, 40, 20);
+)",
+         make_watch<ColorMaterialOfTheBack>},
+        {"emission-stays",
+         "The `GL_EMISSION` of an object is never taken back. The objects after it, which get colours of their own, "
+         "glow "
+         "as well.",
+         "Section 2.14.2: a material keeps each property until the next `glMaterial` of it. Section 2.14.1: the "
+         "emission "
+         "is added whatever the lights are.",
+         "glMaterialfv(GL_FRONT, GL_EMISSION, (GLfloat[]){0, 0, 0, 1});",
+         R"(// the view
+// the light
+ glMaterialfv(GL_FRONT, GL_EMISSION, (GLfloat[]){1, 0.8, 0.2, 1});
+ glutSolidSphere(0.8, 40, 20);
++glMaterialfv(GL_FRONT, GL_EMISSION, (GLfloat[]){0, 0, 0, 1});
+ glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, (GLfloat[]){0.2, 0.4, 0.9, 1});
+ glTranslatef(1.6, 0, 0);
+ glutSolidSphere(0.4, 40, 20);
+)",
+         make_watch<EmissionStays>},
         {"shininess-without-specular",
          "`GL_SHININESS` is set, but the specular colour of the material is black, its initial value. There is no "
          "highlight.",

@@ -41,12 +41,26 @@ std::vector<glm::dvec3> eye_normals(const Draw& draw) {
     return normals;
 }
 
+// Whether the modelview matrix brings all of space onto a plane, as the matrix of a planar shadow does.
+bool is_flattened(const Draw& draw) {
+    const glm::dmat4& m = draw.eye_from_object;
+    if (is_singular(glm::dmat3(m))) return true;
+    // A lamp's shadow is a projection. Unless its plane contains the origin, only the whole matrix has no inverse; its entries are floats.
+    if (m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0) return false;
+    constexpr double kRounding = 1e-6;
+    double columns = 1;
+    for (int i = 0; i < 4; ++i) columns *= glm::length(m[i]);
+    return std::abs(glm::determinant(m)) <= kRounding * columns;
+}
+
 Edit normalize_before(const Place& place) { return {.place = place, .insert = "glEnable(GL_NORMALIZE);"}; }
 
 // The modelview matrix makes normals of length 1 longer or shorter.
 class ScaledNormals : public Watch {
     void drawn(const Draw& draw, const State&) override {
-        if (!uses_normals(draw) || draw.lighting.normalize || worst_length(object_normals(draw)) != 1) return;
+        if (!uses_normals(draw) || draw.lighting.normalize || is_flattened(draw) ||
+            worst_length(object_normals(draw)) != 1)
+            return;
         const double length = worst_length(eye_normals(draw));
         if (length == 1) return;
         warn({.place = draw.place,
@@ -62,7 +76,7 @@ class ScaledNormals : public Watch {
 
 class LongNormals : public Watch {
     void drawn(const Draw& draw, const State&) override {
-        if (!uses_normals(draw) || draw.lighting.normalize) return;
+        if (!uses_normals(draw) || draw.lighting.normalize || is_flattened(draw)) return;
         const double length = worst_length(object_normals(draw));
         if (length == 1 || worst_length(eye_normals(draw)) == 1) return;
         warn({.place = draw.place,
@@ -81,23 +95,46 @@ class ZeroNormal : public Watch {
         const bool is_zero = std::ranges::all_of(command.arguments, [](double v) { return v == 0; });
         if (is_zero && zero_.line == 0) zero_ = command.place;
     }
-    void drawn(const Draw& draw, const State&) override {
-        if (zero_.line == 0 || !uses_normals(draw)) return;
+    void drawn(const Draw& draw, const State& state) override {
+        if (!uses_normals(draw)) return;
         const bool has_zero =
             std::ranges::any_of(draw.vertices, [](const Vertex& v) { return v.normal_object == glm::dvec3(0); });
         if (!has_zero) return;
-        warn({.place = zero_,
-              .message = "this normal is (0, 0, 0): no light reaches the vertex",
-              .fix = "give the direction that the surface faces, such as glNormal3f(0, 0, 1)",
-              .key = "zero"});
+        if (zero_.line > 0)
+            warn({.place = zero_,
+                  .message = "this normal is (0, 0, 0): no light reaches the vertex",
+                  .fix = "give the direction that the surface faces, such as glNormal3f(0, 0, 1)",
+                  .key = "zero"});
+        else if (state.arrays().client().normal.enabled)
+            warn({.place = draw.place,
+                  .message = "the array of glNormalPointer has normals (0, 0, 0): no light reaches these vertices",
+                  .fix = "fill the array with the direction that the surface faces at each vertex",
+                  .key = "array"});
     }
 
   private:
     Place zero_;
 };
 
-// The normal of a triangle's plane in eye coordinates, of length 1; 0 for one without area.
-glm::dvec3 plane_normal(const std::vector<EyeVertex>& vertices, const Triangle& triangle) {
+// Whether a triangle's height is more than rounding of its vertices, which are floats. The facets at the poles of a ball that a
+// program computes can be as flat as 1e-17: they face nowhere.
+bool has_direction(const Draw& draw, const Triangle& triangle) {
+    constexpr double kRounding = 1e-6;
+    std::array<glm::dvec3, 3> corners;
+    double size = 0, longest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec4& position = draw.vertices[triangle[i]].position_object;
+        corners[i] = glm::dvec3(position) / (position.w != 0 ? position.w : 1);
+        size = std::max(size, glm::length(corners[i]));
+    }
+    for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, glm::distance(corners[i], corners[(i + 1) % 3]));
+    const double twice_area = glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+    return twice_area > kRounding * size * longest;
+}
+
+// The normal of a triangle's plane in eye coordinates, of length 1; 0 for one without a direction.
+glm::dvec3 plane_normal(const Draw& draw, const std::vector<EyeVertex>& vertices, const Triangle& triangle) {
+    if (!has_direction(draw, triangle)) return glm::dvec3(0);
     const glm::dvec3 a = vertices[triangle[0]].position, b = vertices[triangle[1]].position,
                      c = vertices[triangle[2]].position;
     const glm::dvec3 normal = glm::cross(b - a, c - a);
@@ -123,7 +160,7 @@ class NormalDoesNotFit : public Watch {
             if (normal != draw.vertices[triangle[1]].normal_object ||
                 normal != draw.vertices[triangle[2]].normal_object)
                 return false;
-            const glm::dvec3 plane = plane_normal(vertices, triangle);
+            const glm::dvec3 plane = plane_normal(draw, vertices, triangle);
             const double length = glm::length(vertices[triangle[0]].normal);
             if (plane == glm::dvec3(0) || length == 0) return false;
             const double cosine = std::abs(glm::dot(plane, vertices[triangle[0]].normal)) / length;
@@ -150,6 +187,33 @@ struct NormalStale : NormalDoesNotFit {
     NormalStale() : NormalDoesNotFit(false) {}
 };
 
+// glNormalPointer, but GL_NORMAL_ARRAY is not enabled.
+class NormalArrayOff : public Watch {
+  public:
+    void before(const Command& command, const State&) override { from_arrays_ = draws_arrays(command.id); }
+    void after(const Command& command, const State&) override {
+        if (command.id == CommandId::glNormalPointer) pointer_ = command.place;
+    }
+    void drawn(const Draw& draw, const State& state) override {
+        if (!from_arrays_ || pointer_.line == 0 || state.arrays().client().normal.enabled || !uses_normals(draw))
+            return;
+        const glm::dvec3 normal = draw.vertices.front().normal_object;
+        const std::string call = "glEnableClientState(GL_NORMAL_ARRAY);";
+        warn({.place = pointer_,
+              .message =
+                  fmt::format("this array has no effect: GL_NORMAL_ARRAY is not enabled, so all vertices have the "
+                              "current normal ({:.3g}, {:.3g}, {:.3g})",
+                              normal.x, normal.y, normal.z),
+              .fix = call,
+              .edits = {{.place = pointer_, .insert = call, .is_after = true}},
+              .key = "off"});
+    }
+
+  private:
+    Place pointer_;
+    bool from_arrays_ = false;
+};
+
 // Front faces, by their vertices' order, whose normals point to the other side, where that matters.
 class WindingAgainstNormals : public Watch {
   public:
@@ -166,7 +230,7 @@ class WindingAgainstNormals : public Watch {
         std::size_t triangles = 0, disagree = 0;
         for (const Triangle& triangle : triangles_of(draw)) {
             const glm::dvec3 plane =
-                plane_normal(vertices, triangle) * (draw.raster.front_face == kGL_CCW ? 1.0 : -1.0);
+                plane_normal(draw, vertices, triangle) * (draw.raster.front_face == kGL_CCW ? 1.0 : -1.0);
             const glm::dvec3 sum =
                 vertices[triangle[0]].normal + vertices[triangle[1]].normal + vertices[triangle[2]].normal;
             const double length = glm::length(sum);
@@ -209,6 +273,25 @@ class FlattenedNormals : public Watch {
 
   private:
     Place scale_;
+};
+
+// Lit objects under the matrix of a planar shadow.
+class LitShadow : public Watch {
+  public:
+    void after(const Command& command, const State&) override {
+        if (is_effect(command, "scale")) has_scale_of_0_ |= std::ranges::count(command.arguments, 0.0) > 0;
+    }
+    void drawn(const Draw& draw, const State&) override {
+        if (has_scale_of_0_ || !uses_normals(draw) || !is_flattened(draw)) return;
+        warn({.place = draw.place,
+              .message = "the modelview matrix flattens this object, as for a shadow, but it is lit: normals that are "
+                         "flattened have no meaning",
+              .fix = "glDisable(GL_LIGHTING); and the shadow's glColor before it, glEnable(GL_LIGHTING); after it",
+              .key = "shadow"});
+    }
+
+  private:
+    bool has_scale_of_0_ = false;  // scale-zero warns then
 };
 
 }  // namespace
@@ -256,7 +339,8 @@ std::vector<Rule> normal_rules() {
  glEnd();
 )",
          make_watch<ZeroNormal>},
-        {"normal-missing", "An object is lit, but `glNormal` is never called. All its normals are (0, 0, 1).",
+        {"normal-missing",
+         "An object is lit, but `glNormal` is never called. All its normals are (0, 0, 1).",
          "Section 2.7: the initial current normal is (0, 0, 1), and a vertex has the current normal.",
          "glNormal3f(0, 1, 0);",
          R"(// the view
@@ -269,10 +353,12 @@ std::vector<Rule> normal_rules() {
  glVertex3f(-2, 0, -2);
  glEnd();
 )",
-         make_watch<NormalNeverSet>},
+         make_watch<NormalNeverSet>,
+         {"normal-array-off"}},
         {"normal-stale",
          "A face has no `glNormal` of its own. It has the normal of the face before it, which lies along its surface.",
-         "Section 2.7: the current normal holds until the next `glNormal`.", "glNormal3f(0, 0, 1);",
+         "Section 2.7: the current normal holds until the next `glNormal`.",
+         "glNormal3f(0, 0, 1);",
          R"(// the view
 // the light
  glBegin(GL_QUADS);
@@ -288,7 +374,24 @@ std::vector<Rule> normal_rules() {
  glVertex3f(-2, 0, 2);
  glEnd();
 )",
-         make_watch<NormalStale>},
+         make_watch<NormalStale>,
+         {"normal-array-off"}},
+        {"normal-array-off",
+         "`glNormalPointer` gives an array of normals, but `GL_NORMAL_ARRAY` is not enabled. All vertices have the "
+         "current normal.",
+         "Section 2.8: drawing reads an array only while it is enabled; otherwise the vertices have the current value.",
+         "glEnableClientState(GL_NORMAL_ARRAY);",
+         R"(// the view
+// the light
+ GLfloat floor_at[] = {-2, 0, 2,  2, 0, 2,  2, 0, -2,  -2, 0, -2};
+ GLfloat up[] = {0, 1, 0,  0, 1, 0,  0, 1, 0,  0, 1, 0};
+ glEnableClientState(GL_VERTEX_ARRAY);
++glEnableClientState(GL_NORMAL_ARRAY);
+ glVertexPointer(3, GL_FLOAT, 0, floor_at);
+ glNormalPointer(GL_FLOAT, 0, up);
+ glDrawArrays(GL_QUADS, 0, 4);
+)",
+         make_watch<NormalArrayOff>},
         {"winding-against-normals",
          "Faces are culled or lit on both sides, but the order of an object's vertices does not match its normals: GL "
          "takes the outside for the back. GLUT's teapot is such an object.",
@@ -314,6 +417,22 @@ std::vector<Rule> normal_rules() {
  glutSolidSphere(1.5, 40, 20);
 )",
          make_watch<FlattenedNormals>},
+        {"lit-shadow",
+         "A matrix flattens an object, as for its shadow on a plane, while lighting is on. The shadow gets light.",
+         "Section 2.11.3: normals need the inverse of the modelview matrix, which does not exist. A shadow has no "
+         "light "
+         "to compute: it needs one dark colour.",
+         "glDisable(GL_LIGHTING);",
+         R"(// the view
+// the light
+ glutSolidSphere(0.7, 40, 20);
+// the plane y = -1; the light is far away in the direction (1, 2, 1)
+ glMultMatrixf((GLfloat[]){2, 0, 0, 0,  -1, 0, -1, 0,  0, 0, 2, 0,  -1, -2, -1, 2});
++glDisable(GL_LIGHTING);
++glColor3f(0.1, 0.1, 0.1);
+ glutSolidSphere(0.7, 40, 20);
+)",
+         make_watch<LitShadow>},
     };
 }
 

@@ -484,6 +484,7 @@ std::vector<Rule> picture_rules() {
                                                                "projection-not-reset",    "near-plane",
                                                                "angle-in-radians",        "rotate-no-axis"};
     static const std::vector<std::string_view> kLightRules = {"light-before-camera",
+                                                              "normal-array-off",
                                                               "spot-direction-before-camera",
                                                               "light-w",
                                                               "spot-directional",

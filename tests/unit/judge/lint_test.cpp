@@ -17,6 +17,7 @@
 #include "base/image/file.h"
 #include "base/image/png.h"
 #include "base/text/json.h"
+#include "judge/lint/watch.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/recorded/recorded_frame.h"
@@ -246,6 +247,94 @@ TEST(Lint, KnowsWhichTexturesAreIncomplete) {
     EXPECT_EQ(names(warnings_of(changed(incomplete, "glEnable(GL_TEXTURE_2D);",
                                         "glBindTexture(GL_TEXTURE_2D, 1); glEnable(GL_TEXTURE_2D);"))),
               none);  // no image: a texture that is not there yet
+}
+
+const std::set<std::string> kNone;
+
+// A quadrilateral at the pole of a computed ball: two of its corners are 1e-17 apart. GL draws its other triangle, and the normal is right.
+TEST(Lint, SliversHaveNoDirection) {
+    const std::string ball =
+        std::string(lint::view_lines()) + std::string(lint::light_lines()) +
+        "glRotatef(-90, 1, 0, 0); glNormal3f(-0.0076249177, 0.08715334, 0.9961657);\n"
+        "glBegin(GL_QUADS); glVertex3f(-1.13856045e-08, 0.26047227, 1.4772116);\n"
+        "glVertex3f(-0.045230538, 0.25651512, 1.4772116); glVertex3f(-1.5949326e-17, 9.045312e-17, 1.5);\n"
+        "glVertex3f(-4.014826e-24, 9.184851e-17, 1.5); glEnd();";
+    EXPECT_EQ(names(warnings_of(ball)), kNone);
+    // A small triangle has one, wherever it is.
+    EXPECT_EQ(names(warnings_of(std::string(lint::view_lines()) + std::string(lint::light_lines()) +
+                                "glNormal3f(0, 1, 0); glScalef(1e5, 1e5, 1e5); glEnable(GL_NORMALIZE);"
+                                "glBegin(GL_TRIANGLES); glVertex3f(0, 0, 0); glVertex3f(1e-5, 0, 0);"
+                                "glVertex3f(0, 1e-5, 0); glEnd();")),
+              std::set<std::string>{"normal-stale"});
+}
+
+// 2.14.3: glMaterial sets the faces that do not follow glColor, if they count.
+TEST(Lint, OverriddenIsAMaterialWhoseFacesAllFollowTheColor) {
+    const auto with = [](const std::string& face, const std::string& tracked, bool two_sided) {
+        return names(warnings_of(std::string(lint::view_lines()) + std::string(lint::light_lines()) +
+                                 (two_sided ? "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);" : "") + "glColorMaterial(" +
+                                 tracked + ", GL_AMBIENT_AND_DIFFUSE); glEnable(GL_COLOR_MATERIAL);\nglMaterialfv(" +
+                                 face + ", GL_DIFFUSE, (GLfloat[]){0, 1, 0, 1}); glutSolidSphere(1, 40, 20);"));
+    };
+    const std::set<std::string> overridden{"material-overridden"};
+    EXPECT_EQ(with("GL_FRONT_AND_BACK", "GL_BACK", false), kNone);
+    EXPECT_EQ(with("GL_FRONT_AND_BACK", "GL_FRONT", true), kNone);
+    EXPECT_EQ(with("GL_FRONT_AND_BACK", "GL_FRONT", false), overridden);  // the back's does not count
+    EXPECT_EQ(with("GL_FRONT_AND_BACK", "GL_FRONT_AND_BACK", true), overridden);
+    EXPECT_EQ(with("GL_FRONT", "GL_FRONT", true), overridden);
+    // Each of two.
+    EXPECT_EQ(
+        warnings_of(std::string(lint::view_lines()) + std::string(lint::light_lines()) +
+                    "glEnable(GL_COLOR_MATERIAL);\nglMaterialfv(GL_FRONT, GL_AMBIENT, (GLfloat[]){0.7, 0, 0, 1});\n"
+                    "glMaterialfv(GL_FRONT, GL_DIFFUSE, (GLfloat[]){0, 1, 0, 1}); glutSolidSphere(1, 40, 20);")
+            .size(),
+        2u);
+}
+
+TEST(Lint, FlattenedObjectsNeedNoNormalize) {
+    const std::string shadow = lint::wrong_scene(*lint::find_rule("lit-shadow"));
+    EXPECT_EQ(warnings_of(shadow).size(), 1u);
+    EXPECT_EQ(names(warnings_of(changed(shadow, "glutSolidSphere(0.7, 40, 20);", "glEnable(GL_NORMALIZE);"))),
+              std::set<std::string>{"lit-shadow"});
+    // On the plane y = 0: the linear part of the matrix has no inverse either.
+    EXPECT_EQ(names(warnings_of(changed(shadow, "-1, -2, -1, 2}", "0, 0, 0, 2}"))),
+              std::set<std::string>{"lit-shadow"});
+    // Thin objects are not flat.
+    EXPECT_EQ(names(warnings_of(std::string(lint::view_lines()) + std::string(lint::light_lines()) +
+                                "glEnable(GL_NORMALIZE); glScalef(1, 1e-4, 1); glutSolidSphere(1, 40, 20);")),
+              kNone);
+}
+
+TEST(Lint, EmissionStaysOnlyWhereItIsNotTakenBack) {
+    const std::string sun = lint::wrong_scene(*lint::find_rule("emission-stays"));
+    EXPECT_EQ(names(warnings_of(changed(sun, "{1, 0.8, 0.2, 1}", "{0.1, 0.1, 0.1, 1}"))), kNone);  // of all objects
+    EXPECT_EQ(names(warnings_of(changed(sun, "glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE",
+                                        "glMaterialfv(GL_FRONT, GL_EMISSION, (GLfloat[]){0, 0, 0.2, 1});"
+                                        "glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE"))),
+              kNone);
+    EXPECT_EQ(names(warnings_of(
+                  changed(sun, "glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, (GLfloat[]){0.2, 0.4, 0.9, 1});", ""))),
+              kNone);
+}
+
+// 2.8: an array counts only while it is enabled.
+TEST(Lint, FindsNormalArraysThatAreOffOrEmpty) {
+    const std::string off = lint::wrong_scene(*lint::find_rule("normal-array-off"));
+    EXPECT_EQ(names(warnings_of(changed(off, "glNormalPointer(GL_FLOAT, 0, up);", "glNormal3f(0, 1, 0);"))), kNone);
+    const std::string zeros = changed(lint::mended_scene(*lint::find_rule("normal-array-off")),
+                                      "0, 1, 0,  0, 1, 0,  0, 1, 0,  0, 1, 0", "0, 0, 0,  0, 0, 0,  0, 0, 0,  0, 0, 0");
+    EXPECT_EQ(names(warnings_of(zeros)), std::set<std::string>{"normal-zero"});
+}
+
+// Two places of one message: the lengths differ by less than is printed.
+TEST(Lint, PrintsAMessageOnce) {
+    const std::vector<lint::Warning> warnings =
+        warnings_of(std::string(lint::view_lines()) + std::string(lint::light_lines()) +
+                    "glBegin(GL_TRIANGLES); glNormal3f(0, 0, 0.6499); glVertex3f(-1, -1, 0); glVertex3f(0, -1, 0);"
+                    "glVertex3f(0, 1, 0); glEnd();\nglBegin(GL_TRIANGLES); glNormal3f(0, 0, 0.6501);"
+                    "glVertex3f(0, -1, 0); glVertex3f(1, -1, 0); glVertex3f(0, 1, 0); glEnd();");
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_EQ(warnings[0].count, 2);
 }
 
 TEST(Lint, FindsNearPlanesOfBothCommands) {
