@@ -68,7 +68,7 @@ class AspectOfViewport : public Watch {
     }
     void drawn(const Draw& draw, const State&) override {
         const Rectangle& viewport = draw.raster.viewport;
-        if (!perspective_ || !knows_viewport_ || viewport.width <= 0 || viewport.height <= 0) return;
+        if (draw.pixels || !perspective_ || !knows_viewport_ || viewport.width <= 0 || viewport.height <= 0) return;
         if (!is_its_projection(draw.clip_from_eye) || !keeps_proportions(draw.eye_from_object)) return;
         const double aspect = perspective_->number(1), right = static_cast<double>(viewport.width) / viewport.height;
         constexpr double kVisible = 1.03;  // less is hardly seen; 1.3 for 4/3 is 1.026
