@@ -83,6 +83,13 @@ int write_mended(const LintArguments& arguments, const Scene& scene, const std::
     return kFine;
 }
 
+// The text that a place is in: of the scene, or of a file that a program includes.
+std::string_view text_with(const CommandList* list, const Place& place) {
+    if (!list || !list->text) return "";
+    const auto included = place.file ? list->included.find(*place.file) : list->included.end();
+    return included == list->included.end() ? *list->text : *included->second;
+}
+
 int run_lint(const LintArguments& arguments) {
     if (arguments.rules) {
         if (!arguments.scene.empty()) throw UsageError("--rules takes no SCENE");
@@ -103,8 +110,7 @@ int run_lint(const LintArguments& arguments) {
     } else {
         const CommandList* list = scene.recording->command_list();
         std::string text;
-        for (const lint::Warning& warning : warnings)
-            text += lint::full_text(warning, list && list->text ? std::string_view(*list->text) : "");
+        for (const lint::Warning& warning : warnings) text += lint::full_text(warning, text_with(list, warning.place));
         write_result(text);
     }
     return warnings.empty() ? kFine : kDifferent;

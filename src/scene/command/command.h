@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -210,9 +211,11 @@ struct CommandList final : Recording {
     std::shared_ptr<const NextPicture>
         next_picture{};  // null where there is no program, or the reader cannot follow it
     std::shared_ptr<const std::string> text = nullptr;  // the C text, for messages; null if there is none
-    std::vector<std::string> steps{};                   // the titles of the scene's steps (#pragma twinlight step)
-    std::size_t step = 0;                               // the number of the one that `commands` has; 0 without steps
-    std::vector<std::string> own_notes{};               // notes()
+    // The texts of the files that a program includes, by the names in their places.
+    std::map<std::string, std::shared_ptr<const std::string>> included{};
+    std::vector<std::string> steps{};      // the titles of the scene's steps (#pragma twinlight step)
+    std::size_t step = 0;                  // the number of the one that `commands` has; 0 without steps
+    std::vector<std::string> own_notes{};  // notes()
 
     CommandList() = default;
     CommandList(std::string given_name, std::vector<Command> given_commands)

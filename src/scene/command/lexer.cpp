@@ -100,7 +100,8 @@ void Lexer::directive() {
         return;
     }
     if (language_ == Language::kProgram) {
-        for (std::string_view known : {"define", "undef", "if", "ifdef", "ifndef", "elif", "else", "endif"}) {
+        for (std::string_view known :
+             {"include", "define", "undef", "if", "ifdef", "ifndef", "elif", "else", "endif"}) {
             if (name != known) continue;
             directive_ = known;
             in_directive_ = true;
@@ -119,8 +120,11 @@ void Lexer::directive() {
     skip_line();
 }
 
-void Lexer::skip_line() {
+std::string_view Lexer::skip_line() {
+    const std::size_t start = position_;
     while (position_ < text_.size() && text_[position_] != '\n') advance();
+    in_directive_ = false;
+    return text_.substr(start, position_ - start);
 }
 
 // Reads from '"' to '"'. In scenes strings are file names, so they have no escapes.

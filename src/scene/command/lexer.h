@@ -45,6 +45,8 @@ class Lexer {
     // Skips lines up to the next one that starts with '#'.
     void skip_to_directive();
     bool at_end() const { return position_ >= text_.size(); }
+    // Moves to the end of the line. Returns what it has passed.
+    std::string_view skip_line();
 
   private:
     void skip_space_and_comments();
@@ -54,7 +56,6 @@ class Lexer {
     void character();
     // The length of the operator or bracket here in a program; 0 if there is none.
     std::size_t operator_length() const;
-    void skip_line();
     [[noreturn]] void refuse_character();
     bool at(std::string_view word) const { return text_.substr(position_).starts_with(word); }
 

@@ -14,16 +14,6 @@
 
 namespace twinlight {
 
-namespace {
-
-constexpr std::size_t kMaxDimensions = 8;
-
-}  // namespace
-
-std::size_t Object::length() const {
-    return std::accumulate(dimensions.begin(), dimensions.end(), std::size_t{1}, std::multiplies<>());
-}
-
 std::string shown(const Token& token) {
     return token.kind == TokenKind::kEnd ? std::string(token.text) : in_quotes(token.text);
 }
@@ -127,103 +117,88 @@ void Reader::program() {
 
 void Reader::declaration() {
     bool is_static = false;
-    while (token_.is("const") || token_.is("static") || (program_ && (token_.is("register") || token_.is("extern")))) {
-        is_static |= token_.is("static");
-        advance();
-    }
-    const bool is_text = program_ && at_byte_type();
-    const bool is_char = !is_text || token_.is("char");
-    if (!is_char) advance();  // void* and GLchar*
-    const Kind kind = is_char ? type_name() : Kind::kByte;
-    const Dimensions row = is_char ? type_lengths_ : Dimensions{};
-    if (program_ && accept(";")) return;  // enum { A, B };
+    const auto is_storage = [&] {
+        return token_.is("const") || token_.is("static") ||
+               (program_ &&
+                (token_.is("register") || token_.is("extern") || token_.is("volatile") || token_.is("inline")));
+    };
+    for (; is_storage(); advance()) is_static |= token_.is("static");
+    const DataType* const type = type_name();
+    if (program_ && accept(";")) return;  // enum { A, B }; struct point { float x; };
     do {
-        if (kind == Kind::kQuadric) expect("*", "after GLUquadric, as in GLUquadric* name = gluNewQuadric();");
-        const bool is_pointer = program_ && kind != Kind::kQuadric && accept("*");
-        while (is_pointer && (accept("const") || (is_text && accept("*")))) {
+        const Declarator made = program_ ? declarator(type) : scene_declarator(type);
+        if (made.type->is_function()) {
+            program_->prototypes.emplace(made.name.text, made.name);
+            continue;
         }
-        const Token name = token_;
-        if (program_ && name.is("*")) out_of_reach(name.place, "a pointer to a pointer");
-        if (program_ && name.is("(")) out_of_reach(name.place, "a pointer to an array or a function");
-        if (name.kind != TokenKind::kName) {
-            fail(name.place, "expected a variable's name, found {}{}", shown(name),
-                 name.is("*") ? "; declare an array instead: GLfloat name[] = {...};" : "");
-        }
-        advance();
         try {
-            if (token_.is("(")) {
-                fail(name.place,
-                     "a scene cannot define the function {}; write its calls directly, or inside void display(void) "
-                     "{{ ... }}",
-                     in_quotes(name.text));
-            }
-            if (is_text && (is_pointer || token_.is("[")))
-                declare_text(name);
-            else if (is_pointer)
-                declare_pointer(name, kind, row, is_static);
-            else
-                declare_object(name, kind, row, is_static);
+            declare_object(made, is_static);
         } catch (...) {
-            misdeclared_.insert(name.text);
+            misdeclared_.insert(made.name.text);
             throw;
         }
     } while (accept(","));
     expect(";", "after the declaration");
 }
 
-// The rest of the declaration of a number, an array or a quadric, after its name.
-void Reader::declare_object(const Token& name, Kind kind, const Dimensions& row, bool is_static) {
+// A name with the lengths of an array; a quadric has a '*' before its name.
+Declarator Reader::scene_declarator(const DataType* type) {
+    if (type->is_struct()) {
+        expect("*", "after GLUquadric, as in GLUquadric* name = gluNewQuadric();");
+        type = types_.pointer_to(type);
+    }
+    const Token name = token_;
+    if (name.kind != TokenKind::kName) {
+        fail(name.place, "expected a variable's name, found {}{}", shown(name),
+             name.is("*") ? "; declare an array instead: GLfloat name[] = {...};" : "");
+    }
+    advance();
+    if (token_.is("(")) {
+        misdeclared_.insert(name.text);
+        fail(name.place,
+             "a scene cannot define the function {}; write its calls directly, or inside void display(void) {{ ... }}",
+             in_quotes(name.text));
+    }
+    if (type->is_number() && type->kind == Kind::kQuadric && token_.is("["))
+        fail(name.place, "a scene cannot use arrays of quadrics; declare each quadric");
+    try {
+        return {name, with_rows(type, dimensions_in_brackets(), name.place)};
+    } catch (...) {
+        misdeclared_.insert(name.text);
+        throw;
+    }
+}
+
+// The rest of the declaration of a variable, after its name and type.
+void Reader::declare_object(const Declarator& made, bool is_static) {
+    const Token& name = made.name;
     const bool is_local = program_ && program_->in_function;
-    if (is_local && is_static && declare_static(name)) return;
+    if (name.text.empty()) fail(token_.place, "expected a variable's name, found {}", shown(token_));
+    if (made.type->is_void() || !made.type->is_complete)
+        out_of_reach(name.place, fmt::format("the variable {}, whose type has no size", in_quotes(name.text)));
+    if (is_local && is_static && declare_static(made)) return;
     if (!is_local && variables_.contains(name.text))
         fail(name.place, "{} is already declared at {}; use another name", in_quotes(name.text),
              variables_.at(name.text).place.str());
-    Object object{.kind = kind,
-                  .dimensions = with_rows(dimensions_in_brackets(), row, name.place),
+    // C sets static and global variables to 0. A pointer without a value is NULL here.
+    Object object{.type = made.type,
                   .shown = in_quotes(name.text),
                   .place = name.place,
-                  .known = is_static || (program_ && !is_local),  // C sets these to 0
+                  .known = is_static || (program_ && !is_local) || made.type->is_pointer(),
                   .unknown_because = "it was declared without a value"};
-    initialise(object, name);
+    Object* declared = nullptr;
     if (is_local && is_static)
-        *find_variable(name.text) = std::move(object);
+        *(declared = find_variable(name.text)) = std::move(object);
     else if (is_local)
-        declare(name, std::move(object));
+        declared = &declare(name, std::move(object));
     else
-        variables_.emplace(name.text, std::move(object));
-}
-
-// The value in a declaration, if it has one.
-void Reader::initialise(Object& object, const Token& name) {
-    if (object.kind == Kind::kQuadric) return quadric_declaration(object);
-    if (object.dimensions.empty()) {
-        allocate(object, name.place);
-        if (!accept("=")) return;
-        if (!program_ && ahead_.is("(") && find_command_or_extension(token_.text))
-            return assign_result({&object, 0, {}});
-        const bool in_braces = program_ && accept("{");  // GLfloat shininess = {100};
-        const Place place = token_.place;
-        const double value = converted(number(), object.kind, place, fmt::format("the value of {}", object.shown));
-        if (in_braces) accept(",");
-        if (in_braces) expect("}", "after the value of {}", object.shown);
-        return fill(object, {value});
+        declared = &variables_.emplace(name.text, std::move(object)).first->second;
+    try {
+        initialise(*declared, name);
+    } catch (...) {
+        if (!program_) variables_.erase(name.text);
+        throw;
     }
-    std::vector<double> values;
-    const bool has_values = accept("=");
-    if (has_values) {
-        arrays_values(object.kind, object.dimensions, values, 0, true);
-        if (object.dimensions[0] == 0) {
-            object.dimensions[0] = 1;
-            const std::size_t row = object.length();
-            object.dimensions[0] = (values.size() + row - 1) / row;
-        }
-        if (values.size() > object.length())
-            fail(name.place, "{} has {} values, but its length is {}", object.shown, values.size(), object.length());
-    }
-    if (object.length() == 0)
-        fail(name.place, "{} needs a length or values, as in GLfloat {}[4];", object.shown, name.text);
-    allocate(object, name.place);
-    if (has_values) fill(object, values);
 }
 
 // The only assignment in scenes: name = the result of a call.
@@ -235,9 +210,10 @@ void Reader::assignment() {
     };
     advance();
     const std::optional<Lvalue> target = lvalue(name);
-    if (target && target->object->kind == Kind::kQuadric) return quadric_assignment(*target->object);
+    const bool is_number = target && target->type->is_number();
+    if (is_number && target->type->kind == Kind::kQuadric) return quadric_assignment(*target->object);
     if (!target || !accept("=") || !ahead_.is("(") || !find_command_or_extension(token_.text)) refuse();
-    if (!target->dimensions.empty()) refuse();
+    if (!is_number) refuse();
     assign_result(*target);
     expect(";", "after the assignment");
 }
@@ -250,10 +226,10 @@ void Reader::assign_result(const Lvalue& target) {
         fail(name.place, "{} returns no value; call it without =", sig.name);
     if (sig.parameters.back().kind == Kind::kQuadric)
         fail(name.place, "{} returns a quadric; declare {} as a GLUquadric*", sig.name, target.object->shown);
-    const double value = converted(integer(static_cast<std::int64_t>(command.arguments.back())), target.object->kind,
+    const double value = converted(integer(static_cast<std::int64_t>(command.arguments.back())), target.type->kind,
                                    name.place, fmt::format("the result of {}", sig.name));
     const std::span<std::byte> bytes = writable(*target.object).bytes;
-    store(bytes.subspan(target.offset), target.object->kind, value);
+    store(bytes.subspan(target.offset), target.type->kind, value);
     target.object->known =
         named_objects(sig.parameters.back()).has_value() || command.id == CommandId::glCheckFramebufferStatus;
     target.object->unknown_because = fmt::format("the result of {} is known only when the program runs", sig.name);
@@ -261,9 +237,7 @@ void Reader::assign_result(const Lvalue& target) {
 
 const Command& Reader::call() {
     const Token name = token_;
-    if (program_ && commands_.size() >= kMaxProgramCommands)
-        fail(name.place, "a program can call at most {} commands before its first picture is complete",
-             kMaxProgramCommands);
+    check_room_for_command(name.place);
     const std::optional<CommandId> id = find_command_or_extension(name.text);
     if (!id) {
         std::vector<std::string_view> names;
@@ -281,6 +255,11 @@ const Command& Reader::call() {
     follow_viewport(command);
     commands_.push_back(std::move(command));
     return commands_.back();
+}
+
+void Reader::check_room_for_command(const Place& place) const {
+    if (program_ && commands_.size() >= kMaxProgramCommands)
+        fail(place, "a program can call at most {} commands before its first picture is complete", kMaxProgramCommands);
 }
 
 void Reader::pragma() {
@@ -343,49 +322,6 @@ Dimensions Reader::dimensions_in_brackets() {
     return dimensions;
 }
 
-// The lengths of an array whose elements are rows: point corners[8] after typedef GLfloat point[3] has {8, 3}.
-Dimensions Reader::with_rows(Dimensions outer, const Dimensions& row, const Place& place) {
-    if (row.empty()) return outer;
-    outer.insert(outer.end(), row.begin(), row.end());
-    if (outer.size() > kMaxDimensions) fail(place, "an array can have at most {} dimensions", kMaxDimensions);
-    std::size_t total = 1;
-    for (const std::size_t length : outer) {
-        if (length > kMaxArrayLength / total) fail(place, "an array can have at most {} values", kMaxArrayLength);
-        total *= std::max<std::size_t>(length, 1);
-    }
-    return outer;
-}
-
-// Reads {1, 2, 3} or {{1, 2}, {3, 4}} into values[start...]. As in C, rows need no braces. Only the outermost array
-// (is_open) may become longer than its dimensions; the caller checks that.
-void Reader::arrays_values(Kind kind, std::span<const std::size_t> dimensions, std::vector<double>& values,
-                           std::size_t start, bool is_open) {
-    const std::size_t row =
-        std::accumulate(dimensions.begin() + 1, dimensions.end(), std::size_t{1}, std::multiplies<>());
-    const std::size_t end = is_open ? kMaxArrayLength : start + row * dimensions[0];
-    std::size_t position = start;
-    expect("{", "at the start of the array's values");
-    while (!token_.is("}")) {
-        const Place place = token_.place;
-        if (position >= end && is_open) fail(place, "an array can have at most {} values", kMaxArrayLength);
-        if (position >= end) fail(place, "this row has more than {} values", end - start);
-        if (token_.is("{")) {
-            if (dimensions.size() == 1) fail(place, "these braces are one level too deep; expected a value");
-            if ((position - start) % row != 0)
-                fail(place, "this row starts before the previous one is complete; put the previous row in braces too");
-            arrays_values(kind, dimensions.subspan(1), values, position, false);
-            position += row;
-        } else {
-            const double value = converted(number(), kind, place, "this value");
-            values.resize(std::max(values.size(), position + 1));
-            values[position++] = value;
-        }
-        if (!accept(",")) break;
-    }
-    values.resize(std::max(values.size(), position));
-    expect("}", "after the array's values");
-}
-
 void Reader::hold(std::size_t bytes, const Place& place) {
     if (bytes > kMaxMemoryBytes - bytes_)
         fail(place, "all arrays and pictures of a scene together can have at most {} MiB", kMaxMemoryBytes >> 20);
@@ -393,16 +329,16 @@ void Reader::hold(std::size_t bytes, const Place& place) {
 }
 
 void Reader::allocate(Object& object, const Place& place) {
-    const std::size_t bytes = object.length() * size_of(object.kind);
+    constexpr std::size_t kBytesOfAStep = 256;  // so that a loop of large arrays ends
+    const std::size_t bytes = object.type->size;
     hold(bytes, place);
-    object.memory = std::make_shared<Memory>(Memory{object.kind, std::vector<std::byte>(bytes)});
+    if (program_) program_->steps += bytes / kBytesOfAStep;
+    object.memory =
+        std::make_shared<Memory>(Memory{object.type->leaf.value_or(Kind::kUbyte), std::vector<std::byte>(bytes)});
 }
 
-// Missing values become 0, as in C.
-void Reader::fill(Object& object, const std::vector<double>& values) {
-    const std::size_t size = size_of(object.kind);
-    const std::span<std::byte> bytes = object.memory->bytes;
-    for (std::size_t i = 0; i < values.size(); ++i) store(bytes.subspan(i * size), object.kind, values[i]);
+void Reader::fill(Object& object, double value) {
+    store(object.memory->bytes, object.type->kind, value);
     object.known = true;
 }
 
@@ -416,9 +352,15 @@ Memory& Reader::writable(Object& object) {
 
 // A compound literal lives to the end of its statement, or as long as a command that points into it.
 void Reader::forget_literals() {
-    for (const Object& literal : literals_)
-        if (literal.memory.use_count() == 1) bytes_ -= literal.memory->bytes.size();
+    for (Object& literal : literals_) forget(literal);
     literals_.clear();
+}
+
+// Gives the memory of an object back, and ends the pointers to it.
+void Reader::forget(Object& object) {
+    if (object.memory && object.memory.use_count() == 1) bytes_ -= object.memory->bytes.size();
+    object.memory.reset();
+    if (object.number != 0) program_->objects.erase(object.number);
 }
 
 }  // namespace twinlight

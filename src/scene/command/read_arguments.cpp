@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "scene/command/memory.h"
 #include "scene/command/mesh.h"
 #include "scene/command/reader.h"
@@ -112,7 +114,8 @@ void Reader::pointer_argument(Command& command, const Parameter& parameter) {
              parameter.name, command.name());
     }
     if (given.object) {
-        if (!given.object->known) fail_unknown(*given.object, start.place);
+        if (!given.object->memory) fail(start.place, "this memory was freed");
+        check_known(*given.object, static_cast<std::size_t>(given.offset), kMaxMemoryBytes, start.place);
         command.memory = given.object->memory;
     }
     command.arguments.push_back(static_cast<double>(given.offset));
@@ -188,7 +191,9 @@ std::string_view fourth_value(const Command& command, std::optional<Enum> pname)
 }
 
 // Marks the object's values as unknown, because the command writes to it.
-void forget_values(Object& object, const Command& command) {
+void forget_values(Object& object, std::size_t from, std::size_t to, const Command& command) {
+    object.unknown_from = object.known ? from : std::min(object.unknown_from, from);
+    object.unknown_to = object.known ? to : std::max(object.unknown_to, to);
     object.known = false;
     object.unknown_because =
         fmt::format("{} at {} writes to it, and a scene cannot use the result", command.name(), command.place.str());
@@ -222,10 +227,10 @@ void Reader::written_argument(Command& command, const Parameter& parameter) {
              "objects",
              parameter.name, command.name());
     }
-    if (given.object) forget_values(*given.object, command);
-    command.arguments.push_back(given.object ? static_cast<double>(given.object->memory->bytes.size()) -
-                                                   static_cast<double>(given.offset)
-                                             : 0.0);
+    if (given.object)
+        forget_values(*given.object, static_cast<std::size_t>(given.offset), given.object->bytes(), command);
+    command.arguments.push_back(
+        given.object ? static_cast<double>(given.object->bytes()) - static_cast<double>(given.offset) : 0.0);
 }
 
 void Reader::array_argument(Command& command, std::size_t i) {
@@ -242,13 +247,18 @@ void Reader::array_argument(Command& command, std::size_t i) {
              shown(start));
     }
     Object& object = *given.object;
-    const Kind kind = given.kind.value_or(parameter.kind);
+    if (!object.memory) fail(start.place, "this memory was freed");
+    if (given.of && given.of->is_pointer())
+        fail(start.place, "{} takes an array of {}, but this is an array of pointers, or a pointer to one", name,
+             c_type_name(c_type(parameter.kind)));
+    const Kind kind = given.kind().value_or(parameter.kind);
     if (c_type(kind) != c_type(parameter.kind)) {
         fail(start.place, "{} takes an array of {}, but {} is an array of {}", name,
              c_type_name(c_type(parameter.kind)), object.shown, c_type_name(c_type(kind)));
     }
     const std::size_t size = size_of(kind);
-    const std::size_t available = (object.memory->bytes.size() - static_cast<std::size_t>(given.offset)) / size;
+    const auto offset = static_cast<std::size_t>(given.offset);
+    const std::size_t available = (object.bytes() - offset) / size;
 
     const std::optional<Enum> pname =
         parameter.is_by_pname() ? std::optional(command.enumerant(command.arguments.size() - 1)) : std::nullopt;
@@ -263,19 +273,17 @@ void Reader::array_argument(Command& command, std::size_t i) {
                         command.id == CommandId::glGetDoublev;
     if (is_get && pname == kGL_VIEWPORT && viewport_) {
         const std::span<std::byte> written = writable(object).bytes;
-        for (std::size_t n = 0; n < length; ++n)
-            store(written.subspan(static_cast<std::size_t>(given.offset) + n * size), kind, (*viewport_)[n]);
-        object.known = true;
+        for (std::size_t n = 0; n < length; ++n) store(written.subspan(offset + n * size), kind, (*viewport_)[n]);
+        set_known(object, offset, length * size);
         return;
     }
-    if (parameter.is_output()) return forget_values(object, command);
+    if (parameter.is_output()) return forget_values(object, offset, offset + length * size, command);
     constexpr std::size_t kShort = 16;  // the limit on the text covers shorter arrays
     if (length > kShort) hold(length * sizeof(double), start.place);
     if (parameter.extent == Extent::kNewNames) return give_names(command, *named_objects(parameter), given, length);
-    if (!object.known && length > 0) fail_unknown(object, start.place);
+    check_known(object, offset, length * size, start.place);
     const std::span<const std::byte> bytes = object.memory->bytes;
-    for (std::size_t n = 0; n < length; ++n)
-        command.arguments.push_back(load(bytes.subspan(static_cast<std::size_t>(given.offset) + n * size), kind));
+    for (std::size_t n = 0; n < length; ++n) command.arguments.push_back(load(bytes.subspan(offset + n * size), kind));
 }
 
 void Reader::follow_viewport(const Command& command) {
@@ -306,7 +314,7 @@ void Reader::give_names(Command& command, ObjectType type, const Value& array, s
         names_.take(type, names[i], 1);
         store(bytes.subspan(i * sizeof(std::uint32_t)), Kind::kUint, names[i]);
     }
-    array.object->known = true;
+    set_known(*array.object, static_cast<std::size_t>(array.offset), bytes.size());
     command.arguments.insert(command.arguments.end(), names.begin(), names.end());
 }
 

@@ -4,9 +4,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
+#include <cstring>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "base/math/as_float.h"
@@ -17,126 +16,20 @@
 
 namespace twinlight {
 
-namespace {
+std::optional<Kind> Value::kind() const { return of ? of->leaf : std::nullopt; }
 
-struct NamedType {
-    std::string_view name;
-    Kind kind;
-};
+std::size_t Value::step() const { return of ? of->size : 1; }
 
-constexpr NamedType kTypes[] = {
-    {"float", Kind::kFloat},
-    {"GLfloat", Kind::kFloat},
-    {"GLclampf", Kind::kFloat},
-    {"double", Kind::kDouble},
-    {"GLdouble", Kind::kDouble},
-    {"GLclampd", Kind::kDouble},
-    {"int", Kind::kInt},
-    {"GLint", Kind::kInt},
-    {"GLsizei", Kind::kSizei},
-    {"GLuint", Kind::kUint},
-    {"GLenum", Kind::kEnum},
-    {"GLbitfield", Kind::kBitfield},
-    {"short", Kind::kShort},
-    {"GLshort", Kind::kShort},
-    {"GLushort", Kind::kUshort},
-    {"GLbyte", Kind::kByte},
-    {"GLubyte", Kind::kUbyte},
-    {"GLboolean", Kind::kBoolean},
-    {"unsigned", Kind::kUint},
-    {"GLsizeiptr", Kind::kSizeiptr},
-    {"GLintptr", Kind::kSizeiptr},
-    {"GLUquadric", Kind::kQuadric},
-    {"GLUquadricObj", Kind::kQuadric},
-};
-
-// Types that occur only behind pointers; their size is 1.
-bool is_byte_type(const Token& token) {
-    return token.is("void") || token.is("GLvoid") || token.is("char") || token.is("GLchar");
-}
-
-std::size_t product_of(std::span<const std::size_t> lengths) {
-    return std::accumulate(lengths.begin(), lengths.end(), std::size_t{1}, std::multiplies<>());
-}
-
-}  // namespace
-
-std::optional<Kind> find_type(std::string_view name) {
-    for (const NamedType& type : kTypes)
-        if (type.name == name) return type.kind;
-    return std::nullopt;
+Value zero_of(const DataType* type) {
+    if (type->is_pointer()) return {.type = Value::Type::kPointer, .of = type->of};
+    if (type->is_struct()) return {.type = Value::Type::kStruct, .of = type};
+    return type->is_number() && is_real(type->kind) ? real(0, type->kind == Kind::kFloat) : integer(0);
 }
 
 Value integer(std::int64_t value) { return {.type = Value::Type::kInteger, .integer = value}; }
 Value real(double value, bool is_float) {
     return is_float ? Value{.type = Value::Type::kFloat, .real = as_float(value)}
                     : Value{.type = Value::Type::kDouble, .real = value};
-}
-
-// ---- Types ----
-
-bool Reader::at_type() const {
-    if (token_.is("signed") || token_.is("unsigned") || find_type(token_.text).has_value()) return true;
-    if (!program_ || token_.kind != TokenKind::kName) return false;
-    return token_.is("char") || token_.is("long") || token_.is("bool") || token_.is("size_t") || token_.is("enum") ||
-           program_->types.contains(token_.text);
-}
-
-bool Reader::at_byte_type() const { return is_byte_type(token_); }
-
-Kind Reader::type_name() {
-    type_lengths_.clear();
-    while (accept("const")) {
-    }
-    if (program_) {
-        if (token_.is("enum")) {
-            enum_type();
-            return Kind::kInt;
-        }
-        if (const auto known = program_->types.find(token_.text); known != program_->types.end()) {
-            type_lengths_ = known->second.lengths;
-            advance();
-            while (accept("const")) {
-            }
-            return known->second.kind;
-        }
-    }
-    const bool is_unsigned = token_.is("unsigned");
-    if (is_unsigned || token_.is("signed")) {
-        advance();
-        if (accept("char")) return is_unsigned ? Kind::kUbyte : Kind::kByte;
-        if (accept("short")) return is_unsigned ? Kind::kUshort : Kind::kShort;
-        if (program_) accept("long");
-        accept("int");
-        return is_unsigned ? Kind::kUint : Kind::kInt;
-    }
-    std::optional<Kind> kind = find_type(token_.text);
-    if (program_ && !kind) {
-        if (token_.is("char")) kind = Kind::kByte;
-        if (token_.is("bool")) kind = Kind::kBoolean;
-        if (token_.is("long")) kind = ahead_.is("double") ? Kind::kDouble : Kind::kInt;
-        if (token_.is("size_t")) kind = Kind::kSizeiptr;
-        if (token_.is("long") && (ahead_.is("double") || ahead_.is("int") || ahead_.is("long"))) advance();
-    }
-    if (program_ && kind == Kind::kShort && ahead_.is("int")) advance();
-    if (token_.kind != TokenKind::kName || !kind) {
-        if (program_ && token_.kind == TokenKind::kName) unknown_type(token_);
-        fail(token_.place, "expected a type such as GLfloat, found {}", shown(token_));
-    }
-    advance();
-    while (accept("const")) {
-    }
-    return *kind;
-}
-
-void Reader::unknown_type(const Token& name) const {
-    std::vector<std::string_view> names;
-    for (const NamedType& type : kTypes) names.push_back(type.name);
-    for (const auto& [known, type] : program_->types) names.push_back(known);
-    if (const auto near = nearest(name.text, names))
-        fail(name.place, "expected a type such as GLfloat, found {}; did you mean {}?", shown(name), *near);
-    const bool is_keyword = name.is("struct") || name.is("union") || name.is("class");
-    out_of_reach(name.place, is_keyword ? shown(name) : fmt::format("the type {}", shown(name)));
 }
 
 // ---- Operators ----
@@ -163,6 +56,8 @@ Value Reader::arithmetic(const Token& op, const Value& a, const Value& b) const 
     }
     if (a.is_pointer() && b.is_integer() && (o == '+' || o == '-')) return moved(op, a, b);
     if (b.is_pointer() && a.is_integer() && o == '+') return moved(op, b, a);
+    if (a.is_pointer() && b.is_pointer() && o == '-') return distance(op, a, b);
+    if (a.is_struct() || b.is_struct()) fail(op.place, "'{}' cannot combine structs; combine their members", o);
     if (a.is_pointer() || b.is_pointer())
         fail(op.place, "'{}' cannot combine an array with this value; only a whole number can be added to an array", o);
     if (o == '%') fail(op.place, "'%' needs whole numbers; fmod(a, b) divides others");
@@ -175,23 +70,36 @@ Value Reader::arithmetic(const Token& op, const Value& a, const Value& b) const 
 // The pointer moved by a number of elements.
 Value Reader::moved(const Token& op, Value pointer, const Value& by) const {
     if (dry_) return pointer;
-    const auto step = static_cast<std::int64_t>(pointer.step);
+    const auto step = static_cast<std::int64_t>(pointer.step());
     std::int64_t bytes = 0;
     const bool overflow = __builtin_mul_overflow(by.integer, step, &bytes) ||
                           (op.text == "-" ? __builtin_sub_overflow(pointer.offset, bytes, &pointer.offset)
                                           : __builtin_add_overflow(pointer.offset, bytes, &pointer.offset));
-    const auto last = pointer.object ? static_cast<std::int64_t>(pointer.object->memory->bytes.size())
+    const auto last = pointer.object ? static_cast<std::int64_t>(pointer.object->bytes())
                                      : static_cast<std::int64_t>(whole_range(Kind::kSizeiptr).largest);
     if (!overflow && pointer.offset >= 0 && pointer.offset <= last) return pointer;
     if (!pointer.object) fail(op.place, "this offset is too large or negative");
-    fail(op.place, "this pointer is outside {}, which has {} values", pointer.object->shown, pointer.object->length());
+    fail_outside(op.place, "this pointer", pointer);
+}
+
+void Reader::fail_outside(const Place& place, std::string_view what, const Value& pointer) {
+    const std::size_t count = pointer.object->bytes() / std::max<std::size_t>(1, pointer.step());
+    fail(place, "{} is outside {}, which has {} value{}; indices start at 0", what, pointer.object->shown, count,
+         count == 1 ? "" : "s");
+}
+
+// How many elements lie between two pointers into one array.
+Value Reader::distance(const Token& op, const Value& a, const Value& b) const {
+    if (dry_) return integer(0);
+    if (a.object != b.object || a.step() == 0) fail(op.place, "only pointers into the same array can be subtracted");
+    return integer((a.offset - b.offset) / static_cast<std::int64_t>(a.step()));
 }
 
 Value Reader::expression() {
     if (++nesting_ > kMaxNesting) fail(token_.place, "this expression is nested more than {} levels deep", kMaxNesting);
     if (program_) {
         if (++program_->depth > kMaxProgramDepth) fail(token_.place, "this program is nested too deeply");
-        Value value = conditional();
+        Value value = value_of(assignment_expression(), token_.place);
         --program_->depth;
         --nesting_;
         return value;
@@ -209,6 +117,7 @@ Value Reader::expression() {
 Value Reader::number() {
     const Token start = token_;
     const Value value = expression();
+    if (value.is_struct()) fail(start.place, "this is a struct, but a number is needed here; choose a member");
     if (!value.is_pointer()) return value;
     if (!value.object) fail(start.place, "this is a pointer, but a number is needed here");
     fail(start.place, "{} is an array, but a single number is needed here; choose an element{}", value.object->shown,
@@ -227,7 +136,7 @@ Value Reader::sum() {
 
 Value Reader::product() {
     Value value = unary();
-    while (token_.is("*") || token_.is("/") || (program_ && token_.is("%"))) {
+    while (token_.is("*") || token_.is("/")) {
         const Token op = token_;
         advance();
         value = arithmetic(op, value, unary());
@@ -243,7 +152,7 @@ Value Reader::unary() {
         negative ^= token_.is("-");
         advance();
     }
-    Value value = program_ ? prefix() : primary();
+    Value value = primary();
     if (has_sign && value.is_pointer()) fail(start.place, "an array cannot have a sign");
     if (!negative) return value;
     if (value.integer == std::numeric_limits<std::int64_t>::min()) fail(token_.place, "this whole number is too large");
@@ -256,14 +165,7 @@ Value Reader::unary() {
 
 Value Reader::primary() {
     const Token token = token_;
-    if (token.is("(")) {
-        if (const std::optional<Token> name = program_ ? name_in_parentheses() : std::nullopt)
-            return program_name(*name);
-        if (program_ && ahead_.is("*"))
-            if (const std::optional<Value> value = dereferenced_in_parentheses()) return *value;
-        const Value value = parenthesis();
-        return program_ && value.is_pointer() && token_.is("[") ? subscripted(value, token) : value;
-    }
+    if (token.is("(")) return parenthesis();
     advance();
     if (token.is("&")) {
         const Token name = token_;
@@ -272,15 +174,17 @@ Value Reader::primary() {
         advance();
         const std::optional<Lvalue> place = lvalue(name);
         if (!place) unknown_name(name);
-        if (place->pointer) out_of_reach(token.place, "a pointer to a pointer");
-        if (place->object->kind == Kind::kQuadric) fail(name.place, "a scene cannot take the address of a GLUquadric*");
+        if (place->type->is_number() && place->type->kind == Kind::kQuadric)
+            fail(name.place, "a scene cannot take the address of a GLUquadric*");
         return address_of(*place);
     }
     if (token.kind == TokenKind::kNumber) return literal(token);
     if (token.is("sizeof")) return size_of_operand();
-    if (program_ && token.kind == TokenKind::kName) return program_name(token);
     if (token.kind == TokenKind::kName) return named_value(token);
-    if (program_ && token.kind == TokenKind::kString) out_of_reach(token.place, "a text that is not passed over");
+    fail_no_value(token);
+}
+
+void Reader::fail_no_value(const Token& token) {
     if (token.is("{")) {
         fail(token.place,
              "C does not allow {{...}} here; where an array is needed, write its type in front, as in "
@@ -295,8 +199,11 @@ Value Reader::parenthesis() {
     const Place place = token_.place;
     advance();
     Value value;
-    if (token_.is("const") || at_type() || is_byte_type(token_)) {
-        value = cast(place);
+    if (token_.is("const") || at_type()) {
+        const DataType* const type = abstract_type();
+        expect(")", "after the type");
+        value =
+            type->is_array() ? value_of(compound_literal(type, place), place) : converted_by_cast(unary(), type, place);
     } else {
         value = expression();
         expect(")", "to close the parenthesis");
@@ -305,67 +212,31 @@ Value Reader::parenthesis() {
     return value;
 }
 
-// The rest of a cast or compound literal after "(".
-Value Reader::cast(const Place& place) {
-    while (accept("const")) {
+// The value that a cast to the type gives.
+Value Reader::converted_by_cast(Value value, const DataType* type, const Place& place) const {
+    if (type->is_void()) return integer(0);
+    if (type->is_array()) fail(place, "a cast cannot give an array; a pointer to its elements, such as (float*), can");
+    if (type->is_struct()) {
+        if (value.is_struct() && value.of == type) return value;
+        fail(place, "a cast cannot give a struct");
     }
-    std::optional<Kind> kind;
-    std::size_t row = 1;
-    if (is_byte_type(token_)) {
-        advance();
-        while (accept("const")) {
-        }
-    } else {
-        kind = type_name();
-        row = product_of(type_lengths_);
-        if (row != 1 && !token_.is("*")) out_of_reach(place, "a cast to an array");
-    }
-    if (program_ && !kind && !token_.is("*")) kind = Kind::kByte;  // (char)
-    if (kind && token_.is("[")) return compound_literal(*kind, place);
-    int stars = 0;
-    while (token_.is("*") || token_.is("const")) {
-        stars += token_.is("*") ? 1 : 0;
-        advance();
-    }
-    expect(")", "after the type");
-    Value value = unary();
-    if (stars == 0) {
-        if (value.is_pointer() || !kind) fail(place, "this cast does not give a number");
-        if (program_) return in_kind(value, *kind, place);
-        if (is_real(*kind)) return real(value.number(), *kind == Kind::kFloat);
+    if (!type->is_pointer()) {
+        if (value.is_struct() || (value.is_pointer() && !(program_ && value.is_null())))
+            fail(place, "this cast does not give a number");
+        if (program_) return in_kind(value, type->kind, place);
+        if (is_real(type->kind)) return real(value.number(), type->kind == Kind::kFloat);
         const double whole = std::trunc(value.number());
         if (!(std::abs(whole) <= 0x1p53)) fail(place, "this number is too large for the cast");
         return integer(static_cast<std::int64_t>(
-            converted(integer(static_cast<std::int64_t>(whole)), *kind, place, "the number in this cast")));
+            converted(integer(static_cast<std::int64_t>(whole)), type->kind, place, "the number in this cast")));
     }
     if (!value.is_pointer()) {
         if (!value.is_integer() || value.integer < 0)
             fail(place, "a pointer must be an array, NULL or an offset of 0 or more");
         value = {.type = Value::Type::kPointer, .offset = value.integer};
     }
-    value.kind = kind;
-    value.step = stars > 1 ? sizeof(void*) : kind ? size_of(*kind) * row : 1;
+    value.of = type->of;
     return value;
-}
-
-Value Reader::compound_literal(Kind kind, const Place& place) {
-    Object& object = literals_.emplace_back(Object{.kind = kind,
-                                                   .dimensions = dimensions_in_brackets(),
-                                                   .shown = "this array",
-                                                   .place = place,
-                                                   .is_literal = true});
-    expect(")", "after the array's type");
-    std::vector<double> values;
-    arrays_values(kind, object.dimensions, values, 0, true);
-    if (object.dimensions[0] == 0) {
-        const std::size_t row = product_of(std::span(object.dimensions).subspan(1));
-        object.dimensions[0] = (values.size() + row - 1) / row;
-    }
-    if (values.size() > object.length())
-        fail(place, "this array has {} values, but its length is {}", values.size(), object.length());
-    allocate(object, place);
-    fill(object, values);
-    return value_of({&object, 0, object.dimensions}, place);
 }
 
 Value Reader::literal(const Token& token) {
@@ -397,34 +268,25 @@ Value Reader::literal(const Token& token) {
 
 // sizeof(GLfloat), sizeof(GLfloat[3]), sizeof(void*), sizeof(name), sizeof name[0]
 Value Reader::size_of_operand() {
-    const bool in_parentheses = accept("(");
-    std::size_t size = 0;
-    if (in_parentheses && (token_.is("const") || at_type() || is_byte_type(token_))) {
-        while (accept("const")) {
-        }
-        const bool is_byte = is_byte_type(token_);
-        if (is_byte) advance();
-        size = is_byte ? 1 : size_of(type_name()) * product_of(type_lengths_);
-        while (token_.is("*") || token_.is("const")) {
-            if (token_.is("*")) size = sizeof(void*);
-            advance();
-        }
-        size *= product_of(dimensions_in_brackets());
+    const bool in_parentheses = token_.is("(");
+    const DataType* type = nullptr;
+    if (in_parentheses && (ahead_.is("const") || is_type(ahead_))) {
+        advance();
+        type = abstract_type();
+        expect(")", "after sizeof");
+    } else if (program_) {
+        type = type_of_operand();
     } else {
+        accept("(");
         const Token name = token_;
         if (name.kind != TokenKind::kName) fail(name.place, "sizeof takes a type, an array or a variable");
         advance();
-        const Object* const whole = find_variable(name.text);
-        if (whole && !whole->pointers.empty() && !token_.is("[")) {
-            size = whole->pointers.size() * sizeof(void*);
-        } else {
-            const std::optional<Lvalue> operand = lvalue(name);
-            if (!operand) unknown_name(name);
-            size = operand->pointer ? sizeof(void*) : size_of(operand->object->kind) * product_of(operand->dimensions);
-        }
+        const std::optional<Lvalue> operand = lvalue(name);
+        if (!operand) unknown_name(name);
+        type = operand->type;
+        if (in_parentheses) expect(")", "after sizeof");
     }
-    if (in_parentheses) expect(")", "after sizeof");
-    return integer(static_cast<std::int64_t>(size));
+    return integer(static_cast<std::int64_t>(type->size));
 }
 
 // ---- Names ----
@@ -433,56 +295,66 @@ Value Reader::size_of_operand() {
 std::optional<Reader::Lvalue> Reader::lvalue(const Token& name) {
     Object* found = name.kind == TokenKind::kName ? find_variable(name.text) : nullptr;
     if (!found) return std::nullopt;
-    if (!found->pointers.empty()) found = &element_of(*found, name);
-    if (found->is_text) out_of_reach(name.place, fmt::format("the text {}", in_quotes(name.text)));
-    Object& object = found->target ? *found->target : *found;
-    Lvalue result{&object, found->offset, found->dimensions, found->is_pointer ? found : nullptr};
-    subscripts(result, name);
+    Lvalue result{found, 0, found->type};
+    while (result.type->is_array() && token_.is("[")) result = element(result);
     return result;
 }
 
-// Reads [1][2] after a place, which then is that element. `name` is for messages.
-void Reader::subscripts(Lvalue& result, const Token& name) {
-    const Object& object = *result.object;
-    while (!result.dimensions.empty() && accept("[")) {
-        const Place place = token_.place;
-        const Object* const pointer = std::exchange(result.pointer, nullptr);
-        if (pointer && !pointer->target && !dry_)
-            fail(name.place, "the pointer {} is NULL here; let it point into an array first", pointer->shown);
-        const Value index = number();
-        expect("]", "after the index");
-        const std::size_t length = result.dimensions.front();
-        if (dry_) {
-            result.dimensions.erase(result.dimensions.begin());
-            continue;
-        }
-        if (!index.is_integer() || index.integer < 0 || index.integer >= static_cast<std::int64_t>(length)) {
-            fail(place, "this index is outside {}, which has {} {}{}; indices start at 0", object.shown, length,
-                 result.dimensions.size() > 1 ? "row" : "value", length == 1 ? "" : "s");
-        }
-        result.dimensions.erase(result.dimensions.begin());
-        result.offset += static_cast<std::size_t>(index.integer) * product_of(result.dimensions) * size_of(object.kind);
+// Reads [1] after an array.
+Reader::Lvalue Reader::element(const Lvalue& array) {
+    advance();
+    const Place place = token_.place;
+    const Value index = program_ ? comma_expressions() : number();
+    expect("]", "after the index");
+    const DataType* const type = array.type->of;
+    if (dry_) return {array.object, array.offset, type};
+    const std::size_t length = array.type->length;
+    if (!index.is_integer() || index.integer < 0 || index.integer >= static_cast<std::int64_t>(length)) {
+        fail(place, "this index is outside {}, which has {} {}{}; indices start at 0", array.object->shown, length,
+             type->is_array() ? "row" : "value", length == 1 ? "" : "s");
     }
+    return {array.object, array.offset + static_cast<std::size_t>(index.integer) * type->size, type};
 }
 
-// The value of an lvalue: a number, or for an array a pointer to its first element.
-Value Reader::value_of(const Lvalue& lvalue, const Place& place) const {
-    Object& object = *lvalue.object;
-    if (lvalue.pointer && !lvalue.pointer->target) return {.type = Value::Type::kPointer, .kind = object.kind};  // NULL
-    if (!lvalue.dimensions.empty()) {
+// The value of a place: a number, a pointer or a struct; for an array a pointer to its first element.
+Value Reader::value_of(const Lvalue& lvalue, const Place& place) {
+    const DataType* const type = lvalue.type;
+    if (type->is_array()) {
         return {.type = Value::Type::kPointer,
-                .object = &object,
+                .object = lvalue.object,
                 .offset = static_cast<std::int64_t>(lvalue.offset),
-                .kind = object.kind,
-                .step = size_of(object.kind) * product_of(std::span(lvalue.dimensions).subspan(1))};
+                .of = type->of};
     }
-    if (dry_) return is_real(object.kind) ? real(0, object.kind == Kind::kFloat) : integer(0);
-    if (object.kind == Kind::kQuadric && !program_)
+    if (dry_) return zero_of(type);
+    const Object& object = *lvalue.object;
+    if (type->is_number() && type->kind == Kind::kQuadric && !program_)
         fail(place, "{} is a quadric, but a number is needed here", object.shown);
-    if (!object.known) fail_unknown(object, place);
-    const double value = load(std::span(object.memory->bytes).subspan(lvalue.offset), object.kind);
-    if (is_real(object.kind)) return real(value, object.kind == Kind::kFloat);
+    if (!object.memory || lvalue.offset + type->size > object.bytes()) fail(place, "this memory was freed");
+    check_known(object, lvalue.offset, type->size, place);
+    if (type->is_struct())
+        return {.type = Value::Type::kStruct,
+                .object = lvalue.object,
+                .offset = static_cast<std::int64_t>(lvalue.offset),
+                .of = type};
+    const std::span<const std::byte> bytes = std::span(object.memory->bytes).subspan(lvalue.offset);
+    if (type->is_pointer()) {
+        std::uint64_t address = 0;
+        std::memcpy(&address, bytes.data(), sizeof address);
+        return pointer_from(address, type->of);
+    }
+    const double value = load(bytes, type->kind);
+    if (is_real(type->kind)) return real(value, type->kind == Kind::kFloat);
     return integer(static_cast<std::int64_t>(value));
+}
+
+void Reader::check_known(const Object& object, std::size_t offset, std::size_t bytes, const Place& place) const {
+    if (!object.known && offset < object.unknown_to && offset + bytes > object.unknown_from)
+        fail_unknown(object, place);
+}
+
+// After a change of a part of what was not known, all of it counts as known.
+void Reader::set_known(Object& object, std::size_t offset, std::size_t bytes) {
+    if (offset < object.unknown_to && offset + bytes > object.unknown_from) object.known = true;
 }
 
 void Reader::fail_unknown(const Object& object, const Place& place) const {
@@ -494,8 +366,7 @@ Value Reader::address_of(const Lvalue& lvalue) {
     return {.type = Value::Type::kPointer,
             .object = lvalue.object,
             .offset = static_cast<std::int64_t>(lvalue.offset),
-            .kind = lvalue.object->kind,
-            .step = size_of(lvalue.object->kind) * product_of(lvalue.dimensions)};
+            .of = lvalue.type};
 }
 
 Value Reader::named_value(const Token& name) {

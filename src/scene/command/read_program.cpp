@@ -1,6 +1,7 @@
 // Reads a whole GLUT program: its functions and global variables, then its run in GLUT's order.
 #include <fmt/format.h>
 
+#include <cstring>
 #include <utility>
 
 #include "scene/command/memory.h"
@@ -52,10 +53,7 @@ CommandList Reader::run(const std::string& name) {
     const auto main = p.functions.find("main");
     if (main == p.functions.end()) fail(token_.place, "this program has no function main");
     const Place& place = main->second.name.place;
-    // argc is 1: the program has no arguments.
-    std::vector<Value> given(main->second.parameters.size());
-    if (!given.empty()) given[0] = integer(1);
-    run_function(main->second, given, place);
+    run_function(main->second, arguments_of_main(main->second), place);
     if (!std::exchange(p.reached_main_loop, false))
         fail(place, "main ends before it calls glutMainLoop, so nothing is drawn");
     if (!p.display) fail(place, "this program has no display function; register it: glutDisplayFunc(display);");
@@ -66,6 +64,29 @@ CommandList Reader::run(const std::string& name) {
     list.next_picture = next_picture();
     if (p.asks_for_samples) list.own_notes.emplace_back(kOneSampleNote);
     return list;
+}
+
+// argc is 1: the program has its name, but no arguments.
+std::vector<Value> Reader::arguments_of_main(const Function& main) {
+    std::vector<Value> given(main.parameters.size());
+    if (!given.empty()) given[0] = integer(1);
+    if (given.size() < 2) return given;
+    constexpr std::string_view kName = "program";
+    Program& p = *program_;
+    const DataType* const character = types_.number(Kind::kByte);
+    const auto made = [&](const DataType* type) -> Object& {
+        Object& object =
+            p.heap.emplace_back(Object{.type = type, .shown = "argv", .place = main.name.place, .known = true});
+        allocate(object, main.name.place);
+        return object;
+    };
+    Object& name = made(types_.array_of(character, kName.size() + 1));
+    std::memcpy(name.memory->bytes.data(), kName.data(), kName.size());
+    Object& words = made(types_.array_of(types_.pointer_to(character), 2));
+    assigned({&words, 0, words.type->of}, {.type = Value::Type::kPointer, .object = &name, .of = character},
+             words.place);
+    given[1] = {.type = Value::Type::kPointer, .object = &words, .of = words.type->of};
+    return given;
 }
 
 // Ends all functions, after an error.
@@ -80,7 +101,7 @@ void Reader::leave_functions() {
 
 // An idle function may use what cannot be read, such as the time. Then only the display function is called again.
 std::shared_ptr<const NextPicture> Reader::next_picture() {
-    const Program& p = *program_;
+    Program& p = *program_;
     const auto function = p.functions.find(p.display->text);
     NextPicture next{.commands = {}, .start = p.tokens[function->second.body + 1].place};
     const auto runs = [&](const std::optional<Token>& name, const std::vector<Value>& given) {
@@ -95,6 +116,7 @@ std::shared_ptr<const NextPicture> Reader::next_picture() {
         }
     };
     commands_.clear();
+    p.elapsed_ms += kFrameMs;
     if (p.idle) {
         runs(p.idle, {});
     } else if (p.timer) {
@@ -126,7 +148,7 @@ void Reader::read_functions() {
             skip_statement();
             continue;
         }
-        for (std::string_view word : {"struct", "union", "class", "template", "using", "namespace"})
+        for (std::string_view word : {"class", "template", "using", "namespace"})
             if (token_.is(word)) out_of_reach(token_.place, in_quotes(word));
         if (token_.is("typedef")) {
             typedef_declaration();
@@ -135,15 +157,16 @@ void Reader::read_functions() {
         if (skip_extern()) continue;
         while (token_.is("extern") || token_.is("inline") || token_.is("register")) advance();
 
-        // A function has its parenthesis before anything else.
+        // A function has its parenthesis before anything else, but for the members of a struct.
         std::size_t i = p.at;
         while (p.tokens[i].kind == TokenKind::kName || p.tokens[i].is("*")) ++i;
-        if (!p.tokens[i].is("(") || i == p.at || p.tokens[i - 1].is("*")) {
+        if (!p.tokens[i].is("(") || i == p.at || p.tokens[i - 1].is("*") || p.tokens[i + 1].is("*")) {
             declaration();
             continue;
         }
         const std::size_t after = p.partners[i] + 1;
         if (!p.tokens[after].is("{") && p.tokens[after].kind != TokenKind::kName) {  // a prototype
+            program_->prototypes.emplace(p.tokens[i - 1].text, p.tokens[i - 1]);
             while (!token_.is(";") && token_.kind != TokenKind::kEnd) skip_token();
             expect(";", "after the function's parameters");
             continue;
@@ -168,7 +191,7 @@ bool Reader::skip_extern() {
 // called, for a keyboard function may use anything.
 void Reader::function(std::size_t at) {
     Program& p = *program_;
-    Function made{.name = p.tokens[at], .result = std::nullopt};
+    Function made{.name = p.tokens[at]};
     const Token& name = made.name;
     made.body = p.partners[at + 1] + 1;
     while (!p.tokens[made.body].is("{")) {
@@ -178,14 +201,10 @@ void Reader::function(std::size_t at) {
     const std::size_t nesting = nesting_, depth = p.depth;
     try {
         while (token_.is("static") || token_.is("inline") || token_.is("const")) advance();
-        const bool is_void = token_.is("void") || token_.is("GLvoid");
-        if (p.at == at)  // main(), without a type
-            made.result = Kind::kInt;
-        else if (is_void || (at_byte_type() && !token_.is("char")))
-            advance();
-        else
-            made.result = type_name();
-        if (token_.is("*")) out_of_reach(name.place, "a function that returns a pointer");
+        // main() needs no type.
+        const DataType* const result = p.at == at ? types_.number(Kind::kInt) : pointers(type_name());
+        if (!result->is_void()) made.result = result;
+        if (p.at != at) out_of_reach(name.place, "the type of this function");
         jump(at + 1);
         parameters_of(made);
     } catch (const SceneError& error) {
@@ -211,22 +230,30 @@ void Reader::parameters_of(Function& function) {
     if (token_.is("void") && p.at + 1 == close) advance();
     if (close + 1 == function.body) {
         while (!token_.is(")")) {
-            parameter_name(function.parameters.emplace_back(parameter_type()));
+            while (accept("register")) {
+            }
+            if (token_.is(".")) {  // the ... of printf
+                while (accept(".")) {
+                }
+                break;
+            }
+            function.parameters.push_back(parameter(type_name()));
             if (!accept(",")) break;
         }
         return expect(")", "after the parameters of {}", name);
     }
     while (!token_.is(")")) {
-        function.parameters.push_back({.name = token_.text, .kind = Kind::kInt});
+        function.parameters.push_back({.name = token_.text, .type = types_.number(Kind::kInt)});
         advance();
         if (!accept(",")) break;
     }
     expect(")", "after the parameters of {}", name);
     while (!token_.is("{")) {
-        const FormalParameter type = parameter_type();
+        while (accept("register")) {
+        }
+        const DataType* const type = type_name();
         do {
-            FormalParameter typed = type;
-            parameter_name(typed);
+            const FormalParameter typed = parameter(type);
             for (FormalParameter& parameter : function.parameters)
                 if (parameter.name == typed.name) parameter = typed;
         } while (accept(","));
@@ -234,89 +261,14 @@ void Reader::parameters_of(Function& function) {
     }
 }
 
-// The type of a parameter, without its name and what stands beside it.
-FormalParameter Reader::parameter_type() {
-    FormalParameter parameter;
-    while (token_.is("const") || token_.is("register")) advance();
-    parameter.is_text = at_byte_type();
-    if (parameter.is_text && !token_.is("char")) {
-        parameter.kind = Kind::kByte;
-        advance();
-    } else {
-        parameter.kind = type_name();
-        parameter.row = type_lengths_;
-    }
-    while (accept("const")) {
-    }
-    return parameter;
-}
-
-// The rest of a parameter: *name, name[4] or name[][3].
-void Reader::parameter_name(FormalParameter& parameter) {
-    std::size_t stars = 0;
-    for (; token_.is("*") || token_.is("const"); advance()) stars += token_.is("*") ? 1 : 0;
-    if (token_.is("(")) out_of_reach(token_.place, "a pointer to an array or a function");
-    if (parameter.kind == Kind::kQuadric && stars > 0) --stars;
-    const Token name = token_;
-    if (name.kind == TokenKind::kName) {
-        parameter.name = name.text;
-        advance();
-    }
-    if (parameter.is_text) {
-        parameter.is_text = stars > 0 || token_.is("[");
-        while (token_.is("[")) skip_token();
-        return;
-    }
-    Dimensions lengths = with_rows(dimensions_in_brackets(), parameter.row, name.place);
-    if (stars > 1 || (stars == 1 && lengths.size() > parameter.row.size()))
-        out_of_reach(name.place, "a pointer to a pointer");
-    if (stars == 1) lengths.insert(lengths.begin(), 0);
-    parameter.is_array = !lengths.empty();
-    if (parameter.is_array) lengths.erase(lengths.begin());
-    parameter.row = std::move(lengths);
-}
-
-// typedef GLfloat point[3]; typedef enum { RED, GREEN } colour;
-void Reader::typedef_declaration() {
-    const Place place = token_.place;
-    advance();
-    while (accept("const")) {
-    }
-    if (token_.is("struct") || token_.is("union")) out_of_reach(token_.place, in_quotes(token_.text));
-    if (at_byte_type()) out_of_reach(place, "'typedef' of this type");
-    const Kind kind = type_name();
-    const Dimensions row = type_lengths_;
-    do {
-        const Token name = token_;
-        if (name.kind != TokenKind::kName) out_of_reach(place, "'typedef' of this type");
-        advance();
-        Dimensions lengths = with_rows(dimensions_in_brackets(), row, name.place);
-        if (!lengths.empty() && lengths[0] == 0)
-            fail(name.place, "the type {} needs a length, as in typedef GLfloat point[3];", in_quotes(name.text));
-        if (token_.is("(") || kind == Kind::kQuadric) out_of_reach(place, "'typedef' of this type");
-        program_->types.insert_or_assign(name.text, TypeName{kind, std::move(lengths)});
-    } while (accept(","));
-    expect(";", "after typedef");
-}
-
-// enum { kA, kB = 3 }, enum mode { ... } or enum mode
-void Reader::enum_type() {
-    advance();
-    if (token_.kind == TokenKind::kName) advance();
-    if (!accept("{")) return;
-    Value next = integer(0);
-    while (!token_.is("}")) {
-        const Token name = token_;
-        if (name.kind != TokenKind::kName) fail(name.place, "expected a name in enum, found {}", shown(name));
-        advance();
-        if (accept("=")) next = number();
-        if (!next.is_integer()) fail(name.place, "{} must be a whole number", in_quotes(name.text));
-        program_->constants[name.text] = next;
-        next = in_kind(integer(next.integer < 0x7fffffff ? next.integer + 1 : 0), Kind::kInt, name.place);
-        if (!accept(",")) break;
-    }
-    expect("}", "after the names of the enum");
-    type_lengths_.clear();
+// The rest of a parameter: *name, name[4], name[][3] or name(int). Arrays and functions come as pointers.
+FormalParameter Reader::parameter(const DataType* type) {
+    const Declarator made = declarator(type, true);
+    if (made.type->is_void() || !made.type->is_complete)
+        out_of_reach(made.name.place, fmt::format("the parameter {}", in_quotes(made.name.text)));
+    const bool is_behind_pointer = made.type->is_array() || made.type->is_function();
+    const DataType* const behind = made.type->is_array() ? made.type->of : made.type;
+    return {made.name.text, is_behind_pointer ? types_.pointer_to(behind) : made.type};
 }
 
 }  // namespace twinlight

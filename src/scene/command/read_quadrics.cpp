@@ -7,29 +7,22 @@
 
 namespace twinlight {
 
-// The rest of the declaration GLUquadric* q = gluNewQuadric(); after the name.
-void Reader::quadric_declaration(Object& object) {
-    if (!object.dimensions.empty()) fail(object.place, "a scene cannot use arrays of quadrics; declare each quadric");
-    allocate(object, object.place);
-    if (!accept("=")) return;
-    fill(object, {quadric_value()});
-}
-
 // The rest of the assignment q = gluNewQuadric(); after the name.
 void Reader::quadric_assignment(Object& object) {
     expect("=", "after {}", object.shown);
-    fill(object, {quadric_value()});
+    fill(object, quadric_value());
     expect(";", "after the assignment");
 }
 
 // Reads gluNewQuadric(), the name of a quadric, or NULL or 0 for none.
 double Reader::quadric_value() {
     const Token token = token_;
+    if (program_) return in_kind(expression(), Kind::kQuadric, token.place).number();
     if (token.is("gluNewQuadric")) return call().arguments.back();
     advance();
     if (token.is("NULL") || (token.kind == TokenKind::kNumber && token.text == "0")) return 0;
     const Object* const found = token.kind == TokenKind::kName ? find_variable(token.text) : nullptr;
-    if (!found || found->kind != Kind::kQuadric) {
+    if (!found || found->type->kind != Kind::kQuadric) {
         const auto near = nearest(token.text, visible_names());
         fail(token.place, "expected gluNewQuadric() or the name of a GLUquadric*, found {}{}", shown(token),
              near && !found ? fmt::format("; did you mean {}?", *near) : "");

@@ -86,19 +86,32 @@ bool is_program(const std::vector<Token>& tokens) {
     return has_main && has_loop;
 }
 
+// Whether a text without main has the lines of a program rather than of a scene.
+bool is_part_of_program(std::string_view text) {
+    const auto has = [&](std::string_view words) { return text.find(words) != std::string_view::npos; };
+    return !has("main(") && !has("main (") && has("#include");
+}
+
 // Reads a text that waits in GLUT's loop; nullopt if it is not a whole program.
 std::optional<CommandList> read_program(const std::shared_ptr<const std::string>& text, const std::string& file,
                                         const std::string& name, const ImageLoader& load_image,
                                         const ReadOptions& options) {
+    PreprocessedText program;
     try {
-        std::vector<Token> tokens = preprocess(*text, file);
-        if (!is_program(tokens)) return {};
-        CommandList commands = Reader(std::move(tokens), file, load_image, options).run(name);
+        program = preprocess(*text, file, options.load_text);
+        if (!is_program(program.tokens)) return {};
+        CommandList commands = Reader(std::move(program.tokens), file, load_image, options).run(name);
         commands.text = text;
+        for (const auto& [included, its_text] : program.included)
+            commands.included[included] = std::make_shared<const std::string>(its_text);
         return commands;
     } catch (const SceneError& error) {
         if (error.errors.empty()) throw;
-        throw SceneError(error.errors, text);
+        const Place& place = error.errors.front().place;
+        const auto included = place.file ? program.included.find(*place.file) : program.included.end();
+        throw SceneError(error.errors, included == program.included.end()
+                                           ? text
+                                           : std::make_shared<const std::string>(included->second));
     }
 }
 
@@ -179,6 +192,9 @@ CommandList read_scene(std::string_view text, const std::string& file, const std
     if (!result.steps.empty()) result.step = chosen.value_or(1);
     if (errors.empty()) return result;
     SceneError error(std::move(errors), kept);
+    if (is_part_of_program(text))
+        error.note =
+            "this file has no function main(), so it is read as a scene; to read a program, give its file with main()";
     error.readable = std::make_shared<const CommandList>(std::move(result));
     throw error;
 }

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/command/data_type.h"
 #include "scene/command/lexer.h"
 #include "scene/command/object_names.h"
 #include "scene/command/text.h"
@@ -24,51 +25,55 @@ namespace twinlight {
 // The lengths of an array of arrays, the outermost first; none for a single value.
 using Dimensions = std::vector<std::size_t>;
 
-// A variable, an array or a compound literal: its bytes, and whether their values are known.
+// A variable, a compound literal, a text in quotes or allocated memory: its bytes, and whether their values are known. Or a function
+// of the program, so that pointers can point at it.
 struct Object {
-    Kind kind{};
-    Dimensions dimensions;
+    const DataType* type = nullptr;
     std::shared_ptr<Memory> memory{};  // shared with the commands that point into it; if shared, copied before a change
-    std::string shown;                 // for messages: its name, or "this array"
-    Place place;
+    std::string shown{};               // for messages: its name, or "this array"
+    Place place{};
     bool is_literal = false;
-    bool known = false;  // false if declared without a value, or written by glGet*
+    // If not known, the bytes from unknown_from to unknown_to were declared without a value, or written by glGet*.
+    bool known = false;
+    std::size_t unknown_from = 0, unknown_to = kMaxMemoryBytes;
     std::string unknown_because{};
-    // A pointer or an array parameter of a program has no memory: `target` is the array that it points into, `offset` is
-    // in bytes, and `dimensions` are what lies behind that place. NULL has no target.
-    bool is_pointer = false;
-    Object* target = nullptr;
-    std::size_t offset = 0;
-    bool is_local = false;           // of a block or a function, so it ends before the program does
-    std::vector<Object> pointers{};  // of an array of pointers: its elements, which are pointers
-    bool is_text = false;            // a char array or pointer of a program; its characters are not kept
+    std::uint32_t number = 0;          // in the addresses of a program; 0 if none was stored
+    bool is_constant = false;          // a text in quotes
+    bool is_allocated = false;         // by malloc
+    std::string_view function_name{};  // of a function
 
-    std::size_t length() const;  // number of values
+    std::size_t bytes() const { return memory ? memory->bytes.size() : 0; }
 };
 
 // The value of an expression: a number with its C type - int (64 bits here, so that every GL type fits), float or
-// double - or a pointer.
+// double - or a pointer, or a struct.
 struct Value {
-    enum class Type : std::uint8_t { kInteger, kFloat, kDouble, kPointer };
+    enum class Type : std::uint8_t { kInteger, kFloat, kDouble, kPointer, kStruct };
     Type type = Type::kInteger;
     std::int64_t integer = 0;
     double real = 0;
 
-    // For a pointer: the object and the offset in bytes from its start (without an object, NULL is offset 0); the type
-    // that it points at (nullopt for void and char) and the size of that type (1 for void and char).
+    // For a pointer: the object and the offset in bytes from its start (without an object, NULL is offset 0), and the type that it
+    // points at (nullptr for void). For a struct: the object that has it, and its type.
     Object* object = nullptr;
     std::int64_t offset = 0;
-    std::optional<Kind> kind{};
-    std::size_t step = 1;
+    const DataType* of = nullptr;
 
     bool is_pointer() const { return type == Type::kPointer; }
+    bool is_struct() const { return type == Type::kStruct; }
     bool is_integer() const { return type == Type::kInteger; }
+    bool is_null() const { return !object && (is_integer() ? integer : offset) == 0 && (is_integer() || is_pointer()); }
     double number() const { return is_integer() ? static_cast<double>(integer) : real; }
+    // The kind of the numbers that a pointer points at; nullopt for void, char and mixed structs.
+    std::optional<Kind> kind() const;
+    // The bytes from one element that a pointer points at to the next.
+    std::size_t step() const;
 };
 
 struct Program;
 struct Function;
 struct FormalParameter;
+struct Declarator;
 enum class Flow : std::uint8_t;
 
 // Whether a name begins as those of OpenGL, GLU and GLUT do: gluPickMatrix, GL_LINE_WIDTH_GRANULARITY. For names that Twinlight does
@@ -99,12 +104,16 @@ class Reader {
     std::optional<WindowSize> window() const { return window_; }
 
   private:
-    // The object or part of an object that a name with subscripts denotes. Without dimensions it is a single value.
+    // The object or part of an object that an expression denotes. Without an object it is read for its type only.
     struct Lvalue {
         Object* object = nullptr;
         std::size_t offset = 0;  // in bytes
-        Dimensions dimensions;
-        Object* pointer = nullptr;  // the pointer variable that the name is, if no subscript follows it
+        const DataType* type = nullptr;
+    };
+    // What an expression gives: a place that can be changed, or a value.
+    struct Operand {
+        std::optional<Lvalue> place{};
+        Value value{};
     };
 
     // -- tokens --
@@ -128,8 +137,8 @@ class Reader {
     // -- statements (read.cpp) --
     void statement();
     void declaration();
-    void declare_object(const Token& name, Kind kind, const Dimensions& row, bool is_static);
-    void initialise(Object& object, const Token& name);
+    Declarator scene_declarator(const DataType* type);
+    void declare_object(const Declarator& made, bool is_static);
     void assignment();
     void program();
     void window_statement();
@@ -138,17 +147,28 @@ class Reader {
     void step_pragma();
     // Reads name(arguments), adds the command to commands_ and returns it.
     const Command& call();
+    void check_room_for_command(const Place& place) const;
     // Reads the call on the right of "=" and stores its result.
     void assign_result(const Lvalue& target);
-    void arrays_values(Kind kind, std::span<const std::size_t> dimensions, std::vector<double>& values,
-                       std::size_t start, bool is_open);
     Dimensions dimensions_in_brackets();
-    static Dimensions with_rows(Dimensions outer, const Dimensions& row, const Place& place);
+    const DataType* with_rows(const DataType* element, const Dimensions& lengths, const Place& place);
     void hold(std::size_t bytes, const Place& place);
     void allocate(Object& object, const Place& place);
-    void fill(Object& object, const std::vector<double>& values);
+    void fill(Object& object, double value);
     Memory& writable(Object& object);
+    void forget(Object& object);
     void forget_literals();
+
+    // -- values of new variables (read_values.cpp) --
+    void initialise(Object& object, const Token& name);
+    void initialise_array(Object& object, const Place& place, std::string_view shown);
+    struct Filled;
+    void fill_part(Filled& filled, const DataType* type, std::size_t offset, bool in_braces);
+    void fill_elements(Filled& filled, const DataType* type, std::size_t offset, bool in_braces, bool is_open);
+    void fill_text(Filled& filled, const DataType* type, std::size_t offset);
+    bool at_text_for(const DataType* type) const;
+    std::size_t designated(Filled& filled, const DataType* type, std::size_t offset, bool is_open);
+    void grow(Filled& filled, std::size_t end, const Place& place);
 
     // -- arguments (read_arguments.cpp) --
     void arguments(Command& command, const Signature& sig);
@@ -165,7 +185,6 @@ class Reader {
     double result(const Command& command, const Parameter& parameter);
 
     // -- GLU's quadrics: the value of a pointer to one is its number (read_quadrics.cpp) --
-    void quadric_declaration(Object& object);
     void quadric_assignment(Object& object);
     double quadric_value();
     double quadric_argument(const Command& command);
@@ -178,41 +197,53 @@ class Reader {
     Value unary();
     Value primary();
     Value parenthesis();
-    Value cast(const Place& place);
-    Value literal(const Token& token);
-    Value compound_literal(Kind kind, const Place& place);
+    [[noreturn]] static void fail_no_value(const Token& token);
+    Value converted_by_cast(Value value, const DataType* type, const Place& place) const;
+    static Value literal(const Token& token);
+    Lvalue compound_literal(const DataType* type, const Place& place);
     Value named_value(const Token& name);
     Value size_of_operand();
     std::optional<Lvalue> lvalue(const Token& name);
-    void subscripts(Lvalue& result, const Token& name);
+    Lvalue element(const Lvalue& array);
     [[noreturn]] void unknown_name(const Token& name);
-    Value value_of(const Lvalue& lvalue, const Place& place) const;
+    Value value_of(const Lvalue& lvalue, const Place& place);
+    void check_known(const Object& object, std::size_t offset, std::size_t bytes, const Place& place) const;
+    static void set_known(Object& object, std::size_t offset, std::size_t bytes);
     [[noreturn]] void fail_unknown(const Object& object, const Place& place) const;
     static Value address_of(const Lvalue& lvalue);
     Value arithmetic(const Token& op, const Value& a, const Value& b) const;
     Value moved(const Token& op, Value pointer, const Value& by) const;
+    Value distance(const Token& op, const Value& a, const Value& b) const;
+    [[noreturn]] static void fail_outside(const Place& place, std::string_view what, const Value& pointer);
     Object* find_variable(std::string_view name);
-
-    bool at_type() const;
-    // Reads a type. type_lengths_ is then what a typedef of an array adds: typedef GLfloat point[3];
-    Kind type_name();
-    void enum_type();
-    [[noreturn]] void unknown_type(const Token& name) const;
-    bool at_byte_type() const;
     double converted(const Value& number, Kind kind, const Place& place, std::string_view what) const;
     std::vector<std::string_view> visible_names() const;
+
+    // -- types (read_types.cpp) --
+    bool at_type() const { return is_type(token_); }
+    bool is_type(const Token& token) const;
+    const DataType* type_name();
+    const DataType* type_of_words();
+    [[noreturn]] void unknown_type(const Token& name) const;
+    Declarator declarator(const DataType* type, bool is_parameter = false);
+    const DataType* after_declarator(const DataType* type, bool is_parameter);
+    const DataType* pointers(const DataType* type);
+    const DataType* abstract_type();
+    const DataType* struct_type();
+    void members_of(DataType& made, bool is_union);
+    void enum_type();
+    void typedef_declaration();
 
     // -- a whole program: its functions and global variables (read_program.cpp) --
     void match_brackets();
     void read_functions();
     void function(std::size_t at);
     void parameters_of(Function& function);
-    FormalParameter parameter_type();
-    void parameter_name(FormalParameter& parameter);
-    void typedef_declaration();
+    FormalParameter parameter(const DataType* type);
     bool skip_extern();
     void call_from_glut(const Token& name, const std::vector<Value>& given);
     std::shared_ptr<const NextPicture> next_picture();
+    std::vector<Value> arguments_of_main(const Function& main);
     void leave_functions();
     [[noreturn]] void out_of_reach(const Place& place, std::string_view construct) const;
 
@@ -230,64 +261,73 @@ class Reader {
     Flow run_switch();
     Flow run_return();
     bool is_declaration() const;
-    void declare(const Token& name, Object object);
-    bool declare_static(const Token& name);
+    Object& declare(const Token& name, Object object);
+    bool declare_static(const Declarator& made);
     void forget_locals(std::size_t count);
+    Value result_of(const Function& function, const Place& place);
     void skip_token();
     void skip_statement();
     void skip_expression();
     bool condition();
-    void comma_expressions();
+    Value comma_expressions();
     Value run_function(const Function& function, const std::vector<Value>& given, const Place& place);
 
-    // -- a whole program: its pointers (run_pointers.cpp) --
-    void declare_pointer(const Token& name, Kind kind, const Dimensions& row, bool is_static);
-    Object& keep_pointer(const Token& name, Object made, bool is_static);
-    void declare_pointers(const Token& name, const Object& element, bool is_static);
-    Object& element_of(Object& pointers, const Token& name);
-    void declare_text(const Token& name);
-    void point(Object& pointer, const Value& value, const Token& name) const;
-    bool outlives(const Object& target, const Object& pointer) const;
-    Lvalue behind(const Value& pointer, const Dimensions& row, const Place& place, std::string_view shown) const;
-    static Dimensions row_of(const Value& pointer);
-    Value subscripted(const Value& pointer, const Token& start);
-    Value dereferenced();
-    struct Dereferenced {
-        Token name;  // the word after "*", for messages
-        Kind kind{};
-        std::optional<Lvalue> place{};  // nullopt for a pointer that is read for its type only
-    };
-    Dereferenced behind_star();
-    Value stepped_behind_star(const Token& op);
-    std::optional<Value> dereferenced_in_parentheses();
-    Value changed_pointer(const Token& name, const Lvalue& place);
+    // -- a whole program: its pointers and structs (run_pointers.cpp) --
+    Lvalue behind(const Value& pointer, const Place& place) const;
+    Operand element_of(const Operand& array, const Token& start);
+    Operand member_of(const Operand& whole, const Token& start);
+    std::uint64_t address(const Value& pointer);
+    Value pointer_from(std::uint64_t address, const DataType* of) const;
+    Object& function_object(const Token& name);
+    const Function& function_behind(const Value& pointer, const Place& place) const;
+    std::optional<Value> call_of_memory(const Token& name);
+    std::span<std::byte> bytes_behind(const Value& pointer, std::size_t count, bool is_written, const Place& place);
+
+    // -- a whole program: its texts (run_texts.cpp) --
+    Value text_in_quotes();
+    std::string text_behind(const Value& pointer, const Place& place);
+    std::optional<Value> call_of_texts(const Token& name);
+    std::string printed(const std::vector<Value>& values, std::size_t format, const Place& place);
+    void write_text(const Value& to, std::string_view text, const Place& place);
 
     // -- a whole program: its expressions (run_expressions.cpp) --
-    Value conditional();
-    Value binary(int lowest);
-    Value prefix();
+    Operand assignment_expression();
+    Value conditional(const Value& test);
+    Value binary(Value left, int lowest);
+    Operand operand();
+    Operand operand_after(const Token& op);
+    Operand postfix(Operand result, const Token& start);
+    Operand stepped(const Operand& operand, const Token& op, const Token& start, bool gives_before);
+    Operand primary_operand();
+    const DataType* type_of_operand();
+    Value value_of(const Operand& operand, const Place& place);
+    Lvalue place_of(const Operand& operand, const Token& start, const Token& op) const;
     Value combined(const Token& op, const Value& a, const Value& b) const;
-    Value variable(const Token& name, Lvalue place);
-    Value assigned(const Lvalue& place, const Value& value, const Token& name);
-    std::optional<Token> name_in_parentheses();
-    Value program_name(const Token& name);
+    static Value compared(const Token& op, const Value& a, const Value& b);
+    Value assigned(const Lvalue& place, const Value& value, const Place& where);
+    Operand program_name(const Token& name);
     Value in_kind(const Value& value, Kind kind, const Place& place) const;
     static bool is_true(const Value& value);
     void skip_operand(int lowest);
 
     // -- a whole program: its calls (run_calls.cpp) --
-    std::vector<Value> values_in_parentheses(const Function* called = nullptr);
+    std::vector<Value> values_in_parentheses();
     WindowSize window_size(const Token& name);
     Value call_in_program(const Token& name);
+    std::optional<Value> call_of_chance_and_time(const Token& name);
     std::optional<Value> call_of_mathematics(const Token& name);
     std::optional<Value> call_of_glut(const Token& name);
+    Value answer_of_get_string(const Command& command);
+    std::optional<Token> function_argument(const Token& name);
     void later_function(const Token& name);
+
 
     Lexer lexer_;
     std::unique_ptr<Program> program_;  // null for scenes
     // Reads an expression only for its type: nothing is called, assigned or checked.
     bool dry_ = false;
-    Dimensions type_lengths_{};
+    DataTypes types_{};
+    std::map<std::string_view, const DataType*> opaque_{};  // GLUquadric and FILE
     Token token_, ahead_;
     bool primed_ = false;
     std::size_t nesting_ = 0;
@@ -328,6 +368,8 @@ std::string shown(const Token& token);
 // The kind of a GL or C type, by name.
 std::optional<Kind> find_type(std::string_view name);
 
+// What an expression of this type has where only its type matters.
+Value zero_of(const DataType* type);
 Value integer(std::int64_t value);
 Value real(double value, bool is_float);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <utility>
 
 #include "scene/command/memory.h"
@@ -29,17 +30,36 @@ std::optional<int> glut_constant(std::string_view name) {
     return std::nullopt;
 }
 
-std::vector<Value> Reader::values_in_parentheses(const Function* called) {
+// Of the screen that GLUT reports.
+constexpr WindowSize kScreen{.width = 1920, .height = 1080};
+
+// Numbers of C's headers.
+std::optional<Value> constant_of_c(std::string_view name) {
+    constexpr std::pair<std::string_view, std::int64_t> kWhole[] = {
+        {"RAND_MAX", 2147483647}, {"INT_MAX", 2147483647}, {"INT_MIN", -2147483648},
+        {"EXIT_SUCCESS", 0},      {"EXIT_FAILURE", 1},     {"CLOCKS_PER_SEC", 1000000},
+        {"UCHAR_MAX", 255},       {"USHRT_MAX", 65535},    {"GLUT_API_VERSION", 4}};
+    constexpr std::pair<std::string_view, double> kReal[] = {{"FLT_MAX", 0x1.fffffep127},
+                                                             {"FLT_MIN", 0x1p-126},
+                                                             {"FLT_EPSILON", 0x1p-23},
+                                                             {"DBL_MAX", 0x1.fffffffffffffp1023},
+                                                             {"DBL_EPSILON", 0x1p-52},
+                                                             {"M_E", 2.7182818284590452354},
+                                                             {"M_1_PI", 0.31830988618379067154},
+                                                             {"M_2_PI", 0.63661977236758134308},
+                                                             {"M_SQRT1_2", 0.70710678118654752440}};
+    for (const auto& [known, value] : kWhole)
+        if (name == known) return integer(value);
+    for (const auto& [known, value] : kReal)
+        if (name == known) return real(value, name.starts_with("FLT"));
+    return std::nullopt;
+}
+
+std::vector<Value> Reader::values_in_parentheses() {
     std::vector<Value> values;
     expect("(", "after the function's name");
     while (!token_.is(")")) {
-        const std::size_t i = values.size();
-        if (called && i < called->parameters.size() && called->parameters[i].is_text) {
-            skip_expression();
-            values.emplace_back();
-        } else {
-            values.push_back(expression());
-        }
+        values.push_back(expression());
         if (!accept(",")) break;
     }
     expect(")", "after the arguments");
@@ -62,20 +82,21 @@ Value Reader::call_in_program(const Token& name) {
     const auto function = p.functions.find(name.text);
     if (dry_) {
         jump(p.partners[p.at] + 1);
-        if (function != p.functions.end() && function->second.result)
-            return in_kind(integer(0), *function->second.result, name.place);
+        if (function != p.functions.end())
+            return function->second.result ? zero_of(function->second.result) : integer(0);
         if (name.text.starts_with("gl") || name.is("abs")) return integer(0);
         return real(0, name.text.ends_with('f'));
     }
     if (function != p.functions.end()) {
         if (function->second.refusal) throw SceneError(*function->second.refusal);
-        const std::vector<Value> given = values_in_parentheses(&function->second);
+        const std::vector<Value> given = values_in_parentheses();
         return run_function(function->second, given, name.place);
     }
     if (find_command_or_extension(name.text)) {
         jump(p.at - 1);
         const Command& command = call();
         const Signature& sig = command.sig();
+        if (command.id == CommandId::glGetString) return answer_of_get_string(command);
         if (sig.c_arguments() == sig.parameters.size()) return integer(0);
         const Parameter& result = sig.parameters.back();
         // Scenes with errors are refused, so glGetError returns GL_NO_ERROR.
@@ -86,19 +107,15 @@ Value Reader::call_in_program(const Token& name) {
     }
     if (const std::optional<Value> result = call_of_mathematics(name)) return *result;
     if (const std::optional<Value> result = call_of_glut(name)) return *result;
-    if (name.is("exit")) fail(name.place, "the program ends itself here, before its first picture is complete");
-    constexpr std::string_view kOutOfReach[] = {
-        "rand",    "random", "drand48", "time",   "clock",  "gettimeofday", "malloc", "calloc", "realloc", "free",
-        "fopen",   "fclose", "fread",   "fscanf", "scanf",  "getchar",      "fgets",  "getenv", "atoi",    "atof",
-        "sprintf", "strlen", "strcpy",  "strcmp", "memcpy", "memset",       "system", "usleep", "sleep",   "snprintf"};
-    // They write texts, which are not kept.
-    const bool writes_text = name.is("sprintf") || name.is("snprintf") || name.is("strcpy") || name.is("strcat");
-    const Object* const written = writes_text && ahead_.kind == TokenKind::kName ? find_variable(ahead_.text) : nullptr;
-    if (written && written->is_text) {
-        jump(p.partners[p.at] + 1);
-        return integer(0);
-    }
-    if (std::find(std::begin(kOutOfReach), std::end(kOutOfReach), name.text) != std::end(kOutOfReach))
+    if (const std::optional<Value> result = call_of_chance_and_time(name)) return *result;
+    if (const std::optional<Value> result = call_of_memory(name)) return *result;
+    if (const std::optional<Value> result = call_of_texts(name)) return *result;
+    if (name.is("exit") || name.is("abort"))
+        fail(name.place, "the program ends itself here, before its first picture is complete");
+    constexpr std::string_view kOutOfReach[] = {"gettimeofday", "fopen",     "fclose",  "fread", "fscanf",
+                                                "sscanf",       "scanf",     "getchar", "fgets", "getenv",
+                                                "system",       "localtime", "qsort"};
+    if (std::ranges::find(kOutOfReach, name.text) != std::end(kOutOfReach))
         out_of_reach(name.place, fmt::format("the function {}", name.text));
     std::vector<std::string_view> names;
     for (const auto& [known, ignored] : p.functions) names.push_back(known);
@@ -110,6 +127,23 @@ Value Reader::call_in_program(const Token& name) {
     out_of_reach(name.place,
                  fmt::format("the function {}, which {}", in_quotes(name.text),
                              is_like_gl(name.text) ? "Twinlight does not know" : "this file does not define"));
+}
+
+// What glGetString returns: the version is that of which Twinlight has all commands; the list of extensions is empty.
+Value Reader::answer_of_get_string(const Command& command) {
+    const std::string_view text = command.enumerant(0) == kGL_VERSION      ? "2.1"
+                                  : command.enumerant(0) == kGL_EXTENSIONS ? ""
+                                                                           : "Twinlight";
+    Object& object =
+        program_->heap.emplace_back(Object{.type = types_.array_of(types_.number(Kind::kByte), text.size() + 1),
+                                           .shown = "this text",
+                                           .place = command.place,
+                                           .known = true,
+                                           .is_constant = true});
+    hold(sizeof(Object), command.place);
+    allocate(object, command.place);
+    std::memcpy(object.memory->bytes.data(), text.data(), text.size());
+    return {.type = Value::Type::kPointer, .object = &object, .of = types_.number(Kind::kUbyte)};
 }
 
 namespace {
@@ -142,12 +176,40 @@ constexpr TwoArguments kTwoArguments[] = {ROW(pow), ROW(atan2), ROW(fmod), ROW(f
 
 }  // namespace
 
+// rand and time: nullopt for another name. The clock of a program stands at 0.
+std::optional<Value> Reader::call_of_chance_and_time(const Token& name) {
+    Program& p = *program_;
+    const bool seeds = name.is("srand") || name.is("srandom") || name.is("srand48");
+    constexpr std::string_view kNumbers[] = {"rand", "random", "drand48", "lrand48", "time", "clock"};
+    if (!seeds && std::ranges::find(kNumbers, name.text) == std::end(kNumbers)) return std::nullopt;
+    const std::vector<Value> given = values_in_parentheses();
+    if (seeds) {
+        if (given.size() != 1) fail(name.place, "{} takes 1 argument", name.text);
+        const auto seed = static_cast<std::uint32_t>(in_kind(given[0], Kind::kUint, name.place).integer);
+        if (name.is("srand48"))
+            p.random_48 = (std::uint64_t{seed} << 16) + 0x330e;
+        else
+            p.random.seed(seed);
+        return integer(0);
+    }
+    if (!given.empty() && !name.is("time")) fail(name.place, "{} takes no arguments", name.text);
+    if (name.is("rand") || name.is("random")) return integer(p.random.next());
+    if (name.is("drand48") || name.is("lrand48")) {
+        p.random_48 = (p.random_48 * 0x5deece66d + 0xb) & 0xffffffffffff;
+        if (name.is("lrand48")) return integer(static_cast<std::int64_t>(p.random_48 >> 17));
+        return real(static_cast<double>(p.random_48) * 0x1p-48, false);
+    }
+    const bool is_stored = name.is("time") && !given.empty() && given[0].object;
+    if (is_stored) assigned(behind(given[0], name.place), integer(0), name.place);
+    return integer(0);
+}
+
 // sin(x), sinf(x), abs(i): nullopt for another name.
 std::optional<Value> Reader::call_of_mathematics(const Token& name) {
     const auto given = [&](std::size_t count) {
         std::vector<Value> values = values_in_parentheses();
         for (const Value& value : values)
-            if (value.is_pointer()) fail(name.place, "{} takes numbers", name.text);
+            if (value.is_pointer() || value.is_struct()) fail(name.place, "{} takes numbers", name.text);
         if (values.size() != count) fail(name.place, "{} takes {} argument{}", name.text, count, count == 1 ? "" : "s");
         return values;
     };
@@ -231,6 +293,17 @@ bool is_known_extension(std::string_view quoted) {
 
 }  // namespace
 
+// The function that GLUT is given; nullopt for NULL.
+std::optional<Token> Reader::function_argument(const Token& name) {
+    const Place place = ahead_.place;
+    const std::vector<Value> given = values_in_parentheses();
+    if (given.size() != 1) fail(name.place, "{} takes 1 argument", name.text);
+    if (given[0].is_null()) return std::nullopt;
+    Token function = function_behind(given[0], place).name;
+    function.place = place;
+    return function;
+}
+
 // glutIdleFunc(f) or glutTimerFunc(milliseconds, f, value): what runs before the next picture. Other forms are passed over.
 void Reader::later_function(const Token& name) {
     Program& p = *program_;
@@ -257,13 +330,7 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
     const std::size_t after = p.partners[p.at] + 1;
     const bool is_display = name.is("glutDisplayFunc");
     if (is_display || name.is("glutReshapeFunc")) {
-        advance();
-        accept("&");
-        if (token_.kind != TokenKind::kName || !ahead_.is(")"))
-            out_of_reach(token_.place, fmt::format("the argument of {}", name.text));
-        (is_display ? p.display : p.reshape) = token_;
-        if (token_.is("NULL")) (is_display ? p.display : p.reshape).reset();
-        jump(after);
+        (is_display ? p.display : p.reshape) = function_argument(name);
         return integer(0);
     }
     if (name.is("glutIdleFunc") || name.is("glutTimerFunc")) {
@@ -289,6 +356,10 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
         jump(after);
         if (asked.is("GLUT_WINDOW_WIDTH")) return integer(p.window.width);
         if (asked.is("GLUT_WINDOW_HEIGHT")) return integer(p.window.height);
+        if (asked.is("GLUT_ELAPSED_TIME")) return integer(p.elapsed_ms);
+        if (asked.is("GLUT_SCREEN_WIDTH")) return integer(kScreen.width);
+        if (asked.is("GLUT_SCREEN_HEIGHT")) return integer(kScreen.height);
+        if (asked.is("GLUT_WINDOW_X") || asked.is("GLUT_WINDOW_Y")) return integer(0);
         out_of_reach(name.place, fmt::format("glutGet({})", asked.text));
     }
     if (name.is("glutInitDisplayMode")) {
@@ -316,6 +387,27 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
                                                 "glutInitWindowPosition",
                                                 "glutCreateWindow",
                                                 "glutDestroyWindow",
+                                                "glutGetWindow",
+                                                "glutSetWindow",
+                                                "glutGetModifiers",
+                                                "glutSetVertexAttribCoord3",
+                                                "glutInitErrorFunc",
+                                                "glutInitWarningFunc",
+                                                "glutTabletMotionFunc",
+                                                "glutTabletButtonFunc",
+                                                "glutButtonBoxFunc",
+                                                "glutDialsFunc",
+                                                "glutOverlayDisplayFunc",
+                                                "glutPositionFunc",
+                                                "glutRemoveMenuItem",
+                                                "glutChangeToSubMenu",
+                                                "glutDestroyMenu",
+                                                "glutFullScreenToggle",
+                                                "glutLeaveFullScreen",
+                                                "glutHideWindow",
+                                                "glutPushWindow",
+                                                "glutInitContextFlags",
+                                                "glutForceJoystickFunc",
                                                 "glutPostRedisplay",
                                                 "glutSwapBuffers",
                                                 "glutPositionWindow",
@@ -368,18 +460,22 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
                                                 "puts",
                                                 "fputs",
                                                 "putchar",
+                                                "putenv",
+                                                "sleep",
+                                                "usleep",
+                                                "vprintf",
                                                 "fflush",
                                                 "perror",
                                                 "assert",
                                                 "atexit",
-                                                "srand",
-                                                "srand48",
-                                                "srandom",
                                                 "setbuf"};
     if (std::find(std::begin(kPassedOver), std::end(kPassedOver), name.text) == std::end(kPassedOver))
         return std::nullopt;
     jump(after);
-    return integer(name.is("glutCreateWindow") || name.is("glutCreateMenu") || name.is("gladLoadGL") ? 1 : 0);
+    return integer(name.is("glutGetWindow") || name.is("glutCreateWindow") || name.is("glutCreateMenu") ||
+                           name.is("gladLoadGL")
+                       ? 1
+                       : 0);
 }
 
 }  // namespace twinlight

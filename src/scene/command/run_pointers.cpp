@@ -1,7 +1,11 @@
-// Pointers of a whole program: each is NULL or points into an array of numbers that outlives it.
+// Pointers, structs and allocated memory of a whole program.
+//
+// A pointer in memory is an address: the number of the object that it points into in its upper half, the offset in bytes in its lower
+// half. So copies of structs copy their pointers, and a pointer whose object has ended is found out.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 #include "scene/command/memory.h"
@@ -13,223 +17,212 @@ namespace twinlight {
 
 namespace {
 
-// What an expression of this type has where only its type matters.
-Value zero_of(Kind kind) { return is_real(kind) ? real(0, kind == Kind::kFloat) : integer(0); }
+constexpr int kOffsetBits = 32;
+static_assert(kMaxMemoryBytes < std::size_t{1} << kOffsetBits);
+constexpr std::size_t kBytesOfAllocation = 256;  // that Twinlight itself needs for an object from malloc
+constexpr std::size_t kBytesOfAStep = 64;        // of malloc, memset and memcpy, so that a loop of them ends
 
 }  // namespace
 
-// The rest of GLfloat* name = array; after the name. Each element that the pointer can reach is an array of the lengths in
-// `row`, or a number if there are none.
-void Reader::declare_pointer(const Token& name, Kind kind, const Dimensions& row, bool is_static) {
-    if (is_static && declare_static(name)) return;
-    Object made{
-        .kind = kind, .dimensions = {0}, .shown = in_quotes(name.text), .place = name.place, .is_pointer = true};
-    made.dimensions.insert(made.dimensions.end(), row.begin(), row.end());
-    if (token_.is("[")) return declare_pointers(name, made, is_static);
-    Object& pointer = keep_pointer(name, std::move(made), is_static);
-    if (accept("=")) point(pointer, expression(), name);
-}
-
-// Declares a pointer or an array of pointers.
-Object& Reader::keep_pointer(const Token& name, Object made, bool is_static) {
-    if (!program_->in_function)
-        variables_.insert_or_assign(name.text, std::move(made));
-    else if (is_static)
-        *find_variable(name.text) = std::move(made);
-    else
-        declare(name, std::move(made));
-    return *find_variable(name.text);
-}
-
-// The rest of GLfloat* name[] = {first, second}; after the name.
-void Reader::declare_pointers(const Token& name, const Object& element, bool is_static) {
-    const Dimensions length = dimensions_in_brackets();
-    if (length.size() != 1) out_of_reach(name.place, "an array of arrays of pointers");
-    std::size_t count = length[0];
-    if (count > kMaxProgramLocals) out_of_reach(name.place, "an array of so many pointers");
-    Object made{.kind = element.kind, .dimensions = {}, .shown = element.shown, .place = name.place};
-    made.pointers.assign(count == 0 ? kMaxProgramLocals : count, element);
-    Object& array = keep_pointer(name, std::move(made), is_static);
-    for (Object& pointer : array.pointers) pointer.is_local = array.is_local;
-    std::size_t given = 0;
-    if (accept("=")) {
-        expect("{", "before the pointers of {}", array.shown);
-        while (!token_.is("}")) {
-            if (given == array.pointers.size()) fail(token_.place, "{} has only {} pointers", array.shown, given);
-            point(array.pointers[given++], expression(), name);
-            if (!accept(",")) break;
-        }
-        expect("}", "after the pointers of {}", array.shown);
+std::uint64_t Reader::address(const Value& pointer) {
+    const auto offset = static_cast<std::uint64_t>(pointer.is_pointer() ? pointer.offset : pointer.integer);
+    if (!pointer.object) return offset;
+    std::uint32_t& number = pointer.object->number;
+    if (number == 0) {
+        number = ++program_->last_number;
+        program_->objects[number] = pointer.object;
     }
-    if (count == 0) count = given;
-    if (count == 0) fail(name.place, "{} needs a length or values", array.shown);
-    array.pointers.resize(count, element);
+    return (std::uint64_t{number} << kOffsetBits) | offset;
 }
 
-// Reads the [1] after the name of an array of pointers.
-Object& Reader::element_of(Object& array, const Token& name) {
-    if (!accept("[")) out_of_reach(name.place, fmt::format("the array of pointers {}", array.shown));
-    const Place place = token_.place;
-    const Value index = number();
-    expect("]", "after the index");
-    const std::size_t count = array.pointers.size();
-    if (dry_) return array.pointers[0];
-    if (!index.is_integer() || index.integer < 0 || index.integer >= static_cast<std::int64_t>(count))
-        fail(place, "this index is outside {}, which has {} pointer{}; indices start at 0", array.shown, count,
-             count == 1 ? "" : "s");
-    return array.pointers[static_cast<std::size_t>(index.integer)];
+// The pointer at this address. If its object has ended, it is neither NULL nor in an object.
+Value Reader::pointer_from(std::uint64_t address, const DataType* of) const {
+    Value pointer{.type = Value::Type::kPointer, .offset = static_cast<std::int64_t>(address), .of = of};
+    const auto found = program_->objects.find(static_cast<std::uint32_t>(address >> kOffsetBits));
+    const std::uint64_t offset = address & ((std::uint64_t{1} << kOffsetBits) - 1);
+    if (found == program_->objects.end() || offset > found->second->bytes()) return pointer;
+    pointer.object = found->second;
+    pointer.offset = static_cast<std::int64_t>(offset);
+    return pointer;
 }
 
-// The rest of char name[] = "..."; after the name.
-void Reader::declare_text(const Token& name) {
-    Object text{.kind = Kind::kByte, .dimensions = {}, .shown = in_quotes(name.text), .place = name.place};
-    text.is_text = true;
-    if (program_->in_function)
-        declare(name, std::move(text));
-    else
-        variables_.insert_or_assign(name.text, std::move(text));
-    skip_expression();
-}
-
-// Whether the array is there as long as the pointer that is visible in the running function.
-bool Reader::outlives(const Object& target, const Object& pointer) const {
-    if (!target.is_local) return true;
-    if (!pointer.is_local) return false;
-    std::size_t block_of_target = 0, block_of_pointer = 0;  // 0 is that of a calling function
-    for (std::size_t i = program_->frame; i < program_->locals.size(); ++i) {
-        const Local& local = program_->locals[i];
-        if (local.object == &target) block_of_target = local.block;
-        const std::vector<Object>& elements = local.object->pointers;
-        const bool is_element = !elements.empty() && &pointer >= elements.data() && &pointer <= &elements.back();
-        if (local.object == &pointer || is_element) block_of_pointer = local.block;
-    }
-    return block_of_target <= block_of_pointer;
-}
-
-// Lets the pointer point into an array of its type, or nowhere.
-void Reader::point(Object& pointer, const Value& value, const Token& name) const {
-    if (dry_) return;
-    const bool is_null = !value.object && (value.is_integer() ? value.integer : value.offset) == 0 &&
-                         (value.is_integer() || value.is_pointer());
-    const auto is_kind = [&](Kind kind) { return c_type(kind) == c_type(pointer.kind); };
-    const bool can_point =
-        value.object && value.kind && is_kind(*value.kind) && is_kind(value.object->kind) &&
-        (value.object == pointer.target || (!value.object->is_literal && outlives(*value.object, pointer)));
-    if (!is_null && !can_point) out_of_reach(name.place, fmt::format("the pointer {}", in_quotes(name.text)));
-    pointer.target = value.object;
-    pointer.offset = is_null ? 0 : static_cast<std::size_t>(value.offset);
-    std::size_t row = size_of(pointer.kind);
-    for (std::size_t i = 1; i < pointer.dimensions.size(); ++i) row *= pointer.dimensions[i];
-    pointer.dimensions[0] = is_null ? 0 : (value.object->memory->bytes.size() - pointer.offset) / row;
-}
-
-// The array that starts behind a pointer: of numbers, or of the rows of an array of arrays. `shown` is for messages.
-Reader::Lvalue Reader::behind(const Value& pointer, const Dimensions& row, const Place& place,
-                              std::string_view shown) const {
-    const auto refuse = [&] { out_of_reach(place, fmt::format("'*' before {}", shown)); };
-    if (!pointer.is_pointer() || !pointer.kind) refuse();
-    if (!pointer.object) fail(place, "this pointer is NULL; let it point into an array first");
-    const Object& object = *pointer.object;
-    std::size_t size = size_of(object.kind);
-    for (const std::size_t length : row) size *= length;
-    if (pointer.step != size || c_type(*pointer.kind) != c_type(object.kind)) refuse();
+// What a pointer points at.
+Reader::Lvalue Reader::behind(const Value& pointer, const Place& place) const {
+    if (!pointer.is_pointer())
+        fail(place, "this needs a pointer or an array, but it is a {}", pointer.is_struct() ? "struct" : "number");
+    if (!pointer.of || pointer.of->is_void() || !pointer.of->is_complete)
+        fail(place, "this pointer needs a type first, as in (float*)pointer");
+    if (dry_) return {pointer.object, static_cast<std::size_t>(pointer.offset), pointer.of};
+    if (pointer.is_null()) fail(place, "this pointer is NULL; let it point into an array first");
+    if (!pointer.object || (!pointer.object->memory && pointer.object->function_name.empty()))
+        fail(place,
+             "what this pointer pointed at is not there any more: it was freed, or its block or function has ended");
     const auto offset = static_cast<std::size_t>(pointer.offset);
-    // Without a memory it is a pointer that is read for its type only.
-    Lvalue result{pointer.object, offset, {object.memory ? (object.memory->bytes.size() - offset) / size : 0}};
-    result.dimensions.insert(result.dimensions.end(), row.begin(), row.end());
-    return result;
+    if (pointer.offset < 0 || offset > pointer.object->bytes() || pointer.object->bytes() - offset < pointer.of->size)
+        fail_outside(place, "this pointer", pointer);
+    return {pointer.object, offset, pointer.of};
 }
 
-// The row that a pointer moves by, if it moves by more than a number.
-Dimensions Reader::row_of(const Value& pointer) {
-    const Dimensions* const whole = pointer.object ? &pointer.object->dimensions : nullptr;
-    if (whole && whole->size() == 2 && pointer.step == (*whole)[1] * size_of(pointer.object->kind))
-        return {(*whole)[1]};
-    return {};
-}
-
-// (v + 1)[2]; the value of the parenthesis was just read.
-Value Reader::subscripted(const Value& pointer, const Token& start) {
-    if (dry_ && !pointer.object) out_of_reach(start.place, "an element of this pointer");
-    Lvalue place = behind(pointer, row_of(pointer), start.place, "this");
-    subscripts(place, start);
-    return variable(start, place);
-}
-
-// *p, *p++, *(v + 1). What is behind a pointer to rows is a row.
-Value Reader::dereferenced() {
-    const Dereferenced found = behind_star();
-    return found.place ? variable(found.name, *found.place) : zero_of(found.kind);
-}
-
-// ++*p and ++(*p); the "++" was just read.
-Value Reader::stepped_behind_star(const Token& op) {
-    const bool in_parentheses = accept("(");
-    const auto [name, kind, place] = behind_star();
-    if (in_parentheses) expect(")", "to close the parenthesis");
-    if (!place) return zero_of(kind);
-    if (!place->dimensions.empty()) out_of_reach(op.place, fmt::format("'{}' before a row", op.text));
-    const Token sign{TokenKind::kPunctuation, op.text.substr(0, 1), op.place};
-    return assigned(*place, arithmetic(sign, value_of(*place, name.place), integer(1)), name);
-}
-
-// Reads from "*" on.
-Reader::Dereferenced Reader::behind_star() {
-    const Token star = token_;
-    if (++program_->depth > kMaxProgramDepth) fail(star.place, "this program is nested too deeply");
+// Reads [1] after an array or a pointer.
+Reader::Operand Reader::element_of(const Operand& array, const Token& start) {
+    if (array.place && array.place->type->is_array()) return {.place = element(*array.place)};
+    const Value pointer = value_of(array, start.place);
+    const Token bracket = token_;
     advance();
-    const Token name = token_;
-    Value pointer;
-    Dimensions row;
-    if (name.kind == TokenKind::kName && !ahead_.is("(")) {
-        advance();
-        const std::optional<Lvalue> place = lvalue(name);
-        if (!place || place->dimensions.empty()) out_of_reach(star.place, fmt::format("'*' before {}", shown(name)));
-        const bool is_moved = place->pointer && is_step(token_);
-        pointer = is_moved ? changed_pointer(name, *place) : value_of(*place, name.place);
-        row.assign(place->dimensions.begin() + 1, place->dimensions.end());
-    } else {
-        pointer = prefix();
-        row = row_of(pointer);
-    }
-    --program_->depth;
-    if (dry_ && pointer.is_pointer() && pointer.kind && !pointer.object) return {name, *pointer.kind};
-    Lvalue place = behind(pointer, row, star.place, shown(name));
-    if (!dry_ && place.dimensions[0] == 0)
-        fail(star.place, "this pointer is outside {}, which has {} values", place.object->shown,
-             place.object->length());
-    place.dimensions.erase(place.dimensions.begin());
-    return {name, place.object->kind, place};
+    const Place place = token_.place;
+    const Value index = comma_expressions();
+    expect("]", "after the index");
+    if (!pointer.is_pointer())
+        fail(start.place, "{} is neither an array nor a pointer, so it has no elements", shown(start));
+    if (dry_) return {.place = behind(pointer, start.place)};
+    if (pointer.is_null())
+        fail(start.place, "the pointer {} is NULL here; let it point into an array first", shown(start));
+    if (!index.is_integer()) fail(place, "an index must be a whole number");
+    if (!pointer.object || !pointer.of || !pointer.object->memory) behind(pointer, start.place);  // throws
+    Value moved = pointer;
+    std::int64_t bytes = 0;
+    const bool overflow = __builtin_mul_overflow(index.integer, static_cast<std::int64_t>(pointer.step()), &bytes) ||
+                          __builtin_add_overflow(pointer.offset, bytes, &moved.offset);
+    const auto size = static_cast<std::int64_t>(pointer.object->bytes());
+    if (overflow || moved.offset < 0 || moved.offset > size - static_cast<std::int64_t>(pointer.step()))
+        fail_outside(place, "this index", pointer);
+    return {.place = behind(moved, start.place)};
 }
 
-// (*p)++, (*p) = 1 and (*rows)[2]; nullopt for other expressions in parentheses.
-std::optional<Value> Reader::dereferenced_in_parentheses() {
-    const Program& p = *program_;
-    const Token star = ahead_, name = p.tokens[std::min(p.at + 2, p.tokens.size() - 1)];
-    if (name.kind != TokenKind::kName || p.partners[p.at] != p.at + 3) return std::nullopt;
-    jump(p.at + 3);
-    std::optional<Lvalue> place = lvalue(name);
-    if (!place || place->dimensions.empty()) out_of_reach(star.place, fmt::format("'*' before {}", shown(name)));
-    const Object* const pointer = std::exchange(place->pointer, nullptr);
-    const bool is_null = pointer && !pointer->target;
-    if (!dry_ && (is_null || place->dimensions[0] == 0))
-        fail(star.place, "this pointer is {}", is_null ? "NULL; let it point into an array first" : "behind its array");
-    place->dimensions.erase(place->dimensions.begin());
-    expect(")", "to close the parenthesis");
-    subscripts(*place, name);
-    return variable(name, *place);
-}
-
-// p = array, p += 3, p++. Returns the pointer's new value, for p++ and p-- the one before.
-Value Reader::changed_pointer(const Token& name, const Lvalue& place) {
+// Reads .x after a struct and ->x after a pointer to one.
+Reader::Operand Reader::member_of(const Operand& whole, const Token& start) {
     const Token op = token_;
     advance();
-    const Value before = value_of(place, name.place);
-    const Token by{TokenKind::kPunctuation, op.text.substr(0, is_step(op) ? 1 : op.text.size() - 1), op.place};
-    const Value right = is_step(op) ? integer(1) : expression();
-    const Value after = op.is("=") ? right : combined(by, before, right);
-    point(*place.pointer, after, name);
-    return is_step(op) ? before : after;
+    const Token name = token_;
+    advance();
+    std::optional<Lvalue> place = whole.place;
+    if (op.is("->") || !place) {
+        const Value value = value_of(whole, start.place);
+        if (op.is("->"))
+            place = behind(value, start.place);
+        else if (value.is_struct())
+            place = Lvalue{value.object, static_cast<std::size_t>(value.offset), value.of};
+    }
+    if (!place || !place->type->is_struct())
+        fail(op.place, "{} is no struct{}, so it has no member {}", shown(start),
+             op.is("->") || !place || !place->type->is_pointer() ? "" : " but a pointer; write -> instead of '.'",
+             shown(name));
+    const std::optional<Member> member = find_member(*place->type, name.text);
+    if (!member) {
+        std::vector<std::string_view> names;
+        for (const Member& known : place->type->members) names.push_back(known.name);
+        const auto near = nearest(name.text, names);
+        fail(name.place, "this struct has no member {}{}", shown(name),
+             near ? fmt::format("; did you mean {}?", *near) : "");
+    }
+    return {.place = Lvalue{place->object, place->offset + member->offset, member->type}};
+}
+
+// ---- Functions ----
+
+Object& Reader::function_object(const Token& name) {
+    Program& p = *program_;
+    const auto function = p.functions.find(name.text);
+    const bool has_result = function != p.functions.end() && function->second.result;
+    const auto [found, is_new] =
+        p.function_objects.emplace(name.text, Object{.shown = in_quotes(name.text), .place = name.place});
+    if (is_new) found->second.function_name = found->first;
+    found->second.type = types_.function(has_result ? function->second.result : types_.nothing());
+    return found->second;
+}
+
+const Function& Reader::function_behind(const Value& pointer, const Place& place) const {
+    if (pointer.is_null() && pointer.is_pointer()) fail(place, "this pointer to a function is NULL");
+    const auto found =
+        pointer.object ? program_->functions.find(pointer.object->function_name) : program_->functions.end();
+    if (found == program_->functions.end()) {
+        if (pointer.object && !pointer.object->function_name.empty())
+            out_of_reach(place, fmt::format("the function '{}', which this file does not define",
+                                            pointer.object->function_name));
+        fail(place, "this is no function");
+    }
+    return found->second;
+}
+
+// ---- Memory ----
+
+// The bytes from a pointer or a struct on, of which there must be `count`.
+std::span<std::byte> Reader::bytes_behind(const Value& value, std::size_t count, bool is_written, const Place& place) {
+    if (value.is_null()) fail(place, "this pointer is NULL; let it point into an array first");
+    if (!value.object || !value.object->memory) fail(place, "this is no memory of the program, or it was freed");
+    Object& object = *value.object;
+    if (is_written && object.is_constant) fail(place, "a text in quotes cannot be changed");
+    const auto offset = static_cast<std::size_t>(value.offset);
+    if (value.offset < 0 || offset > object.bytes() || object.bytes() - offset < count)
+        fail(place, "{} has only {} bytes here, but {} are needed", object.shown,
+             object.bytes() - std::min(offset, object.bytes()), count);
+    if (!is_written) check_known(object, offset, count, place);
+    program_->steps += count / kBytesOfAStep;
+    if (is_written) set_known(object, offset, count);
+    Memory& memory = is_written ? writable(object) : *object.memory;
+    return std::span(memory.bytes).subspan(offset);
+}
+
+// malloc, calloc, realloc, free, memset, memcpy, memmove: nullopt for another name.
+std::optional<Value> Reader::call_of_memory(const Token& name) {
+    Program& p = *program_;
+    constexpr std::pair<std::string_view, std::size_t> kAll[] = {
+        {"malloc", 1}, {"calloc", 2}, {"realloc", 2}, {"free", 1}, {"memset", 3}, {"memcpy", 3}, {"memmove", 3}};
+    const auto row = std::ranges::find(kAll, name.text, [](const auto& known) { return known.first; });
+    if (row == std::end(kAll)) return std::nullopt;
+    const std::vector<Value> given = values_in_parentheses();
+    if (given.size() != row->second)
+        fail(name.place, "{} takes {} argument{}", name.text, row->second, row->second == 1 ? "" : "s");
+    const auto size = [&](std::size_t i) {
+        if (!given[i].is_integer() || given[i].integer < 0) fail(name.place, "{} needs a size of 0 or more", name.text);
+        return static_cast<std::size_t>(given[i].integer);
+    };
+    const auto allocated = [&](std::size_t bytes, bool known) {
+        hold(kBytesOfAllocation, name.place);
+        hold(bytes, name.place);
+        p.steps += bytes / kBytesOfAStep;
+        Object& made = p.heap.emplace_back(Object{.type = types_.nothing(),
+                                                  .shown = "this memory",
+                                                  .place = name.place,
+                                                  .known = known,
+                                                  .unknown_because = fmt::format("{} gives it no values", name.text)});
+        made.memory = std::make_shared<Memory>(Memory{Kind::kUbyte, std::vector<std::byte>(bytes)});
+        made.is_allocated = true;
+        return Value{.type = Value::Type::kPointer, .object = &made};
+    };
+    const auto end = [&](const Value& pointer) {
+        if (pointer.is_null()) return;
+        if (!pointer.object || !pointer.object->is_allocated || !pointer.object->memory || pointer.offset != 0)
+            fail(name.place, "{} needs what malloc has given and nothing has freed", name.text);
+        forget(*pointer.object);
+    };
+    if (name.is("malloc")) return allocated(size(0), false);
+    if (name.is("calloc")) {
+        if (size(1) != 0 && size(0) > kMaxMemoryBytes / size(1)) hold(kMaxMemoryBytes + 1, name.place);
+        return allocated(size(0) * size(1), true);
+    }
+    if (name.is("free")) {
+        end(given[0]);
+        return integer(0);
+    }
+    if (name.is("realloc")) {
+        const Value made = allocated(size(1), false);
+        if (given[0].object && given[0].object->memory) {
+            const std::size_t count = std::min(size(1), given[0].object->bytes());
+            std::memcpy(made.object->memory->bytes.data(), given[0].object->memory->bytes.data(), count);
+            made.object->known = given[0].object->known;
+        }
+        end(given[0]);
+        return made;
+    }
+    const std::span<std::byte> to = bytes_behind(given[0], size(2), true, name.place);
+    if (name.is("memset")) {
+        const auto value = static_cast<std::byte>(in_kind(given[1], Kind::kUbyte, name.place).integer);
+        std::fill_n(to.begin(), size(2), value);
+    } else {
+        std::memmove(to.data(), bytes_behind(given[1], size(2), false, name.place).data(), size(2));
+    }
+    return given[0];
 }
 
 }  // namespace twinlight

@@ -105,8 +105,7 @@ Flow Reader::run_statement() {
     } else if (token_.is("case") || token_.is("default")) {
         while (!token_.is(":") && token_.kind != TokenKind::kEnd) advance();
         advance();
-    } else if (token_.is("goto") || token_.is("struct") || token_.is("union") ||
-               (token_.kind == TokenKind::kName && ahead_.is("::"))) {
+    } else if (token_.is("goto") || (token_.kind == TokenKind::kName && ahead_.is("::"))) {
         out_of_reach(token_.place, in_quotes(token_.text));
     } else if (token_.is("typedef")) {
         typedef_declaration();
@@ -119,10 +118,8 @@ Flow Reader::run_statement() {
         if (token_.is("(") && ahead_.is("void") && p.partners[p.at] == p.at + 2) jump(p.at + 3);  // (void)printf(...)
         const bool is_command = token_.kind == TokenKind::kName && ahead_.is("(") &&
                                 !p.functions.contains(token_.text) && find_command_or_extension(token_.text);
-        if (is_command)
-            call();
-        else
-            comma_expressions();
+        if (is_command) call();  // its result is not needed
+        if (!is_command || accept(",")) comma_expressions();
         expect(";", "at the end of the statement");
         if (p.reached_main_loop) flow = Flow::kReturn;
     }
@@ -148,16 +145,10 @@ Flow Reader::run_body() {
     return run_statement();
 }
 
-void Reader::comma_expressions() {
-    do expression();
-    while (accept(","));
-}
-
 // Reads "(condition)".
 bool Reader::condition() {
     expect("(", "at the start of the condition");
-    Value value = expression();
-    while (accept(",")) value = expression();
+    const Value value = comma_expressions();
     expect(")", "after the condition");
     return is_true(value);
 }
@@ -255,8 +246,7 @@ Flow Reader::run_for() {
         jump(test);
         bool holds = true;
         if (!token_.is(";")) {
-            do holds = is_true(expression());
-            while (accept(","));
+            holds = is_true(comma_expressions());
         }
         if (!token_.is(";")) fail_missing(";", "after the condition of for (...)");
         if (!holds) break;
@@ -320,8 +310,25 @@ Flow Reader::run_switch() {
 }
 
 Flow Reader::run_return() {
+    Program& p = *program_;
+    const Place place = token_.place;
     advance();
-    program_->returned = token_.is(";") ? integer(0) : number();
+    if (!token_.is(";")) {
+        const Value value = comma_expressions();
+        const DataType* const type = p.result;
+        if (type && type->is_struct()) {
+            if (!value.is_struct() || value.of != type) fail(place, "this function returns a struct of another type");
+            const std::span<const std::byte> bytes = bytes_behind(value, type->size, false, place);
+            hold(type->size, place);
+            p.returned_struct = std::make_shared<Memory>(
+                Memory{type->leaf.value_or(Kind::kUbyte),
+                       std::vector<std::byte>(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(type->size))});
+        } else if (type && type->is_pointer()) {
+            p.returned = integer(static_cast<std::int64_t>(address(converted_by_cast(value, type, place))));
+        } else if (type && type->is_number()) {
+            p.returned = in_kind(value, type->kind, place);
+        }
+    }
     expect(";", "after return");
     return Flow::kReturn;
 }
@@ -330,27 +337,28 @@ Flow Reader::run_return() {
 
 bool Reader::is_declaration() const {
     if (token_.kind != TokenKind::kName) return false;
-    for (std::string_view word : {"const", "static", "void", "register", "extern"})
+    for (std::string_view word : {"const", "static", "register", "extern", "volatile"})
         if (token_.is(word)) return true;
     return at_type();
 }
 
-void Reader::declare(const Token& name, Object object) {
+Object& Reader::declare(const Token& name, Object object) {
     Program& p = *program_;
     if (p.locals.size() - p.frame >= kMaxProgramLocals)
         fail(name.place, "a function can have at most {} variables", kMaxProgramLocals);
     auto owned = std::make_unique<Object>(std::move(object));
-    owned->is_local = true;
     Object* const made = owned.get();
     p.locals.push_back({name.text, made, std::move(owned), p.block});
+    return *made;
 }
 
 // Declares a static variable of a function, whose name was just read. Returns true if it already has its value.
-bool Reader::declare_static(const Token& name) {
+bool Reader::declare_static(const Declarator& made) {
     Program& p = *program_;
-    if (!p.in_function) return false;
-    const auto [found, is_new] = p.statics.emplace(p.at - 1, Object{});
-    p.locals.push_back({name.text, &found->second, nullptr, p.block});
+    if (p.locals.size() - p.frame >= kMaxProgramLocals)
+        fail(made.name.place, "a function can have at most {} variables", kMaxProgramLocals);
+    const auto [found, is_new] = p.statics.emplace(made.at, Object{});
+    p.locals.push_back({made.name.text, &found->second, nullptr, p.block});
     if (is_new) return false;
     skip_expression();
     return true;
@@ -358,10 +366,8 @@ bool Reader::declare_static(const Token& name) {
 
 void Reader::forget_locals(std::size_t count) {
     std::vector<Local>& locals = program_->locals;
-    for (; locals.size() > count; locals.pop_back()) {
-        const Object* const object = locals.back().owned.get();
-        if (object && object->memory && object->memory.use_count() == 1) bytes_ -= object->memory->bytes.size();
-    }
+    for (; locals.size() > count; locals.pop_back())
+        if (locals.back().owned) forget(*locals.back().owned);
 }
 
 // ---- Calls ----
@@ -381,26 +387,22 @@ Value Reader::run_function(const Function& function, const std::vector<Value>& g
     for (std::size_t i = 0; i < given.size(); ++i) {
         const FormalParameter& parameter = function.parameters[i];
         const Token token{TokenKind::kName, parameter.name, place};
-        Object object{.kind = parameter.kind, .dimensions = {}, .shown = in_quotes(parameter.name), .place = place};
-        object.is_text = parameter.is_text;
-        if (parameter.is_array) {
-            const Value& array = given[i];
-            if (array.object && (!array.kind || c_type(*array.kind) != c_type(parameter.kind)))
-                fail(place, "the parameter {} of {} needs an array of {}", object.shown, name,
-                     c_type_name(c_type(parameter.kind)));
-            if (!array.object && !array.is_pointer())
-                fail(place, "the parameter {} of {} needs an array", object.shown, name);
-            object.is_pointer = true;
-            object.dimensions = {0};
-            object.dimensions.insert(object.dimensions.end(), parameter.row.begin(), parameter.row.end());
-            object.target = array.object;  // also a literal of the caller
-            point(object, array, token);
-        } else if (!parameter.is_text) {
-            if (given[i].is_pointer()) fail(place, "the parameter {} of {} needs a number", object.shown, name);
-            allocate(object, place);
-            fill(object, {in_kind(given[i], parameter.kind, place).number()});
-        }
-        declare(token, std::move(object));
+        const auto refuse = [&](std::string_view needed) {
+            fail(place, "the parameter {} of {} needs {}", in_quotes(parameter.name), name, needed);
+        };
+        if (parameter.type->is_struct() && given[i].of != parameter.type) refuse("a struct of its type");
+        if (parameter.type->is_pointer() && !given[i].is_pointer() && !given[i].is_null()) refuse("an array");
+        if (parameter.type->is_number() && !given[i].is_null() && (given[i].is_pointer() || given[i].is_struct()))
+            refuse("a number");
+        const DataType* const wanted = parameter.type->of;
+        const auto kind = given[i].kind();
+        if (parameter.type->is_pointer() && given[i].object && wanted->is_number() && kind &&
+            c_type(*kind) != c_type(wanted->kind))
+            refuse(fmt::format("an array of {}", c_type_name(c_type(wanted->kind))));
+        Object& object =
+            declare(token, {.type = parameter.type, .shown = in_quotes(parameter.name), .place = place, .known = true});
+        allocate(object, place);
+        assigned({&object, 0, object.type}, given[i], place);
     }
 
     // The caller's literals live on while the function runs.
@@ -409,7 +411,9 @@ Value Reader::run_function(const Function& function, const std::vector<Value>& g
     const std::size_t resume = p.at;
     const std::size_t nesting = std::exchange(nesting_, 0);
     const bool in_function = std::exchange(p.in_function, true);
+    const DataType* const result = std::exchange(p.result, function.result);
     p.returned = integer(0);
+    p.returned_struct.reset();
     jump(function.body);
     run_block();
     forget_literals();
@@ -421,8 +425,23 @@ Value Reader::run_function(const Function& function, const std::vector<Value>& g
     p.block = block;
     --p.depth;
     jump(resume);
-    const Value result = std::exchange(p.returned, integer(0));
-    return function.result ? in_kind(result, *function.result, place) : integer(0);
+    p.result = result;
+    return result_of(function, place);
+}
+
+// The value that a function has returned.
+Value Reader::result_of(const Function& function, const Place& place) {
+    Program& p = *program_;
+    const DataType* const type = function.result;
+    const Value returned = std::exchange(p.returned, integer(0));
+    if (!type) return integer(0);
+    if (type->is_pointer()) return pointer_from(static_cast<std::uint64_t>(returned.integer), type->of);
+    if (!type->is_struct()) return returned;
+    Object& object = literals_.emplace_back(
+        Object{.type = type, .shown = "this struct", .place = place, .is_literal = true, .known = true});
+    object.memory = std::exchange(p.returned_struct, nullptr);
+    if (!object.memory) fail(place, "the function {} has returned no struct", in_quotes(function.name.text));
+    return {.type = Value::Type::kStruct, .object = &object, .of = type};
 }
 
 }  // namespace twinlight

@@ -74,10 +74,14 @@ using MeshLoader = std::function<std::shared_ptr<const Mesh>(const std::string& 
 // For scenes without a folder: refuses every name.
 std::shared_ptr<const Mesh> no_meshes(const std::string& name);
 
+// The text of a file in the program's folder, which #include "..." names; nullopt if there is none.
+using TextLoader = std::function<std::optional<std::string>(const std::string& name)>;
+
 struct ReadOptions {
     // Of a scene with steps (#pragma twinlight step): the number or the title of the step to read. Empty: the first.
     std::string step{};
     MeshLoader load_mesh = no_meshes;
+    TextLoader load_text{};  // of whole programs; empty: none
     // How a whole GLUT program is run (docs/scene-language.md). Other scenes ignore these.
     std::optional<WindowSize> window{};  // instead of the size in glutInitWindowSize
     std::size_t most_steps = kMaxProgramSteps;

@@ -1,5 +1,6 @@
 #include "scene/scenes/load.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
@@ -8,6 +9,7 @@
 
 #include "base/image/file.h"
 #include "scene/command/text.h"
+#include "scene/scenes/beside.h"
 #include "scene/scenes/images.h"
 #include "scene/scenes/meshes.h"
 #include "scene/trace/trace.h"
@@ -35,6 +37,18 @@ std::string how_to_record(const std::string& scene) {
 
 bool is_c_program(std::string_view text) {
     return text.find("main(") != std::string_view::npos || text.find("main (") != std::string_view::npos;
+}
+
+// The text of a file that a program beside it includes; nullopt if there is none, or if it is a copy of a library's header.
+std::optional<std::string> included_text(const std::filesystem::path& program, const std::string& name) {
+    constexpr std::string_view kOfLibraries[] = {"gl.h",   "glu.h",          "glut.h",         "freeglut.h", "glext.h",
+                                                 "glew.h", "freeglut_std.h", "freeglut_ext.h", "glad.h"};
+    if (std::ranges::find(kOfLibraries, name) != std::end(kOfLibraries)) return std::nullopt;
+    try {
+        return read_file(file_beside(program.parent_path(), name, "header", "shapes.h").string(), kReadAtMost);
+    } catch (const std::runtime_error&) {
+        return std::nullopt;
+    }
 }
 
 void check_no_step(const std::string& scene, const std::string& step) {
@@ -108,6 +122,7 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
                 read_limited(text, one_line(scene), one_line(path.filename().string()), options));
         ReadOptions with_meshes = options;
         with_meshes.load_mesh = meshes_beside(path);
+        with_meshes.load_text = [&path](const std::string& file) { return included_text(path, file); };
         return std::make_shared<CommandList>(
             read_limited(text, one_line(scene), one_line(path.filename().string()), with_meshes, images_beside(path)));
     } catch (SceneError& error) {
