@@ -60,6 +60,7 @@ struct Program {
     std::map<std::size_t, Object> statics{};              // local static variables, by the index of their name
     std::map<std::size_t, Object> texts{};                // in quotes, by the index of their first token
     std::map<std::string_view, Object> function_objects{};
+    std::map<std::pair<std::size_t, char>, std::shared_ptr<const Memory>> glyphs{};  // of bitmap fonts
     std::deque<Object> heap{};  // from malloc; freed ones have no memory
     // The objects whose addresses were stored, by their numbers.
     std::unordered_map<std::uint32_t, Object*> objects{};
@@ -98,6 +99,8 @@ inline bool is_step(const Token& token) { return token.is("++") || token.is("--"
 std::optional<int> glut_constant(std::string_view name);
 // The value of a name of C's headers: RAND_MAX.
 std::optional<Value> constant_of_c(std::string_view name);
+// The value of GLUT_BITMAP_HELVETICA_18 and the like.
+std::optional<Value> font_named(std::string_view name);
 
 // How a statement ends.
 enum class Flow : std::uint8_t { kNext, kBreak, kContinue, kReturn };

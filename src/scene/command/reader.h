@@ -321,6 +321,12 @@ class Reader {
     std::optional<Token> function_argument(const Token& name);
     void later_function(const Token& name);
 
+    // -- a whole program: GLUT's texts (run_fonts.cpp) --
+    std::optional<Value> call_of_fonts(const Token& name);
+    void send(CommandId id, std::vector<double> values, const Place& place,
+              std::shared_ptr<const Memory> memory = nullptr);
+    void send_bitmaps(std::size_t number, std::string_view text, const Place& place);
+    void send_strokes(bool is_mono, std::string_view text, const Place& place);
 
     Lexer lexer_;
     std::unique_ptr<Program> program_;  // null for scenes

@@ -106,6 +106,7 @@ Value Reader::call_in_program(const Token& name) {
         out_of_reach(name.place, fmt::format("the result of {}", sig.name));
     }
     if (const std::optional<Value> result = call_of_mathematics(name)) return *result;
+    if (const std::optional<Value> result = call_of_fonts(name)) return *result;
     if (const std::optional<Value> result = call_of_glut(name)) return *result;
     if (const std::optional<Value> result = call_of_chance_and_time(name)) return *result;
     if (const std::optional<Value> result = call_of_memory(name)) return *result;

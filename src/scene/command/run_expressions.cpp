@@ -379,6 +379,7 @@ Reader::Operand Reader::program_name(const Token& name) {
     if (name.is("true") || name.is("false")) return {.value = integer(name.is("true") ? 1 : 0)};
     if (const std::optional<int> value = glut_constant(name.text)) return {.value = integer(*value)};
     if (const std::optional<Value> value = constant_of_c(name.text)) return {.value = *value};
+    if (const std::optional<Value> font = font_named(name.text)) return {.value = *font};
     if (program_->functions.contains(name.text) || program_->prototypes.contains(name.text)) {
         Object& function = function_object(name);
         return {.value = {.type = Value::Type::kPointer, .object = &function, .of = function.type}};

@@ -167,6 +167,31 @@ TEST(ProgramTexts, AreReadCharacterByCharacter) {
               std::string::npos);
 }
 
+// As freeglut 3.4 does: how glBitmap reads rows is set and set back for each character.
+TEST(ProgramTexts, AreDrawnInGlutsFonts) {
+    const std::string one = printed("glutBitmapCharacter(GLUT_BITMAP_8_BY_13, '!');");
+    EXPECT_TRUE(
+        one.starts_with("glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);glPixelStorei(GL_UNPACK_SWAP_BYTES, 0);"))
+        << one;
+    EXPECT_NE(
+        one.find("glBitmap(8, 14, 0, 3, 8, 0, (const GLubyte[]){0, 0, 0, 16, 0, 16, 16, 16, 16, 16, 16, 16, 0, 0});"
+                 "glPopClientAttrib();"),
+        std::string::npos)
+        << one;
+    EXPECT_EQ(printed("glutStrokeCharacter(GLUT_STROKE_ROMAN, '-');"),
+              "glBegin(GL_LINE_STRIP);glVertex2f(7.38, 42.8571);glVertex2f(93.0943, "
+              "42.8571);glEnd();glTranslatef(100.754, 0, 0);");
+    EXPECT_EQ(
+        values_of(
+            "glScaled(glutBitmapWidth(GLUT_BITMAP_9_BY_15, 'x'), glutBitmapLength(GLUT_BITMAP_8_BY_13, \"four\"), "
+            "glutBitmapHeight(GLUT_BITMAP_HELVETICA_18));"),
+        (Values{9, 32, 23}));
+    EXPECT_EQ(read_program(program("const char *s; for (s = \"text\"; *s; s++) glutBitmapCharacter(font, *s);",
+                                   "void *font = GLUT_BITMAP_TIMES_ROMAN_24;"))
+                  .commands.size(),
+              4U * 9);
+}
+
 TEST(ProgramMemory, IsAllocatedAndFreed) {
     EXPECT_EQ(values_of("float *v = malloc(3 * sizeof(float)); int i; for (i = 0; i < 3; i++) v[i] = i + 1; "
                         "glNormal3fv(v); free(v);"),
