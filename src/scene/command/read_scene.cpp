@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "scene/command/characters.h"
+#include "scene/command/cpp_words.h"
 #include "scene/command/preprocess.h"
 #include "scene/command/program.h"
 #include "scene/command/reader.h"
@@ -86,6 +87,14 @@ bool is_program(const std::vector<Token>& tokens) {
     return has_main && has_loop;
 }
 
+std::string cpp_message(const CppWord& word, const std::string& file, const SceneError& as_c) {
+    return fmt::format(
+        "this is C++: {}; Twinlight can read only C; run and record it: twinlight record {}; or run and lint it: "
+        "twinlight lint --run {} "
+        "(as C it fails in line {})",
+        word.text, file, file, as_c.errors.front().place.line);
+}
+
 // Whether a text without main has the lines of a program rather than of a scene.
 bool is_part_of_program(std::string_view text) {
     const auto has = [&](std::string_view words) { return text.find(words) != std::string_view::npos; };
@@ -108,6 +117,8 @@ std::optional<CommandList> read_program(const std::shared_ptr<const std::string>
     } catch (const SceneError& error) {
         if (error.errors.empty()) throw;
         const Place& place = error.errors.front().place;
+        if (const auto word = first_cpp_word(*text, file))
+            throw SceneError(std::vector{TextError{word->place, cpp_message(*word, file, error)}}, text);
         const auto included = place.file ? program.included.find(*place.file) : program.included.end();
         throw SceneError(error.errors, included == program.included.end()
                                            ? text

@@ -294,6 +294,25 @@ TEST(ProgramPreprocessor, IncludesNoFileOfAnotherFolder) {
               std::string::npos);
 }
 
+TEST(ProgramsInCpp, SayThatTheyAreCppAndHowToRunThem) {
+    const auto is = [](const std::string& text, const std::string& start) {
+        const std::string error = error_of(text);
+        EXPECT_TRUE(error.starts_with("homework.c:" + start)) << error;
+        EXPECT_NE(error.find("twinlight record homework.c"), std::string::npos) << error;
+        EXPECT_NE(error.find("twinlight lint --run homework.c"), std::string::npos) << error;
+    };
+    is(program("std::cout << 1;", "#include <iostream>"), "1:1: this is C++: #include <iostream>;");
+    is(program("auto v = 1;"), "3:1: this is C++: the word 'auto';");
+    is(program("", "class lamp { public: int n; };"), "1:1: this is C++: the word 'class';");
+    is(program("", "template <class T> T twice(T x) { return x; }"), "1:1: this is C++: the word 'template';");
+    is(program("float x; set(x);", "void set(float &x) { x = 1; }"), "1:10: this is C++: the reference float& x;");
+    is(program("int *p = new int[3];"), "3:10: this is C++: the word 'new';");
+    is(program("std::vector<int> v;"), "3:1: this is C++: std::;");
+    // What C can do is read.
+    EXPECT_EQ(values_of("bool on = true; glLineWidth(on);", "#include <iostream>\nusing namespace std;"), (Values{1}));
+    EXPECT_NE(error_of(program("int new = 1 / 0;")).find("this divides a whole number by 0"), std::string::npos);
+}
+
 TEST(ProgramsWithoutMain, SayThatTheyHaveNone) {
     try {
         read_program("#include <GL/glut.h>\nvoid ball(float r) { glutSolidSphere(r, 8, 8); }\n");
