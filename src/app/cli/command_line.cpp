@@ -171,11 +171,12 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
 Scene scene_of(std::shared_ptr<const Recording> commands, std::optional<Size> size, const MemoryBudget& memory) {
     const WindowSize of_scene = commands->command_list()->window.value_or(WindowSize{});
     const auto [width, height] = size.value_or(Size{of_scene.width, of_scene.height});
-    Frame made = make_frame(*commands->command_list(), {.width = width, .height = height, .memory = memory.bytes});
-    check_fits(memory, made);
-    std::vector<std::string> notes = commands->notes();
-    for (const std::string& note : notes) print_note(*commands, note);
-    return {std::move(commands), std::move(made), std::move(notes)};
+    Scene made =
+        make_scene({commands, commands->command_list()}, {.width = width, .height = height, .memory = memory.bytes});
+    check_fits(memory, made.frame);
+    made.notes = made.recording->notes();
+    for (const std::string& note : made.notes) print_note(*commands, note);
+    return made;
 }
 
 }  // namespace

@@ -83,6 +83,8 @@ std::string PageScene::open(std::string_view text, const std::string& name, cons
         options.memory = kPageMemory;
         scene_ = make_scene(list, options);
         check_fits(scene_->frame);
+        for (const std::string& note : scene_->recording->notes())
+            answer["note"] = answer["note"].get<std::string>() + (answer["note"] == "" ? "" : "; ") + note;
         if (controls_ && !controls_->shows(text, list->step)) controls_.reset();
         opened_ = {list, std::string(text), {options.width, options.height}, [name, step](std::string_view edited) {
                        return read_for_page(edited, name, step);

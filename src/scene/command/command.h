@@ -211,6 +211,7 @@ struct CommandList final : Recording {
     std::shared_ptr<const NextPicture>
         next_picture{};  // null where there is no program, or the reader cannot follow it
     std::shared_ptr<const std::string> text = nullptr;  // the C text, for messages; null if there is none
+    bool is_program = false;                            // a whole program, whose GL errors do not end it
     // The texts of the files that a program includes, by the names in their places.
     std::map<std::string, std::shared_ptr<const std::string>> included{};
     std::vector<std::string> steps{};      // the titles of the scene's steps (#pragma twinlight step)

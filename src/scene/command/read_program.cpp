@@ -60,6 +60,7 @@ CommandList Reader::run(const std::string& name) {
     if (p.reshape) call_from_glut(*p.reshape, {integer(p.window.width), integer(p.window.height)});
     call_from_glut(*p.display, {});
     CommandList list{name, std::move(commands_)};
+    list.is_program = true;
     list.window = p.window;
     list.next_picture = next_picture();
     if (p.asks_for_samples) list.own_notes.emplace_back(kOneSampleNote);

@@ -67,18 +67,21 @@ SceneError with_gl_errors(const SceneError& error, const StateOptions& options) 
     return all;
 }
 
-Frame make_frame(const CommandList& commands, const StateOptions& options) {
+namespace {
+
+Frame frame_of(const CommandList& commands, const StateOptions& options, bool throws_gl_errors) {
     State state(options);
     Errors errors;
     for (const Command& command : commands.commands) {
         const bool was_inside = state.inside_begin();
         state.apply(command);
         if (state.error_count() > 0) errors.add(command, state, was_inside);
-        if (state.exhausted() || errors.is_full()) break;
+        if (state.exhausted() || (errors.is_full() && throws_gl_errors)) break;
     }
     const auto unfinished = state.unfinished();
     if (unfinished && !errors.is_full() && !state.exhausted()) errors.add_unfinished(*unfinished);
-    if (!errors.texts().empty()) throw SceneError(std::move(errors.texts()), commands.text);
+    const bool is_refused = throws_gl_errors || state.exhausted();
+    if (!errors.texts().empty() && is_refused) throw SceneError(std::move(errors.texts()), commands.text);
     Frame frame = state.take_frame();
     if (frame.draws().empty())
         throw SceneError(fmt::format("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);",
@@ -86,9 +89,51 @@ Frame make_frame(const CommandList& commands, const StateOptions& options) {
     return frame;
 }
 
+}  // namespace
+
+Frame make_frame(const CommandList& commands, const StateOptions& options) { return frame_of(commands, options, true); }
+
+namespace {
+
+// A program as GL draws it: without the commands that cause GL errors, which become notes. Null if it needs too much memory.
+std::shared_ptr<const CommandList> without_gl_errors(const CommandList& program, const StateOptions& options) {
+    const auto list = std::make_shared<CommandList>(program);
+    list->commands.clear();
+    State state(options);
+    Errors errors;
+    for (const Command& command : program.commands) {
+        const bool was_inside = state.inside_begin();
+        const std::size_t count = state.error_count();
+        state.apply(command);
+        if (state.exhausted()) return nullptr;
+        if (state.error_count() > 0 && !errors.is_full()) errors.add(command, state, was_inside);
+        // Of the commands of a display list, only some may have errors.
+        const bool calls = command.id == CommandId::glCallList || command.id == CommandId::glCallLists;
+        if (state.error_count() == count || calls) list->commands.push_back(command);
+    }
+    if (const auto unfinished = state.unfinished(); unfinished && !errors.is_full()) errors.add_unfinished(*unfinished);
+    for (Command& ending : state.endings()) {
+        if (!program.commands.empty()) ending.place = program.commands.back().place;
+        list->commands.push_back(std::move(ending));
+    }
+    for (const TextError& error : errors.texts())
+        list->own_notes.push_back(fmt::format("{}: GL error: {}", error.place.str(), error.message));
+    return list;
+}
+
+}  // namespace
+
 Scene make_scene(std::shared_ptr<const CommandList> commands, const StateOptions& options) {
-    Frame frame = make_frame(*commands, options);
-    return {std::move(commands), std::move(frame)};
+    try {
+        Frame frame = make_frame(*commands, options);
+        return {std::move(commands), std::move(frame)};
+    } catch (const SceneError&) {
+        if (!commands->is_program) throw;
+        std::shared_ptr<const CommandList> correct = without_gl_errors(*commands, options);
+        if (!correct) throw;
+        Frame frame = frame_of(*correct, options, false);  // a list that is called may still have errors
+        return {std::move(correct), std::move(frame)};
+    }
 }
 
 }  // namespace twinlight

@@ -377,6 +377,7 @@ Frame make_frame(const CommandList& commands, const StateOptions& options);
 // For a scene whose text has errors: adds the GL errors of the commands that could be read and do not depend on others
 // (wrong names and values).
 SceneError with_gl_errors(const SceneError& error, const StateOptions& options);
+// A whole program's GL errors are notes of its recording: GL ignores the commands that cause them.
 Scene make_scene(std::shared_ptr<const CommandList> commands, const StateOptions& options);
 
 }  // namespace twinlight

@@ -313,6 +313,24 @@ TEST(ProgramsInCpp, SayThatTheyAreCppAndHowToRunThem) {
     EXPECT_NE(error_of(program("int new = 1 / 0;")).find("this divides a whole number by 0"), std::string::npos);
 }
 
+TEST(ProgramErrorsOfGl, AreNotesWithTheirLines) {
+    const Scene scene = make_scene(std::make_shared<const CommandList>(read_program(
+                                       program("glShadeModel(GL_LIGHT0);\nglPushMatrix();\nglBegin(GL_QUADS); "
+                                               "glEnable(GL_FOG); glEnd();\nglRectf(0, 0, 1, 1);"))),
+                                   {.width = 16, .height = 16});
+    const std::vector<std::string> notes = scene.recording->notes();
+    ASSERT_EQ(notes.size(), 3U);
+    EXPECT_TRUE(notes[0].starts_with("homework.c:3:1: GL error: glShadeModel is given")) << notes[0];
+    EXPECT_TRUE(notes[1].starts_with("homework.c:5:20: GL error: glEnable is not allowed between glBegin and glEnd"))
+        << notes[1];
+    EXPECT_TRUE(notes[2].starts_with("homework.c:4:1: GL error: this glPushMatrix has no glPopMatrix")) << notes[2];
+    EXPECT_EQ(scene.frame.draws().size(), 1U);
+    EXPECT_THROW(make_scene(std::make_shared<const CommandList>(
+                                read_scene("glEnable(GL_QUADS); glRectf(0, 0, 1, 1);", "a.gl", "a")),
+                            {}),
+                 SceneError);
+}
+
 TEST(ProgramsWithoutMain, SayThatTheyHaveNone) {
     try {
         read_program("#include <GL/glut.h>\nvoid ball(float r) { glutSolidSphere(r, 8, 8); }\n");
