@@ -29,7 +29,10 @@ if [ "$target" = scene ]; then
     printf '"%s"\n' 'for (' 'while (' 'do ' 'if (' 'else ' 'switch (' 'case ' 'default:' break continue 'return ' static const enum \
         'void ' 'int ' 'float ' 'double ' 'GLfloat ' 'GLuint ' bool 'main(' 'display' glutDisplayFunc glutReshapeFunc glutInitWindowSize \
         glutMainLoop glutSwapBuffers '#define ' '#ifdef ' '#if ' '#else\x0a' '#endif\x0a' sin cos sqrt fabs pow atan2 fmod floor M_PI \
-        'typedef ' 'char *' 'float *' '*p++' '(*p)' '++' '--' '+=' '&&' '||' '==' '!=' '<=' '<<' '?' '%' >>"$build/$target.dict"
+        'typedef ' 'char *' 'float *' '*p++' '(*p)' '++' '--' '+=' '&&' '||' '==' '!=' '<=' '<<' '?' '%' \
+        'struct ' 'union ' 'struct a { ' 'struct a *' '->' '.x' '.x = ' '[1] = ' '&p' '**p' '(*f)(' 'sizeof ' 'NULL' 'unsigned short int ' \
+        'malloc(' 'calloc(' 'realloc(' 'free(' 'memset(' 'memcpy(' strlen strcpy 'sprintf(' '%s' '%d' rand srand glutBitmapCharacter \
+        glutStrokeString GLUT_BITMAP_8_BY_13 GLUT_STROKE_ROMAN GLUT_ELAPSED_TIME '##' __VA_ARGS__ __has_include '#include \x22' >>"$build/$target.dict"
 fi
 
 # A leak is told at the end; what a machine does in a second may take a sanitizer's build a minute.

@@ -318,9 +318,11 @@ Reader::Operand Reader::primary_operand() {
 
 // The type of what follows sizeof, which is not evaluated.
 const DataType* Reader::type_of_operand() {
+    if (++program_->depth > kMaxProgramDepth) fail(token_.place, "this program is nested too deeply");
     const bool outer = std::exchange(dry_, true);
     const Operand read = operand();
     dry_ = outer;
+    --program_->depth;
     if (read.place) return read.place->type;
     const Value& value = read.value;
     if (value.is_struct()) return value.of;
