@@ -92,6 +92,11 @@ void add_recorded_options(CLI::App& app, RecordedPart& part) {
         ->check(number_from(0, std::numeric_limits<int>::max()));
 }
 
+void add_calls_flag(CLI::App& app, bool& calls) {
+    app.add_flag("--calls", calls,
+                 "show also the functions of a recorded program that led to each place: main > display > draw_lamp");
+}
+
 void add_step_option(CLI::App& app, std::string& step, const std::string& default_step) {
     app.add_option("--step", step,
                    "step of a scene with steps: its number, from 1, or its title (default: " + default_step + ")")

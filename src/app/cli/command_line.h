@@ -72,6 +72,9 @@ struct RecordedPart {
 // --frame and --context.
 void add_recorded_options(CLI::App& app, RecordedPart& part);
 
+// --calls: the chain of calls to each place of a recorded program.
+void add_calls_flag(CLI::App& app, bool& calls);
+
 // For MemoryBudget::bytes.
 void add_memory_option(CLI::App& app, MemoryBudget& memory);
 

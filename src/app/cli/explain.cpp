@@ -29,7 +29,7 @@ struct ExplainArguments {
     MemoryBudget memory;
     std::string pixel, vertex;
     double budget = PlanOptions{}.budget;
-    bool json = false, all = false;
+    bool json = false, all = false, calls = false;
 };
 
 // ---- As text ----
@@ -101,11 +101,13 @@ std::string summary(const Scene& scene, const std::vector<ExplainedDraw>& draws,
     return text + "  one pixel, one vertex:  --pixel X,Y and --vertex DRAW,N; everything that is off: --all\n";
 }
 
-std::string explanation(const Scene& scene, const std::vector<ExplainedDraw>& draws, double budget, bool all) {
+std::string explanation(const Scene& scene, const std::vector<ExplainedDraw>& draws, double budget, bool all,
+                        bool calls) {
     std::string text = summary(scene, draws, budget);
     for (const ExplainedDraw& draw : draws) {
-        text += "\n" + explain::bold(name_of(draw), result_in_color()) +
-                "\n  effects: " + fmt::format("{}", fmt::join(effect_words(draw.plan).of_draw, ", ")) + "\n" +
+        text += "\n" + explain::bold(name_of(draw), result_in_color());
+        if (calls && draw.place.calls) text += "\n  calls: " + one_line(*draw.place.calls);
+        text += "\n  effects: " + fmt::format("{}", fmt::join(effect_words(draw.plan).of_draw, ", ")) + "\n" +
                 table(draw.plan, all);
         if (draw.plan.error_bound > 0)
             text += fmt::format("  all skipped lights together change a channel by at most {}\n",
@@ -156,7 +158,7 @@ int run_explain(ExplainArguments arguments) {
     if (!arguments.pixel.empty()) arguments.memory.bytes_of_pixel = 100;
     const Scene scene = load_scene(arguments.scene, arguments.size, arguments.part, arguments.step, arguments.memory);
     const PlanOptions options{look_of(arguments.shading, arguments.variants), arguments.budget};
-    const ExplainOptions of_point{options, arguments.json, arguments.all};
+    const ExplainOptions of_point{options, arguments.json, arguments.all, arguments.calls};
     if (!arguments.pixel.empty()) {
         write_result(explain_pixel(scene, of_point, arguments.pixel));
         return kFine;
@@ -168,7 +170,7 @@ int run_explain(ExplainArguments arguments) {
     const std::vector<ExplainedDraw> draws =
         explain_draws(scene.frame, PlanOptions{{.shading = arguments.shading}, arguments.budget});
     write_result(arguments.json ? json_text(scene, draws, arguments.budget)
-                                : explanation(scene, draws, arguments.budget, arguments.all));
+                                : explanation(scene, draws, arguments.budget, arguments.all, arguments.calls));
     return kFine;
 }
 
@@ -196,6 +198,7 @@ Subcommand add_explain(CLI::App& app) {
         ->check(not_empty());
     command->add_flag("--all", arguments->all,
                       "show also lights and effects that the scene does not turn on, and every vertex of a pixel");
+    add_calls_flag(*command, arguments->calls);
     command->add_flag("--json", arguments->json, "print one JSON object instead of the text");
     return {command, [arguments] { return run_explain(*arguments); }};
 }

@@ -115,7 +115,8 @@ VertexOfDraw parse_vertex(const std::string& text, const Frame& frame) {
 template <class Explanation>
 std::string printed(const Scene& scene, const ExplainOptions& options, const Explanation& explanation) {
     return options.as_json ? explain::dumped(json_of(scene, explanation))
-                           : text_of(scene, explanation, {.all = options.all, .in_color = result_in_color()});
+                           : text_of(scene, explanation,
+                                     {.all = options.all, .in_color = result_in_color(), .calls = options.calls});
 }
 
 }  // namespace

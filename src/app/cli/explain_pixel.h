@@ -11,7 +11,8 @@ namespace twinlight::cli {
 struct ExplainOptions {
     PlanOptions plan{};
     bool as_json = false;
-    bool all = false;  // also what the scene does not use
+    bool all = false;    // also what the scene does not use
+    bool calls = false;  // the chains of calls of a recorded program
 };
 
 // What covers the pixel "X,Y". Throws UsageError unless it is inside the frame.

@@ -26,7 +26,7 @@ struct LintArguments {
     RecordedPart part;
     std::string step;
     MemoryBudget memory;  // draws nothing
-    bool json = false, rules = false;
+    bool json = false, rules = false, calls = false;
 };
 
 constexpr int kPictureWidth = 160, kPictureHeight = 120;
@@ -83,13 +83,6 @@ int write_mended(const LintArguments& arguments, const Scene& scene, const std::
     return kFine;
 }
 
-// The text that a place is in: of the scene, or of a file that a program includes.
-std::string_view text_with(const CommandList* list, const Place& place) {
-    if (!list || !list->text) return "";
-    const auto included = place.file ? list->included.find(*place.file) : list->included.end();
-    return included == list->included.end() ? *list->text : *included->second;
-}
-
 int run_lint(const LintArguments& arguments) {
     if (arguments.rules) {
         if (!arguments.scene.empty()) throw UsageError("--rules takes no SCENE");
@@ -108,9 +101,11 @@ int run_lint(const LintArguments& arguments) {
     if (arguments.json) {
         write_result(lint::json_text(scene.name(), warnings));
     } else {
-        const CommandList* list = scene.recording->command_list();
         std::string text;
-        for (const lint::Warning& warning : warnings) text += lint::full_text(warning, text_with(list, warning.place));
+        for (const lint::Warning& warning : warnings) {
+            const auto source = scene.recording->text_of(warning.place);
+            text += lint::full_text(warning, source ? std::string_view(*source) : "", arguments.calls);
+        }
         write_result(text);
     }
     return warnings.empty() ? kFine : kDifferent;
@@ -133,6 +128,7 @@ Subcommand add_lint(CLI::App& app) {
     add_recorded_options(*lint, arguments->part);
     add_step_option(*lint, arguments->step);
     add_memory_option(*lint, arguments->memory);
+    add_calls_flag(*lint, arguments->calls);
     lint->add_flag("--json", arguments->json, "print one JSON object instead of the text");
     lint->add_option("--fix", arguments->fix, "write the scene with the first warning of this name mended; needs -o")
         ->type_name("NAME")

@@ -74,6 +74,7 @@ std::string steps_after_lighting(const reference::PixelFragment& fragment, const
 struct TextOptions {
     bool all = false;       // also what the scene does not use
     bool in_color = false;  // with a terminal's codes for bold
+    bool calls = false;     // the chain of calls to each draw of a recorded program
 };
 std::string text_of(const Scene& scene, const PixelExplanation& explanation, const TextOptions& options);
 std::string text_of(const Scene& scene, const VertexExplanation& explanation, const TextOptions& options);

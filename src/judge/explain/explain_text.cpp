@@ -70,9 +70,13 @@ std::string point_head(const LitPoint& point, std::size_t draw, bool two_side, b
     return "\n  " + bold(where, in_color) + (two_side ? ", " + face_words(point.face) : "") + "\n";
 }
 
-std::string fragment_head(const PixelFragment& fragment, const Draw& draw, bool in_color) {
-    return bold(fmt::format("draw {}, {}", fragment.draw + 1, draw.place.str()), in_color) +
-           fmt::format(": {}, depth {:.6f}", face_words(fragment.face), fragment.depth);
+std::string calls_of(const Place& place, const TextOptions& options) {
+    return options.calls && place.calls ? fmt::format(" ({})", one_line(*place.calls)) : "";
+}
+
+std::string fragment_head(const PixelFragment& fragment, const Draw& draw, const TextOptions& options) {
+    return bold(fmt::format("draw {}, {}", fragment.draw + 1, draw.place.str()), options.in_color) +
+           calls_of(draw.place, options) + fmt::format(": {}, depth {:.6f}", face_words(fragment.face), fragment.depth);
 }
 
 // Where a Draw without lighting has its colour from.
@@ -97,8 +101,7 @@ std::string unlit_text(const Scene& scene, const Draw& draw) {
 
 std::string fragment_text(const PixelFragment& fragment, const Scene& scene, const Draw& draw, bool lecture_variants,
                           const TextOptions& options) {
-    std::string text =
-        fragment_head(fragment, draw, options.in_color) + (fragment.passes ? "\n" : "; discarded by a test\n");
+    std::string text = fragment_head(fragment, draw, options) + (fragment.passes ? "\n" : "; discarded by a test\n");
     if (fragment.is_lit) {
         text += corners_text(fragment, draw);
         const auto heaviest = std::ranges::max_element(fragment.points, {}, &LitPoint::weight);
@@ -235,9 +238,9 @@ std::string text_of(const Scene& scene, const PixelExplanation& explanation, con
         variants = variants || (explanation.look.lecture_variants && has_variants(draw));
         text += "\n";
         if (!options.all && !fragment.passes)
-            text += fragment_head(fragment, draw, options.in_color) + "; discarded by a test, so it does not show\n";
+            text += fragment_head(fragment, draw, options) + "; discarded by a test, so it does not show\n";
         else if (!options.all && i < first_seen)
-            text += fragment_head(fragment, draw, options.in_color) + "; a later draw covers it\n";
+            text += fragment_head(fragment, draw, options) + "; a later draw covers it\n";
         else
             text += fragment_text(fragment, scene, draw, explanation.look.lecture_variants, options);
     }
@@ -250,7 +253,7 @@ std::string text_of(const Scene& scene, const VertexExplanation& explanation, co
     const auto [number, vertex] = explanation.vertex;
     const Draw& draw = *scene.frame.draws()[number];
     std::string text = fmt::format("{}, vertex {} of the {} of draw {}, {}\n", scene.title(), vertex + 1,
-                                   draw.vertices.size(), number + 1, draw.place.str()) +
+                                   draw.vertices.size(), number + 1, draw.place.str() + calls_of(draw.place, options)) +
                        legend();
     for (const FaceExplanation& face : explanation.faces) {
         const reference::VertexHistory& history = face.history;

@@ -86,11 +86,15 @@ class Walk {
     std::vector<std::unique_ptr<Watch>> watches_;
 };
 
+std::tuple<std::string, int, int> in_order(const Place& place) {
+    return {place.file ? *place.file : "", place.line, place.column};
+}
+
 // Warnings of a rule with the same key or message are one, with the number of its places.
 std::vector<Warning> joined(std::vector<Warning> warnings) {
     std::vector<Warning> kept;
     std::map<std::tuple<const Rule*, std::string>, std::size_t> numbers;
-    std::vector<std::set<std::pair<int, int>>> places;  // of each kept warning
+    std::vector<std::set<std::tuple<std::string, int, int>>> places;  // of each kept warning
     for (Warning& warning : warnings) {
         const auto known = numbers.find({warning.rule, warning.message});
         const std::size_t number = known == numbers.end() ? kept.size() : known->second;
@@ -98,7 +102,7 @@ std::vector<Warning> joined(std::vector<Warning> warnings) {
         const std::string key = warning.key.empty() ? warning.message : warning.key;
         const auto at = numbers.try_emplace({warning.rule, key}, number).first;
         const bool is_new = at->second == kept.size();
-        const std::pair place(warning.place.line, warning.place.column);
+        const std::tuple place = in_order(warning.place);
         if (is_new) {
             kept.push_back(std::move(warning));
             places.emplace_back();
@@ -106,8 +110,7 @@ std::vector<Warning> joined(std::vector<Warning> warnings) {
         places[at->second].insert(place);
         kept[at->second].count = static_cast<int>(places[at->second].size());
     }
-    std::ranges::stable_sort(
-        kept, {}, [](const Warning& warning) { return std::pair(warning.place.line, warning.place.column); });
+    std::ranges::stable_sort(kept, {}, [](const Warning& warning) { return in_order(warning.place); });
     return kept;
 }
 
@@ -123,15 +126,19 @@ std::vector<Warning> lint(const Scene& scene) {
     if (list)
         if (const auto redraw = redraw_of(*list, scene.frame.width, scene.frame.height)) walk.redraw(*redraw);
     std::vector<Warning> warnings = walk.finish(scene.frame, list == nullptr);
+    std::map<std::shared_ptr<const std::string>, Allowed> allowed;  // by the text
+    std::erase_if(warnings, [&](const Warning& warning) {
+        const auto text = scene.recording->text_of(warning.place);
+        return text && allowed.try_emplace(text, *text).first->second.has(warning.rule->name, warning.place.line);
+    });
     if (list && list->text) {
-        const Allowed allowed(*list->text);
         const CallsNotRun not_run(*list);
         std::erase_if(warnings, [&](Warning& warning) {
             if (warning.place.file && list->included.contains(*warning.place.file)) {
                 warning.edits.clear();  // they change the program's own text
                 return false;
             }
-            return allowed.has(warning.rule->name, warning.place.line) || not_run.mend(warning);
+            return not_run.mend(warning);
         });
     }
     std::set<std::string_view> found;

@@ -62,10 +62,11 @@ std::vector<Warning> lint(const Scene& scene);
 
 // "scene.gl:7:1: warning: message [name]"
 std::string headline(const Warning& warning);
-// As compilers print it: the headline, the line of the text with a caret, the reason and the fix.
-std::string full_text(const Warning& warning, std::string_view source);
-// {"scene", "warnings": [{"name", "line", "column", "count", "message", "why", "fix"}]}. For a recorded program, `line` is the
-// number of the call and `column` is null.
+// As compilers print it: the headline, the line of the text with a caret, the reason and the fix. With `calls`, also the chain
+// of calls that led to a place of a recorded program.
+std::string full_text(const Warning& warning, std::string_view source, bool calls = false);
+// {"scene", "warnings": [{"name", "file", "line", "column", "calls", "count", "message", "why", "fix"}]}. Only places in the
+// source of a recorded program have "calls"; without call stacks, `line` is the number of the call and `column` is null.
 std::string json_text(const std::string& scene, std::span<const Warning> warnings);
 // docs/lint.md.
 std::string markdown();

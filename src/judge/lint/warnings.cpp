@@ -39,9 +39,10 @@ std::string headline(const Warning& warning) {
     return text + fmt::format(" [{}]", warning.rule->name);
 }
 
-std::string full_text(const Warning& warning, std::string_view source) {
+std::string full_text(const Warning& warning, std::string_view source, bool calls) {
     std::string text = one_line(headline(warning)) + "\n";
     if (!is_call(warning.place)) text += line_with_caret(source, warning.place);
+    if (calls && warning.place.calls) text += fmt::format("  calls: {}\n", one_line(*warning.place.calls));
     return text + fmt::format("  why: {}\n  fix: {}\n", warning.rule->why, warning.fix);
 }
 
@@ -50,6 +51,8 @@ std::string json_text(const std::string& scene, std::span<const Warning> warning
     json["warnings"] = Json::array();
     for (const Warning& warning : warnings) {
         Json one = {{"name", warning.rule->name}, {"line", warning.place.line}};
+        if (warning.place.file) one["file"] = *warning.place.file;
+        if (warning.place.calls) one["calls"] = *warning.place.calls;
         one["column"] = is_call(warning.place) ? Json(nullptr) : Json(warning.place.column);
         one["count"] = warning.count;
         one["message"] = warning.message;

@@ -39,6 +39,7 @@ std::optional<int> light_of(const Command& command) {
 }
 
 std::string where(const Place& place) {
+    if (place.calls) return fmt::format("{}:{}", *place.file, place.line);  // the program may have several files
     return fmt::format("{} {}", place.column == Place::kCallNumber ? "call" : "line", place.line);
 }
 

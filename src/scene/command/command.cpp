@@ -195,6 +195,7 @@ std::string Place::str() const {
     const std::string_view name = file ? std::string_view(*file) : "scene";
     if (column == kCallNumber) return fmt::format("{}: call {}", name, line);
     if (line == 0) return std::string(name);
+    if (column == 0) return fmt::format("{}:{}", name, line);
     return fmt::format("{}:{}:{}", name, line, column);
 }
 

@@ -180,6 +180,8 @@ struct Recording {
     virtual const CommandList* command_list() const { return nullptr; }
     // What to know about all its pictures, a sentence each: for example that other windows are not drawn.
     virtual std::vector<std::string> notes() const { return {}; }
+    // The text that a place lies in; null if there is none.
+    virtual std::shared_ptr<const std::string> text_of(const Place&) const { return nullptr; }
 
   protected:  // only derived types may be copied
     Recording(const Recording&) = default;
@@ -225,6 +227,10 @@ struct CommandList final : Recording {
     void for_each(const std::function<bool(const Step&)>& visit) const override;
     const CommandList* command_list() const override { return this; }
     std::vector<std::string> notes() const override { return own_notes; }
+    std::shared_ptr<const std::string> text_of(const Place& place) const override {
+        const auto found = place.file ? included.find(*place.file) : included.end();
+        return found == included.end() ? text : found->second;
+    }
     std::string title() const override;
 };
 

@@ -6,18 +6,21 @@
 
 namespace twinlight {
 
-// The place of a command in its text. Lines and columns count from 1; 0 means unknown. For a command of a recorded
-// program, `line` is the number of the call and `column` is kCallNumber.
+// The place of a command in its text. Lines and columns count from 1; 0 means unknown. A recorded program has a place in its
+// own source where the recording has its call stacks; otherwise `line` is the number of the call and `column` is kCallNumber.
 struct Place {
     static constexpr int kCallNumber = -1;
 
     std::shared_ptr<const std::string> file;
     int line = 0;
     int column = 0;
+    std::shared_ptr<const std::string> calls{};  // of a recorded program: "main > display > draw_lamp"; null if unknown
 
     std::string str() const;  // "scene.gl:14:22", "program.trace: call 1234"
 
-    friend bool operator==(const Place&, const Place&) = default;
+    friend bool operator==(const Place& a, const Place& b) {
+        return a.file == b.file && a.line == b.line && a.column == b.column;
+    }
 };
 
 }  // namespace twinlight

@@ -59,6 +59,7 @@ class Beginning final : public Recording {
             go_on = visit({.command = *ending});
     }
     std::vector<std::string> notes() const override { return whole_->notes(); }
+    std::shared_ptr<const std::string> text_of(const Place& place) const override { return whole_->text_of(place); }
 
   private:
     std::shared_ptr<const Recording> whole_;

@@ -42,9 +42,9 @@ ApitraceDump::ApitraceDump(const std::string& name, const std::string& trace, co
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw SceneError(name + ": " + std::strerror(errno));
     output_ = Descriptor(ends[0]);
     const Descriptor dump(ends[1]);
-    // It runs in the temporary folder, because it writes blobs to its working folder.
+    // It runs in the temporary folder, because it writes blobs to its working folder. With --multiline=no it leaves out stacks.
     process_ = start({{"apitrace", "dump", "--color=never", "--blobs", "--thread-ids=yes", "--arg-names=no",
-                       "--multiline=no", input.valid() ? "/dev/stdin" : std::filesystem::absolute(trace).string()},
+                       input.valid() ? "/dev/stdin" : std::filesystem::absolute(trace).string()},
                       input.get(),
                       dump.get(),
                       messages_.get(),

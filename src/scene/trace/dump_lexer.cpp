@@ -1,5 +1,6 @@
 #include "scene/trace/dump_lexer.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -112,6 +113,19 @@ std::string_view DumpLexer::string(std::size_t longest) {
         if (c == '\\' && !at_end()) skip();
     }
     return string_;
+}
+
+void DumpLexer::rest_of_line(std::string& to, std::size_t longest) {
+    while (!at_end()) {
+        const char* const end = std::find(position_, static_cast<const char*>(end_), '\n');
+        to.append(position_, std::min<std::size_t>(static_cast<std::size_t>(end - position_),
+                                                   longest - std::min(longest, to.size())));
+        position_ = end;
+        if (end == end_) continue;
+        skip();
+        ++line_;
+        return;
+    }
 }
 
 bool DumpLexer::skip_line() {

@@ -59,6 +59,8 @@ class DumpLexer {
     // Skips the rest of the line including its end. A line end inside a string does not count. Returns false if the
     // text ended before the line.
     bool skip_line();
+    // Adds the rest of the line to `to`, without its end, and skips that. `to` grows to at most `longest` bytes.
+    void rest_of_line(std::string& to, std::size_t longest);
     // Reads a string from its opening quotation mark on. Returns its first `longest` characters, without decoding
     // escapes.
     std::string_view string(std::size_t longest);

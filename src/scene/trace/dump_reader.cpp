@@ -17,7 +17,7 @@ namespace {
 
 using Form = Argument::Form;
 
-constexpr std::size_t kMostMappings = 1024;
+constexpr std::size_t kMostMappings = 1024, kLongestStack = 1 << 16, kMostWaiting = 256;
 // Enough to see which context draws most.
 constexpr int kMostCallsCounted = 300'000, kMostFramesCounted = 8;
 
@@ -38,9 +38,7 @@ CommandId client_state(const Command& command) {
 }  // namespace
 
 DumpReader::DumpReader(ByteSource& source, const std::string& name, BlobLoader blobs)
-    : lexer_(source), blobs_(std::move(blobs)) {
-    command_.place = {std::make_shared<const std::string>(name), -1, Place::kCallNumber};
-}
+    : lexer_(source), blobs_(std::move(blobs)), name_(std::make_shared<const std::string>(name)) {}
 
 void DumpReader::follow(ContextName context, std::set<double> shown_objects) {
     followed_ = context;
@@ -57,7 +55,21 @@ bool DumpReader::for_each(const std::function<bool(const Step&)>& visit) {
     visit_ = &visit;
     go_on_ = true;
     while (go_on_ && next_call()) carry_out(functions_.find(function_name_));
+    visit_waiting({});
     return go_on_;
+}
+
+void DumpReader::visit_waiting(const Place& place) {
+    for (Command& command : waiting_) {
+        if (place.calls) command.place = place;
+        if (go_on_) go_on_ = (*visit_)({.command = command});
+    }
+    waiting_.clear();
+}
+
+void DumpReader::step(const Step& step) {
+    visit_waiting(step.command.place);
+    if (go_on_) go_on_ = (*visit_)(step);
 }
 
 void DumpReader::count_contexts(bool whole, ContextCounts& counts) {
@@ -90,14 +102,12 @@ void DumpReader::count_contexts(bool whole, ContextCounts& counts) {
     }
 }
 
-void DumpReader::fail_here(const std::string& message) const {
-    fail({command_.place.file, lexer_.line(), 1}, "{}", message);
-}
+void DumpReader::fail_here(const std::string& message) const { fail({name_, lexer_.line(), 1}, "{}", message); }
 
 bool DumpReader::cut_off_or(const std::string& message) {
-    const Place here{command_.place.file, lexer_.line(), 1};
+    const Place here{name_, lexer_.line(), 1};
     if (lexer_.skip_line()) fail(here, "{}", message);
-    const std::string text = fmt::format("the recording ends inside call {}", command_.place.line);
+    const std::string text = fmt::format("the recording ends inside call {}", call_);
     step({Step::Kind::kCutOff, command_, text});
     return false;
 }
@@ -110,6 +120,8 @@ bool DumpReader::next_call() {
             lexer_.skip_line();
         } else if (c == ' ' || c == '\r') {
             lexer_.skip();
+        } else if (c == 'B' && lexer_.accept("Backtrace:")) {
+            skip_stack();
         } else {
             break;
         }
@@ -118,11 +130,13 @@ bool DumpReader::next_call() {
 
     double number = 0;
     if (lexer_.number(number)) {
-        command_.place.line = static_cast<int>(std::clamp(number, 0.0, 2147483647.0));
+        call_ = static_cast<int>(std::clamp(number, 0.0, 2147483647.0));
+        has_call_numbers_ = true;
         lexer_.skip_blanks();
-    } else if (command_.place.line < std::numeric_limits<int>::max()) {
-        ++command_.place.line;  // a dump made with --call-nos=no
+    } else if (call_ < std::numeric_limits<int>::max()) {
+        ++call_;  // a dump made with --call-nos=no
     }
+    command_.place = {name_, call_, Place::kCallNumber};
     if (lexer_.accept('@')) {
         const std::string_view digits = lexer_.word();
         unsigned thread = 0;
@@ -152,6 +166,7 @@ bool DumpReader::read_call() {
 // Reads " = 1 // fake" and the line end.
 bool DumpReader::read_end_of_call() {
     bool complete = true;
+    is_fake_ = false;
     if (!lexer_.accept('\n')) {
         lexer_.skip_blanks();
         if (lexer_.accept('=')) {
@@ -163,6 +178,7 @@ bool DumpReader::read_end_of_call() {
             lexer_.skip_blanks();
             for (std::string_view word = lexer_.word(); !word.empty(); word = lexer_.word()) {
                 complete &= word != "incomplete";
+                is_fake_ |= word == "fake";
                 lexer_.skip_blanks();
             }
         }
@@ -172,8 +188,34 @@ bool DumpReader::read_end_of_call() {
         if (lexer_.at_end() && !result_.list.empty()) return cut_off_or("");
     }
     lexer_.count_line();
+    read_stack();
     const auto missing = [](const Argument& argument) { return argument.form == Form::kMissing; };
     return complete && std::none_of(arguments_.list.begin(), arguments_.list.end(), missing);
+}
+
+void DumpReader::skip_call() {
+    lexer_.skip_line();
+    read_stack();
+}
+
+// Reads the call stack of the call, if one follows, and sets the command's place.
+void DumpReader::read_stack() {
+    if (!lexer_.accept("Backtrace:")) return;
+    has_stacks_ = true;
+    skip_stack();
+    if (const Place& place = stacks_.place(stack_, function_name_); place.file) command_.place = place;
+}
+
+// Its lines start with the name of a program or a library, and calls with a number.
+void DumpReader::skip_stack() {
+    stack_.clear();
+    do {
+        lexer_.rest_of_line(stack_, kLongestStack);
+        stack_ += '\n';
+        const char c = lexer_.peek();
+        const bool is_call = has_call_numbers_ ? c >= '0' && c <= '9' : c >= 'a' && c <= 'z';
+        if (is_call || c == '\n' || c == '\r') return;
+    } while (!lexer_.at_end());
 }
 
 void DumpReader::carry_out(const Function& function) {
@@ -217,7 +259,7 @@ void DumpReader::carry_out(const Function& function) {
             return;
         }
         case Role::kStorage: return storage_with_samples();
-        default: lexer_.skip_line(); return outside(function_name_);
+        default: skip_call(); return outside(function_name_);
     }
 }
 
@@ -240,7 +282,12 @@ void DumpReader::carry_out_command(const Function& function) {
         const std::string report = shared_.of_followed(function_name_, arguments_.numbers);
         if (!report.empty()) outside(report);
     }
-    if (framebuffers_.follow(command_)) step({Step::Kind::kCommand, command_});
+    if (!framebuffers_.follow(command_)) return;
+    // A glVertexPointer whose arrays are recorded when the program draws.
+    if (is_fake_ && has_stacks_ && waiting_.size() < kMostWaiting)
+        waiting_.push_back(command_);
+    else
+        step({Step::Kind::kCommand, command_});
 }
 
 // Shaders have more texture units than the fixed function, and some programs reset them all. A dump may call such a unit by another

@@ -8,7 +8,7 @@
 //
 // The tracer inserts "fake" calls (the first viewport of a window, the memory of vertex arrays). They are executed like
 // others. The first number counts the program's calls, including those that apitrace leaves out. @ marks the number of
-// a thread.
+// a thread. The call stack of a call may follow it (call_stacks.h).
 #pragma once
 
 #include <functional>
@@ -21,6 +21,7 @@
 #include "scene/command/command.h"
 #include "scene/trace/arguments.h"
 #include "scene/trace/blobs.h"
+#include "scene/trace/call_stacks.h"
 #include "scene/trace/contexts.h"
 #include "scene/trace/dump_lexer.h"
 #include "scene/trace/framebuffers.h"
@@ -48,7 +49,7 @@ class DumpReader {
     bool has_samples(ContextName context) const { return formats_.has_samples(context); }
     bool at_end() { return lexer_.at_end(); }
     // The number of the last call that was read.
-    int call_number() const { return command_.place.line; }
+    int call_number() const { return call_; }
 
   private:
     struct Mapping {
@@ -58,6 +59,9 @@ class DumpReader {
     };
 
     bool next_call();  // reads number, thread, name and the opening parenthesis; false at the end
+    void skip_call();
+    void read_stack();
+    void skip_stack();
     void carry_out(const Function& function);
     void carry_out_command(const Function& function);
     // Reads the arguments, the result and the rest of the line. Returns false if the call was never finished.
@@ -75,7 +79,8 @@ class DumpReader {
     void copy_memory();
     void choose_context();  // updates whether the current thread uses the followed context
     void outside(std::string_view text) { step({Step::Kind::kOutside, command_, text}); }
-    void step(const Step& step) { go_on_ = (*visit_)(step); }
+    void step(const Step& step);
+    void visit_waiting(const Place& place);
     [[noreturn]] void fail_here(const std::string& message) const;  // with the line in the dump
     // If the dump ends inside this line, reports kCutOff and returns false. Otherwise fails with the message. A
     // complete line has a line end.
@@ -85,7 +90,13 @@ class DumpReader {
     BlobLoader blobs_;
     FunctionTable functions_;
     Command command_;
-    std::string function_name_;
+    int call_ = -1;  // its number
+    bool has_call_numbers_ = false, has_stacks_ = false;
+    bool is_fake_ = false;                     // the call was inserted by the tracer
+    std::vector<Command> waiting_;             // inserted by the tracer, before the call whose place they get
+    std::shared_ptr<const std::string> name_;  // of the dump
+    CallStacks stacks_;
+    std::string stack_, function_name_;
     Arguments arguments_, result_;
     unsigned thread_ = 0;
     std::map<unsigned, ContextName> current_;  // the current context of each thread

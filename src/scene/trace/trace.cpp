@@ -15,6 +15,7 @@
 
 #include "scene/command/text.h"
 #include "scene/trace/apitrace.h"
+#include "scene/trace/call_stacks.h"
 #include "scene/trace/dump_reader.h"
 #include "scene/trace/dump_text.h"
 #include "scene/trace/temporary_folder.h"
@@ -38,6 +39,9 @@ class DumpRecording : public Recording {
   public:
     void for_each(const std::function<bool(const Step&)>& visit) const override { visit_all(visit); }
     std::vector<std::string> notes() const override { return notes_; }
+    std::shared_ptr<const std::string> text_of(const Place& place) const override {
+        return place.calls ? sources_.find(*place.file) : nullptr;
+    }
 
   protected:
     DumpRecording(std::string given_name, std::string place)
@@ -60,6 +64,7 @@ class DumpRecording : public Recording {
     std::optional<ContextName> context_;  // only its calls are visited; nullopt: the calls of all contexts
     std::set<double> shown_objects_;      // framebuffer objects that are read as the window
     std::vector<std::string> notes_;
+    mutable SourceTexts sources_;
 };
 
 void DumpRecording::choose_context(std::optional<int> wanted) {
