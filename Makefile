@@ -66,6 +66,7 @@ xvfb                command -v Xvfb
 xdotool             command -v xdotool
 apitrace            command -v apitrace
 mesa-utils          command -v glxgears
+$(if $(CI),python3-opengl      /usr/bin/python3 -c 'import OpenGL.GLUT')
 $(if $(filter real,$(BENCH)),xscreensaver-gl        ls /usr/libexec/xscreensaver/endgame)
 $(if $(filter real,$(BENCH)),xscreensaver-gl-extra  ls /usr/libexec/xscreensaver/atlantis)
 $(if $(filter real,$(BENCH)),crack-attack           PATH=$$PATH:/usr/games command -v crack-attack)
@@ -166,12 +167,13 @@ SOURCES_some_tests := $(if $(FOLDERS),$(filter $(FOLDERS:%=%/%),$(SOURCES_tests)
 SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egls) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_web) $(SOURCES_tests) $(SOURCES_recorder) \
     $(SOURCES_bench) $(SOURCES_fuzz))
 HEADERS := $(sort $(shell find src tests -name '*.h'))
-EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes scene_assets shaders webgl pages cases lessons lessons-zh)
+EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes scene_assets shaders webgl pages cases lessons lessons-zh recorder)
 # The scenes that only tests need come last.
 SCENES_of_tests := $(patsubst %,src/scene/scenes/%.gl,commands legacy)
 FILES_scenes := $(sort $(filter-out $(SCENES_of_tests),$(wildcard src/scene/scenes/*.gl))) $(SCENES_of_tests)
 # What the scenes load: pictures, and meshes with their materials.
 FILES_scene_assets := $(wildcard $(addprefix src/scene/scenes/*.,png obj mtl))
+FILES_recorder := src/scene/trace/python_lines.py
 FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.glsl export/*.glsl export/loader.*))
 FILES_webgl := $(addprefix src/render/webgl/,exported_page.html gl.js viewer.js)
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
@@ -391,7 +393,7 @@ $(PROGRAMS)/twinlight-tests: $(call object,$(SOURCES_$(GL))) $(OBJECTS_library) 
 $(PROGRAMS)/twinlight-bench: $(call object,$(SOURCES_bench) $(SOURCES_bench_library)) $(OFFSCREEN)
 	$(link) $(LIBS_offscreen) $(LIBS)
 
-OBJECTS_fuzz := $(call object,$(SOURCES_fuzz_common) $(SOURCES_fuzz_library)) $(patsubst %,$(BUILD)/embedded/%.o,scenes scene_assets)
+OBJECTS_fuzz := $(call object,$(SOURCES_fuzz_common) $(SOURCES_fuzz_library)) $(patsubst %,$(BUILD)/embedded/%.o,scenes scene_assets recorder)
 $(fuzz_targets:%=$(BUILD)/%-fuzzer): $(BUILD)/%-fuzzer: $(BUILD)/objects/tests/fuzz/%_fuzzer.o $(OBJECTS_fuzz)
 	$(link) -fsanitize=fuzzer $(LIBS_fuzz)
 
@@ -413,6 +415,8 @@ $(BUILD)/embedded/scenes.cpp: $(FILES_scenes) $(BUILD)/files tools/embed.sh
 	$(call embed,kSceneFiles,$(FILES_scenes))
 $(BUILD)/embedded/scene_assets.cpp: $(FILES_scene_assets) $(BUILD)/files tools/embed.sh
 	$(call embed,kSceneAssets,$(sort $(FILES_scene_assets)))
+$(BUILD)/embedded/recorder.cpp: $(FILES_recorder) $(BUILD)/files tools/embed.sh
+	$(call embed,kRecorderFiles,$(FILES_recorder))
 $(BUILD)/embedded/shaders.cpp: $(FILES_shaders) $(BUILD)/files tools/embed.sh
 	$(call embed,kShaderFiles,$(sort $(FILES_shaders)))
 $(BUILD)/embedded/webgl.cpp: $(FILES_webgl) $(BUILD)/files tools/embed.sh

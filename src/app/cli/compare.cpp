@@ -9,6 +9,7 @@
 #include "app/cli/lint_notes.h"
 #include "app/cli/progress.h"
 #include "app/cli/renderers.h"
+#include "app/cli/run_program.h"
 #include "base/image/contrast.h"
 #include "base/image/file.h"
 #include "judge/report/report.h"
@@ -24,6 +25,7 @@ struct CompareArguments {
     std::string scene;
     std::optional<Size> size;
     RecordedPart part;
+    RunInstead run;
     std::string step;
     MemoryBudget memory{.bytes_of_pixel = 450, .bytes_of_step_pixel = 170};
     std::string folder;
@@ -169,14 +171,16 @@ int compare_steps(const std::vector<Scene>& scenes, const CompareArguments& argu
     const std::string text = arguments.json ? report::steps_json(steps) : summary(steps, arguments.folder);
     report::write_report(steps, arguments.folder);
     write_result(text);
-    print_lint_notes(warnings, arguments.scene);
+    print_lint_notes(warnings, words_of_scene(arguments.run, arguments.scene));
     return report::verdict_of(steps) == compare::Verdict::kBeyond ? kDifferent : kFine;
 }
 
-int run_compare(CompareArguments arguments) {
+int run_compare(CompareArguments& arguments) {
     if (arguments.folder.empty()) arguments.folder = name_after_scene(arguments.scene, "-report");
+    const bool has_frame = arguments.part.frame.has_value();
+    const std::string file = recorded_first(arguments.run, arguments.scene, arguments.part);
     const std::vector<Scene> scenes =
-        load_steps(arguments.scene, arguments.size, arguments.part, arguments.step, arguments.memory);
+        load_steps(file, arguments.size, arguments.part, arguments.step, arguments.memory);
     try_folder(arguments.folder);  // before the work: a bad folder fails at once
     if (scenes.size() > 1) return compare_steps(scenes, arguments);
     Compared result;
@@ -189,9 +193,9 @@ int run_compare(CompareArguments arguments) {
         arguments.json ? report::comparison_json(comparison) : summary(comparison, arguments.folder);
     report::write_report(comparison, arguments.folder);
     write_result(text);
-    print_lint_notes(result.warnings, arguments.scene);
+    print_lint_notes(result.warnings, words_of_scene(arguments.run, arguments.scene));
     // load_scene() looks at the frame that it chooses itself.
-    if (arguments.part.frame && color_contrast(comparison.renders.front().image) == 0)
+    if (has_frame && color_contrast(comparison.renders.front().image) == 0)
         print_message("twinlight: note: the picture of frame {} is of one colour; --frame chooses another\n",
                       *arguments.part.frame);
     return comparison.within_tolerance() ? kFine : kDifferent;
@@ -210,6 +214,7 @@ Subcommand add_compare(CLI::App& app) {
         ->check(not_empty());
     add_size_option(*compare, arguments->size);
     add_recorded_options(*compare, arguments->part);
+    add_run_flag(*compare, arguments->run);
     add_step_option(*compare, arguments->step, "all, on one page");
     add_memory_option(*compare, arguments->memory);
     add_budget_option(*compare, arguments->budget);

@@ -11,6 +11,7 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/explain_pixel.h"
+#include "app/cli/run_program.h"
 #include "judge/explain/derivation.h"
 #include "render/effect/explanation.h"
 #include "scene/command/text.h"
@@ -25,6 +26,7 @@ struct ExplainArguments {
     bool variants = false;
     std::optional<Size> size;
     RecordedPart part;
+    RunInstead run;
     std::string step;
     MemoryBudget memory;
     std::string pixel, vertex;
@@ -150,13 +152,14 @@ std::string json_text(const Scene& scene, const std::vector<ExplainedDraw>& draw
     return explain::dumped(json);
 }
 
-int run_explain(ExplainArguments arguments) {
+int run_explain(ExplainArguments& arguments) {
     if (!arguments.pixel.empty() && !arguments.vertex.empty())
         throw UsageError("--pixel and --vertex are two questions; give one of them");
     if (!arguments.vertex.empty() && arguments.shading)
         throw UsageError("--shading does not change how a vertex is lit; leave it out, or use --pixel X,Y");
     if (!arguments.pixel.empty()) arguments.memory.bytes_of_pixel = 100;
-    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.part, arguments.step, arguments.memory);
+    const std::string file = recorded_first(arguments.run, arguments.scene, arguments.part);
+    const Scene scene = load_scene(file, arguments.size, arguments.part, arguments.step, arguments.memory);
     const PlanOptions options{look_of(arguments.shading, arguments.variants), arguments.budget};
     const ExplainOptions of_point{options, arguments.json, arguments.all, arguments.calls};
     if (!arguments.pixel.empty()) {
@@ -185,6 +188,7 @@ Subcommand add_explain(CLI::App& app) {
     add_variants_option(*command, arguments->variants);
     add_size_option(*command, arguments->size);
     add_recorded_options(*command, arguments->part);
+    add_run_flag(*command, arguments->run);
     add_step_option(*command, arguments->step);
     add_memory_option(*command, arguments->memory);
     add_budget_option(*command, arguments->budget);

@@ -10,6 +10,7 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/lint_notes.h"
+#include "app/cli/run_program.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
 #include "render/reference/reference.h"
@@ -24,6 +25,7 @@ struct LintArguments {
     std::string scene, fix, output;
     std::optional<Size> size;
     RecordedPart part;
+    RunInstead run;
     std::string step;
     MemoryBudget memory;  // draws nothing
     bool json = false, rules = false, calls = false;
@@ -83,7 +85,7 @@ int write_mended(const LintArguments& arguments, const Scene& scene, const std::
     return kFine;
 }
 
-int run_lint(const LintArguments& arguments) {
+int run_lint(LintArguments& arguments) {
     if (arguments.rules) {
         if (!arguments.scene.empty()) throw UsageError("--rules takes no SCENE");
         if (arguments.output.empty())
@@ -95,7 +97,8 @@ int run_lint(const LintArguments& arguments) {
     if (arguments.scene.empty()) throw UsageError("SCENE is required; see 'twinlight lint --help'");
     if (arguments.fix.empty() != arguments.output.empty())
         throw UsageError("--fix NAME and -o FILE belong together; give both or neither");
-    const Scene scene = load_scene(arguments.scene, arguments.size, arguments.part, arguments.step, arguments.memory);
+    const std::string file = recorded_first(arguments.run, arguments.scene, arguments.part);
+    const Scene scene = load_scene(file, arguments.size, arguments.part, arguments.step, arguments.memory);
     const std::vector<lint::Warning> warnings = lint::lint(scene);
     if (!arguments.fix.empty()) return write_mended(arguments, scene, warnings);
     if (arguments.json) {
@@ -126,6 +129,7 @@ Subcommand add_lint(CLI::App& app) {
     add_scene_argument(*lint, arguments->scene)->required(false);
     add_size_option(*lint, arguments->size);
     add_recorded_options(*lint, arguments->part);
+    add_run_flag(*lint, arguments->run);
     add_step_option(*lint, arguments->step);
     add_memory_option(*lint, arguments->memory);
     add_calls_flag(*lint, arguments->calls);

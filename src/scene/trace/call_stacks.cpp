@@ -1,5 +1,6 @@
 #include "scene/trace/call_stacks.h"
 
+#include <cxxabi.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,6 +8,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -51,8 +53,13 @@ CallFrame read_frame(std::string_view text) {
     return frame;
 }
 
-// "Body::draw" of "Body::draw(int) const".
+// "Body::draw" of "Body::draw(int) const", or of _ZNK4Body4drawEi, which the stack of a crash has.
 std::string without_parameters(std::string_view function) {
+    const std::string name(function);
+    int status = 0;
+    const std::unique_ptr<char, void (*)(void*)> readable(
+        name.starts_with("_Z") ? abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status) : nullptr, std::free);
+    if (readable) function = readable.get();
     const std::size_t last = function.rfind(')');
     if (last == function.npos) return std::string(function);
     int depth = 0;

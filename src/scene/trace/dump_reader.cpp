@@ -137,6 +137,7 @@ bool DumpReader::next_call() {
         ++call_;  // a dump made with --call-nos=no
     }
     command_.place = {name_, call_, Place::kCallNumber};
+    is_fake_ = false;
     if (lexer_.accept('@')) {
         const std::string_view digits = lexer_.word();
         unsigned thread = 0;
@@ -166,7 +167,6 @@ bool DumpReader::read_call() {
 // Reads " = 1 // fake" and the line end.
 bool DumpReader::read_end_of_call() {
     bool complete = true;
-    is_fake_ = false;
     if (!lexer_.accept('\n')) {
         lexer_.skip_blanks();
         if (lexer_.accept('=')) {
@@ -198,12 +198,32 @@ void DumpReader::skip_call() {
     read_stack();
 }
 
-// Reads the call stack of the call, if one follows, and sets the command's place.
+// Reads the call stack of the call, if one follows, and sets the command's place. A call inside glBegin may be recorded without
+// one (record.cpp), and has the place of the call before it.
 void DumpReader::read_stack() {
-    if (!lexer_.accept("Backtrace:")) return;
-    has_stacks_ = true;
-    skip_stack();
-    if (const Place& place = stacks_.place(stack_, function_name_); place.file) command_.place = place;
+    const bool has_stack = lexer_.accept("Backtrace:");
+    if (has_stack) skip_stack();
+    has_stacks_ |= has_stack;
+    if (!has_stacks_ || is_fake_) return;
+    const auto mark = marks_.find(thread_);
+    if (mark != marks_.end()) stack_ = mark->second;
+    if (has_stack || mark != marks_.end()) {
+        if (const Place& place = stacks_.place(stack_, function_name_); place.file) command_.place = place;
+        place_before_ = command_.place;
+    } else if (place_before_.file) {
+        command_.place = place_before_;
+    }
+}
+
+// glStringMarkerGREMEDY(len = 29, string = "python: display: lamp.py:12"): the stack of the calls that follow (python_lines.py).
+void DumpReader::read_mark() {
+    while (!lexer_.at_end() && lexer_.peek() != '"' && lexer_.peek() != '\n') lexer_.skip();
+    if (lexer_.peek() == '"') {
+        const std::string_view text = lexer_.string(kLongestStack);
+        if (text.starts_with("python: ") && (marks_.size() < kMostThreads || marks_.contains(thread_)))
+            marks_[thread_] = text;
+    }
+    lexer_.skip_line();
 }
 
 // Its lines start with the name of a program or a library, and calls with a number.
@@ -223,6 +243,7 @@ void DumpReader::carry_out(const Function& function) {
         case Role::kMakeCurrent: return make_current();
         case Role::kIgnored:
             if (function.makes_context) return create_context();
+            if (function_name_ == "glStringMarkerGREMEDY") return read_mark();
             lexer_.skip_line();
             return;
         case Role::kFrameEnd:

@@ -62,6 +62,7 @@ class DumpReader {
     void skip_call();
     void read_stack();
     void skip_stack();
+    void read_mark();  // of a line of Python
     void carry_out(const Function& function);
     void carry_out_command(const Function& function);
     // Reads the arguments, the result and the rest of the line. Returns false if the call was never finished.
@@ -96,7 +97,9 @@ class DumpReader {
     std::vector<Command> waiting_;             // inserted by the tracer, before the call whose place they get
     std::shared_ptr<const std::string> name_;  // of the dump
     CallStacks stacks_;
+    Place place_before_{};  // of the last call with a stack
     std::string stack_, function_name_;
+    std::map<unsigned, std::string> marks_;  // the call stack in Python of each thread
     Arguments arguments_, result_;
     unsigned thread_ = 0;
     std::map<unsigned, ContextName> current_;  // the current context of each thread

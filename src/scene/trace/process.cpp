@@ -5,10 +5,20 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "base/text/input_text.h"
+#include "scene/command/text.h"
+#include "scene/trace/temporary_folder.h"
 
 namespace twinlight::trace {
+
+namespace fs = std::filesystem;
 
 pid_t start(const Start& what) {
     posix_spawn_file_actions_t actions;
@@ -42,6 +52,56 @@ pid_t start(const Start& what) {
     posix_spawn_file_actions_destroy(&actions);
     errno = error;
     return error == 0 ? process : -1;
+}
+
+bool is_executable(const std::string& file) {
+    std::error_code ignored;
+    return fs::is_regular_file(file, ignored) && ::access(file.c_str(), X_OK) == 0;
+}
+
+std::string in_path(const std::string& name) {
+    const char* path = std::getenv("PATH");
+    InputText folders(path ? path : "/usr/bin:/bin");
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        const fs::path file = fs::path(folder.empty() ? "." : folder) / name;
+        if (is_executable(file.string())) return fs::absolute(file).string();
+    }
+    return "";
+}
+
+void need(const std::string& tool, std::string_view package, std::string_view why) {
+    if (in_path(tool).empty()) {
+        throw SceneError(tool + ": is not installed; " + std::string(why) + " needs it (apt-get install " +
+                         std::string(package) + ")");
+    }
+}
+
+std::string written_to(const Descriptor& file) {
+    constexpr off_t kMost = 1 << 16;
+    const off_t size = std::max<off_t>(::lseek(file.get(), 0, SEEK_END), 0);
+    const off_t from = std::max<off_t>(size - kMost, 0);
+    std::string text(static_cast<std::size_t>(size - from), '\0');
+    const ssize_t count = ::pread(file.get(), text.data(), text.size(), from);
+    text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    return text;
+}
+
+std::string last_line(const std::string& text) {
+    InputText lines(text);
+    std::string last;
+    for (std::string line; std::getline(lines, line);)
+        if (!line.empty()) last = line;
+    return last;
+}
+
+std::string run_tool(const std::vector<std::string>& arguments) {
+    const Descriptor messages = nameless_file();
+    const pid_t process = start({arguments, -1, messages.get(), messages.get(), "."});
+    if (process <= 0) return std::strerror(errno);
+    const int status = wait_for(process);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
+    const std::string words = last_line(written_to(messages));
+    return words.empty() ? arguments[0] + " failed" : words;
 }
 
 int wait_for(pid_t process) {

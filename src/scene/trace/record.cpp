@@ -1,6 +1,7 @@
 #include "scene/trace/record.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,73 +18,30 @@
 #include <utility>
 
 #include "base/image/descriptor.h"
+#include "base/image/embedded.h"
 #include "base/image/file.h"
 #include "base/text/input_text.h"
 #include "scene/command/text.h"
+#include "scene/trace/call_stacks.h"
 #include "scene/trace/contexts.h"
 #include "scene/trace/functions.h"
+#include "scene/trace/keys.h"
 #include "scene/trace/process.h"
+#include "scene/trace/running.h"
 #include "scene/trace/temporary_folder.h"
 #include "scene/trace/trace.h"
+#include "scene/trace/trace_follower.h"
 
-namespace twinlight::trace {
+namespace twinlight {
+
+extern const std::vector<EmbeddedFile> kRecorderFiles;  // python_lines.py
+
+namespace trace {
 
 namespace {
 
 namespace fs = std::filesystem;
 using std::chrono::steady_clock;
-
-constexpr auto kPause = std::chrono::milliseconds(20);
-
-bool is_executable(const fs::path& file) {
-    std::error_code ignored;
-    return fs::is_regular_file(file, ignored) && ::access(file.c_str(), X_OK) == 0;
-}
-
-// A program in PATH; "" if there is none.
-std::string in_path(const std::string& name) {
-    const char* path = std::getenv("PATH");
-    InputText folders(path ? path : "/usr/bin:/bin");
-    for (std::string folder; std::getline(folders, folder, ':');) {
-        const fs::path file = fs::path(folder.empty() ? "." : folder) / name;
-        if (is_executable(file)) return fs::absolute(file).string();
-    }
-    return "";
-}
-
-void need(const std::string& tool, std::string_view package, std::string_view why) {
-    if (in_path(tool).empty()) {
-        throw SceneError(tool + ": is not installed; " + std::string(why) + " needs it (apt-get install " +
-                         std::string(package) + ")");
-    }
-}
-
-// The end of what a process wrote to a file.
-std::string contents(const Descriptor& file) {
-    constexpr off_t kMost = 1 << 16;
-    const off_t size = std::max<off_t>(::lseek(file.get(), 0, SEEK_END), 0);
-    const off_t from = std::max<off_t>(size - kMost, 0);
-    std::string text(static_cast<std::size_t>(size - from), '\0');
-    const ssize_t count = ::pread(file.get(), text.data(), text.size(), from);
-    text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
-    return text;
-}
-
-std::string without_apitrace(const std::string& text) {
-    InputText lines(text);
-    std::string kept;
-    for (std::string line; std::getline(lines, line);)
-        if (!line.starts_with("apitrace: ")) kept += line + "\n";
-    return kept;
-}
-
-std::string last_line(const std::string& text) {
-    InputText lines(text);
-    std::string last;
-    for (std::string line; std::getline(lines, line);)
-        if (!line.empty()) last = line;
-    return last;
-}
 
 // An X server without a screen.
 class OwnDisplay {
@@ -139,88 +97,15 @@ class OwnDisplay {
     std::string name_;
 };
 
-// A process with a session of its own; ends with all its children.
-class Running {
-  public:
-    explicit Running(pid_t process) : process_(process) {}
-    ~Running() { stop(SIGKILL, {}); }
-    Running(const Running&) = delete;
-    Running& operator=(const Running&) = delete;
-
-    // Waits until it ends or `done` is true. Returns whether it ended.
-    bool wait(const std::function<bool()>& done) {
-        while (!ended()) {
-            if (done()) return false;
-            std::this_thread::sleep_for(kPause);
-        }
-        return true;
-    }
-    // Sends a signal to the process and its children, and waits so long for its end.
-    bool stop(int signal, std::chrono::milliseconds limit) {
-        if (process_ <= 0) return true;
-        ::kill(-process_, signal);
-        const auto end = steady_clock::now() + limit;
-        if (signal == SIGKILL) {
-            wait_for(std::exchange(process_, 0));
-            return true;
-        }
-        return wait([&] { return steady_clock::now() >= end; });
-    }
-
-  private:
-    bool ended() {
-        if (process_ <= 0) return true;
-        const pid_t found = ::waitpid(process_, nullptr, WNOHANG);
-        if (found == 0 || (found < 0 && errno == EINTR)) return false;
-        ::kill(-process_, SIGKILL);  // children that are left
-        process_ = 0;
-        return true;
-    }
-
-    pid_t process_;
-};
-
-// Runs a tool to its end. Returns its last message if it fails, else "".
-std::string run_tool(const std::vector<std::string>& arguments) {
-    const Descriptor messages = nameless_file();
-    const pid_t process = start({arguments, -1, messages.get(), messages.get(), "."});
-    if (process <= 0) return std::strerror(errno);
-    const int status = wait_for(process);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
-    const std::string words = last_line(contents(messages));
-    return words.empty() ? arguments[0] + " failed" : words;
-}
-
 }  // namespace
-
-bool is_source(const std::string& file) {
-    const std::string extension = fs::path(file).extension().string();
-    return extension == ".c" || extension == ".cc" || extension == ".cpp" || extension == ".cxx";
-}
-
-void compile_source(const std::string& source, const std::string& program) {
-    const bool is_c = fs::path(source).extension() == ".c";
-    const std::string compiler = is_c ? "cc" : "c++";
-    std::error_code ignored;
-    if (!fs::is_regular_file(source, ignored)) throw SceneError(source + ": there is no such file");
-    need(compiler, is_c ? "gcc" : "g++", "compiling a program");
-    const pid_t process = start(
-        {{compiler, source, "-o", program, "-lglut", "-lGLU", "-lGL", "-lm"}, -1, STDERR_FILENO, STDERR_FILENO, "."});
-    if (process <= 0) throw SceneError(compiler + ": " + std::strerror(errno));
-    const int status = wait_for(process);
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-        throw SceneError(source + ": " + compiler +
-                         " cannot compile it, see above; freeglut and GLU are in the packages freeglut3-dev and "
-                         "libglu1-mesa-dev");
-    }
-}
 
 std::string find_program(const std::string& name) {
     std::error_code ignored;
     const std::string found = name.find('/') == std::string::npos && !fs::exists(name, ignored) ? in_path(name) : name;
     if (found.empty()) throw SceneError(name + ": there is no such program");
     if (!fs::exists(found, ignored)) throw SceneError(name + ": there is no such file");
-    if (!is_executable(found)) throw SceneError(name + ": is not a program; give a program or a C file (.c)");
+    if (!is_executable(found))
+        throw SceneError(name + ": is not a program; give a program, or a file of C, C++ or Python");
     return fs::absolute(found).string();
 }
 
@@ -242,11 +127,87 @@ WindowSystem window_system_of(const std::string& program) {
     return names("libEGL.so") && !has_glx ? WindowSystem::kEgl : WindowSystem::kGlx;
 }
 
+namespace {
+
+// Where apitrace has its wrapper of GL, which a program loads before GL; "" if it is not in the usual place.
+std::string tracer_library(WindowSystem window_system) {
+    std::error_code error;
+    const fs::path lib = fs::canonical(in_path("apitrace"), error).parent_path().parent_path() / "lib";
+    const std::string name = window_system == WindowSystem::kEgl ? "egltrace.so" : "glxtrace.so";
+    std::vector<fs::path> folders = {lib};
+    for (fs::directory_iterator at(lib, error), end; !error && at != end; at.increment(error))
+        if (at->path().filename().string().find("-linux-gnu") != std::string::npos) folders.push_back(at->path());
+    for (const fs::path& folder : folders)
+        if (fs::exists(folder / "apitrace/wrappers" / name, error)) return folder / "apitrace/wrappers" / name;
+    return "";
+}
+
+// Prefixes of the functions whose calls are recorded with their stacks: all but those that a program calls for each vertex,
+// glVertex3f, glNormal3f, glTexCoord2f, which would take four times as long.
+constexpr std::string_view kCallsWithStacks =
+    "glA* glB* glC* glD* glE* glF* glG* glH* glI* glL* glMa* glMe* glMi* glMultM* glMultT* glMultiD* glNew* "
+    "glNormalPointer* glO* glP* glQ* glR* glS* glTexB* glTexE* glTexF* glTexG* glTexI* glTexP* glTexS* glTexCoordPointer* "
+    "glTr* glU* glVertexA* glVertexP* glVi* glW*";
+
+std::string with_before(const std::string& folder, const char* variable) {
+    const char* const old = std::getenv(variable);
+    return std::string(variable) + "=" + folder + (old && *old ? ":" + std::string(old) : "");
+}
+
+// What the program's environment has in addition. `folder` is for the files that it loads.
+std::vector<std::string> environment(const std::string& folder, WindowSystem window_system) {
+    std::vector<std::string> variables = {"APITRACE_BACKTRACE=" + std::string(kCallsWithStacks)};
+    // PyOpenGL, and programs that are linked by CMake, load libOpenGL.so.0 instead of libGL.so.1.
+    if (const std::string library = tracer_library(window_system); !library.empty()) {
+        fs::create_directory(folder + "/libraries");
+        fs::create_symlink(library, folder + "/libraries/libOpenGL.so.0");
+        variables.push_back(with_before(folder + "/libraries", "LD_LIBRARY_PATH"));
+    }
+    fs::create_directory(folder + "/python");
+    write_file_atomically(folder + "/python/sitecustomize.py", kRecorderFiles.front().text);
+    variables.push_back(with_before(folder + "/python", "PYTHONPATH"));
+    return variables;
+}
+
+// Between "caught signal" and "taking default action" apitrace prints the program's call stack.
+struct Printed {
+    std::string output, stack;  // the program's output, and the stack of a crash
+};
+
+Printed printed(const std::string& text) {
+    Printed found;
+    InputText lines(text);
+    bool in_stack = false;
+    for (std::string line; std::getline(lines, line);) {
+        const bool is_apitraces = line.starts_with("apitrace: ");
+        if (is_apitraces && line.find("caught signal") != line.npos) in_stack = true;
+        if (is_apitraces && line.find("taking default action") != line.npos) in_stack = false;
+        if (!is_apitraces) (in_stack ? found.stack : found.output) += line + "\n";
+    }
+    return found;
+}
+
+// "ended after 0.1 s by signal 11 (Segmentation fault), at lamp.c:3". `apitrace trace` gives 128 + the signal as a status.
+std::string ending(int status, double seconds, const std::string& stack) {
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+    const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : code > 128 ? code - 128 : 0;
+    std::string text = fmt::format("ended after {:.1f} s", seconds);
+    if (signal > 0)
+        text += fmt::format(" by signal {} ({})", signal, ::strsignal(signal));
+    else if (code > 0)
+        text += fmt::format(" with status {}", code);
+    const Place place = CallStacks().place(stack, "");
+    if (place.calls) text += fmt::format(", at {}:{} ({})", *place.file, place.line, *place.calls);
+    return text;
+}
+
+}  // namespace
+
 Recorded record(const RecordOptions& options) {
     need("apitrace", "apitrace", "recording");
     const WindowSystem window_system = options.window_system.value_or(window_system_of(options.command.front()));
     const TemporaryFolder folder;
-    const std::string whole = folder.path() + "/whole.trace", kept = folder.path() + "/kept.trace";
+    const std::string whole = folder.path() + "/whole.trace";
     const char* display = std::getenv("DISPLAY");
     std::optional<OwnDisplay> own;
     if (!display || !*display) own.emplace();
@@ -254,36 +215,56 @@ Recorded record(const RecordOptions& options) {
     // Without WAYLAND_DISPLAY the program opens its window in the display.
     std::vector<std::string> arguments = {"env", "-u", "WAYLAND_DISPLAY"};
     if (own) arguments.push_back("DISPLAY=" + own->name());
+    std::vector<std::string> sender = options.keys.empty() ? std::vector<std::string>() : sender_of(options.keys);
+    sender.insert(sender.begin(), arguments.begin(), arguments.end());
+    std::ranges::move(environment(folder.path(), window_system), std::back_inserter(arguments));
     for (const char* word : {"apitrace", "trace"}) arguments.emplace_back(word);
     arguments.emplace_back(window_system == WindowSystem::kEgl ? "--api=egl" : "--api=gl");
     arguments.push_back("--output=" + whole);
     arguments.insert(arguments.end(), options.command.begin(), options.command.end());
     const Descriptor messages = nameless_file();
+    const auto start_time = steady_clock::now();
+    const auto seconds = [&] { return std::chrono::duration<double>(steady_clock::now() - start_time).count(); };
     const pid_t process = start({arguments, -1, messages.get(), messages.get(), ".", true});
     if (process <= 0) throw SceneError(std::string("env: ") + std::strerror(errno));
 
     Recorded recorded{.output = "", .has_own_display = own.has_value(), .window_system = window_system};
+    TraceFollower trace(whole);
+    int last = options.frames;  // the frame to end after
+    std::optional<int> status;
+    double end = 0;
     {
         Running running(process);
-        const auto end = steady_clock::now() + std::chrono::duration<double>(options.seconds);
-        recorded.ended_itself = running.wait([&] { return steady_clock::now() >= end || options.stop_early(); });
-        // On SIGINT apitrace writes its buffer. Some programs catch it and continue.
-        if (!recorded.ended_itself) running.stop(SIGINT, std::chrono::seconds(3));
+        std::optional<Running> sending;
+        if (!options.keys.empty()) sending.emplace(start({sender, -1, -1, -1, ".", true}));
+        const bool ended_itself = running.wait([&] {
+            trace.read_on();
+            if (sending && sending->wait([] { return true; })) {
+                sending.reset();
+                last += trace.frames();
+            }
+            const bool has_frames =
+                !sending && trace.has_drawn() && trace.frames() >= std::max(last, trace.first_drawn() + 1);
+            return has_frames || seconds() >= options.seconds || options.stop_early();
+        });
+        end = seconds();
+        if (ended_itself)
+            status = running.status();
+        else
+            running.end();
     }
-    recorded.output = without_apitrace(contents(messages));
+    const Printed words = printed(written_to(messages));
+    recorded.output = words.output;
+    if (status) {
+        recorded.ended = ending(*status, end, words.stack);
+        recorded.has_failed = *status != 0;
+    }
+    trace.read_on();
+    recorded.not_cut = trace.failure();
+    recorded.has_drawn = trace.has_drawn() || !trace.failure().empty();
     std::error_code error;
-    if (!fs::exists(whole, error) || fs::file_size(whole, error) == 0) {
-        const std::string words = last_line(recorded.output);
-        throw SceneError(options.command.front() + ": made no GL call that apitrace could record" +
-                         (words.empty() ? "" : "; its last message: " + words) + "; --api " +
-                         (window_system == WindowSystem::kEgl ? "glx" : "egl") + " records the other window system");
-    }
-    const std::string why =
-        run_tool({"apitrace", "trim", "--frames=0-" + std::to_string(options.frames - 1), "-o", kept, whole});
-    // A program that starts others may leave a trace whose end cannot be read.
-    if (!why.empty()) recorded.not_trimmed = "apitrace trim: " + why;
-    fs::copy_file(why.empty() ? kept : whole, options.trace, fs::copy_options::overwrite_existing, error);
-    if (error) throw FileError(options.trace + ": " + error.message());
+    recorded.has_calls = fs::exists(whole, error) && fs::file_size(whole, error) > 0;
+    if (recorded.has_calls) trace.copy_frames(std::max(last, trace.first_drawn() + 1), options.trace);
     return recorded;
 }
 
@@ -309,4 +290,5 @@ std::optional<BusiestFrame> busiest_frame(const std::string& trace) {
                         recording->notes()};
 }
 
-}  // namespace twinlight::trace
+}  // namespace trace
+}  // namespace twinlight

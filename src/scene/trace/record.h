@@ -1,4 +1,4 @@
-// Compiles and runs programs, and records their GL calls with apitrace.
+// Runs programs, and records their GL calls with apitrace.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,6 @@ namespace twinlight::trace {
 // The interface between GL and windows that a program uses.
 enum class WindowSystem : std::uint8_t { kGlx, kEgl };
 
-// Whether this is a file of C or C++ source, by its extension.
-bool is_source(const std::string& file);
-
-// Compiles a source file that uses freeglut and GLU into the program `program`. The compiler's messages go to standard
-// error. Throws SceneError if there is no compiler, or if it fails.
-void compile_source(const std::string& source, const std::string& program);
-
 // The absolute path of a program that is given as a shell would take it, or by the name of a file. Throws SceneError.
 std::string find_program(const std::string& name);
 
@@ -30,24 +23,29 @@ WindowSystem window_system_of(const std::string& program);
 bool names_egl(const std::string& program);
 
 struct Recorded {
-    std::string output;            // what the program printed, without apitrace's messages; its end, if it is long
-    bool ended_itself = false;     // before the time was over
+    std::string output;   // what the program printed, without apitrace's messages; its end, if it is long
+    std::string ended{};  // how it ended itself: "ended after 0.1 s by signal 11, at lamp.c:3"; "" if it was stopped
+    bool has_failed = false;       // ended by a signal or with a status other than 0
+    bool has_calls = true;         // whether apitrace recorded any
+    bool has_drawn = true;         // called a function that draws; true if that is not known
     bool has_own_display = false;  // ran in Xvfb
     WindowSystem window_system{};
-    std::string not_trimmed{};  // why the recording has all frames; "" if it was cut to RecordOptions::frames
+    std::string not_cut{};  // why the recording has all frames; "" if it was cut to RecordOptions::frames
 };
 
 struct RecordOptions {
-    std::vector<std::string> command;  // the program, as find_program() gives it, and its arguments
-    std::string trace;                 // the file to write
-    double seconds = 3;
-    int frames = 100;                             // of the recording
+    std::vector<std::string> command;             // the program, as find_program() gives it, and its arguments
+    std::string trace;                            // the file to write
+    double seconds = 3;                           // at most
+    int frames = 100;                             // ends after so many, but not before one that draws
+    std::vector<std::string> keys{};              // keys_of(); `frames` counts from the last one on
     std::optional<WindowSystem> window_system{};  // by default, window_system_of()
     std::function<bool()> stop_early = [] { return false; };
 };
 
 // Runs a program under apitrace, with the rights of this process, in the display DISPLAY or else in a new Xvfb. Ends it
-// after the time. Throws SceneError if apitrace or Xvfb is missing, or if nothing was recorded.
+// after the time or the frames. If no call was recorded, the file is not written. Throws SceneError if apitrace or Xvfb is
+// missing.
 Recorded record(const RecordOptions& options);
 
 struct BusiestFrame {

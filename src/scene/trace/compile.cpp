@@ -1,0 +1,174 @@
+#include "scene/trace/compile.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <regex>
+#include <set>
+
+#include "base/image/file.h"
+#include "scene/command/text.h"
+#include "scene/trace/process.h"
+#include "scene/trace/temporary_folder.h"
+
+namespace twinlight::trace {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// ".cpp" of "Lamp.CPP"; but ".C" is C++.
+std::string extension_of(const std::string& file) {
+    std::string extension = fs::path(file).extension().string();
+    if (extension == ".C") return ".cc";
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+bool is_c(const std::string& file) { return extension_of(file) == ".c"; }
+
+// Headers of Windows, of macOS, and of systems where letters of names have no case: one line each.
+void write_headers(const fs::path& folder) {
+    const std::vector<std::string> folders = {"GL", "gl", "Gl", "GLUT", "glut", "Glut", "OpenGL", "opengl", ""};
+    const auto write = [&](const std::vector<std::string>& names, const std::string& line) {
+        for (const std::string& in : folders)
+            for (const std::string& name : names) {
+                if (in == "GL" && line.find("GL/" + name + ">") != line.npos) continue;  // it would include itself
+                fs::create_directories(folder / in);
+                write_file_atomically((folder / in / name).string(), line + "\n");
+            }
+    };
+    write({"glut.h", "Glut.h", "GLUT.h", "GLUT.H"}, "#include <GL/glut.h>");
+    write({"freeglut.h", "Freeglut.h", "FreeGlut.h"}, "#include <GL/freeglut.h>");
+    write({"gl.h", "Gl.h", "GL.h", "GL.H"}, "#include <GL/gl.h>");
+    write({"glu.h", "Glu.h", "GLu.h", "GLU.h", "GLU.H"}, "#include <GL/glu.h>");
+    for (const char* name : {"windows.h", "Windows.h", "WINDOWS.H"})
+        write_file_atomically((folder / name).string(), "// Only Windows needs it.\n");
+}
+
+struct Attempt {
+    bool made = false;
+    std::string messages;
+};
+
+Attempt attempt(const Build& build, const std::string& headers, const std::string& program) {
+    const bool all_c = std::ranges::all_of(build.sources, is_c);
+    std::vector<std::string> arguments = {all_c ? "cc" : "c++", "-g", "-idirafter", headers};
+    for (const std::string& option : build.options)
+        if (!option.starts_with("-l")) arguments.push_back(option);
+    for (const std::string& source : build.sources)
+        // A name that starts with - is no option.
+        arguments.insert(arguments.end(),
+                         {"-x", is_c(source) ? "c" : "c++", source.starts_with('-') ? "./" + source : source});
+    arguments.insert(arguments.end(), {"-x", "none", "-o", program});
+    for (const std::string& option : build.options)
+        if (option.starts_with("-l")) arguments.push_back(option);
+    for (const char* library : {"-lglut", "-lGLU", "-lGL", "-lm"}) arguments.emplace_back(library);
+    need(arguments.front(), all_c ? "gcc" : "g++", "compiling a program");
+    const Descriptor messages = nameless_file();
+    const pid_t process = start({arguments, -1, messages.get(), messages.get(), "."});
+    if (process <= 0) throw SceneError(arguments.front() + ": " + std::strerror(errno));
+    const int status = wait_for(process);
+    return {WIFEXITED(status) && WEXITSTATUS(status) == 0, written_to(messages)};
+}
+
+std::set<std::string> missing_functions(const std::string& messages) {
+    static const std::regex kMissing("undefined reference to [`'\"]([^'\"(]+)");
+    std::set<std::string> names;
+    for (std::sregex_iterator at(messages.begin(), messages.end(), kMissing), end; at != end; ++at)
+        names.insert((*at)[1]);
+    return names;
+}
+
+// The sources in the folders of these that are not among them and have no main().
+std::vector<std::string> other_sources(const std::vector<std::string>& sources) {
+    constexpr std::size_t kMostFiles = 50, kMostText = 4u << 20;
+    static const std::regex kMain("\\bmain\\s*\\(");
+    std::set<fs::path> folders, given;
+    for (const std::string& source : sources) {
+        const fs::path folder = fs::path(source).parent_path();
+        folders.insert(folder.empty() ? "." : folder);
+        given.insert(fs::absolute(source).lexically_normal());
+    }
+    std::vector<std::string> found;
+    for (const fs::path& folder : folders) {
+        std::error_code error;
+        for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+            const std::string file = at->path().lexically_normal().string();
+            if (!is_source(file) || given.contains(fs::absolute(file).lexically_normal())) continue;
+            if (!at->is_regular_file(error) || at->file_size(error) > kMostText) continue;
+            if (!std::regex_search(read_file(file), kMain)) found.push_back(file);
+        }
+    }
+    std::ranges::sort(found);
+    if (found.size() > kMostFiles) found.clear();  // no folder of one program
+    return found;
+}
+
+bool is_of_gl(const std::string& function) {
+    return function.starts_with("gl") && function.size() > 2 &&
+           (std::isupper(static_cast<unsigned char>(function[2])) != 0 || function.starts_with("glu"));
+}
+
+}  // namespace
+
+bool is_source(const std::string& file) {
+    static constexpr std::array kExtensions = {".c", ".cc", ".cpp", ".cxx", ".c++"};
+    return std::ranges::find(kExtensions, extension_of(file)) != kExtensions.end();
+}
+
+bool is_python(const std::string& file) { return extension_of(file) == ".py"; }
+
+Compiled compile(const Build& build, const std::string& program) {
+    std::error_code ignored;
+    for (const std::string& source : build.sources)
+        if (!fs::is_regular_file(source, ignored)) throw SceneError(source + ": there is no such file");
+    const std::string& name = build.sources.front();
+    const TemporaryFolder headers;
+    write_headers(headers.path());
+    const Attempt first = attempt(build, headers.path(), program);
+    if (first.made) return {};
+    const std::set<std::string> missing = missing_functions(first.messages);
+    Compiled compiled{.messages = first.messages};
+    if (!missing.empty()) {
+        Build larger = build;
+        compiled.others = other_sources(build.sources);
+        larger.sources.insert(larger.sources.end(), compiled.others.begin(), compiled.others.end());
+        if (!compiled.others.empty() && attempt(larger, headers.path(), program).made)
+            return {.others = compiled.others};
+        if (std::ranges::all_of(missing, [](const std::string& function) { return !is_of_gl(function); }))
+            compiled.messages.clear();  // the linker's, which are long
+        compiled.failure =
+            missing.contains("main") ? name + ": it has no main(); give the file that has it, too"
+            : std::ranges::any_of(missing, is_of_gl)
+                ? fmt::format("{}: {} is not in freeglut, GLU and GL; -lNAME adds a library, as -lGLEW", name,
+                              *std::ranges::find_if(missing, is_of_gl))
+                : fmt::format(
+                      "{}: it calls {}, which is in no file given here; it needs its project's other files: compile it "
+                      "as usual and run 'twinlight record ./program'",
+                      name, *missing.begin());
+        return compiled;
+    }
+    const bool lacks_library = first.messages.find("cannot find -lglut") != std::string::npos ||
+                               first.messages.find("cannot find -lGLU") != std::string::npos ||
+                               first.messages.find("GL/glut.h: No such file") != std::string::npos;
+    static const std::regex kHeader("fatal error: ([^:]+): No such file");
+    std::smatch header;
+    compiled.failure = name + ": it cannot be compiled, see above";
+    if (lacks_library)
+        compiled.failure += "; freeglut and GLU are in the packages freeglut3-dev and libglu1-mesa-dev";
+    else if (std::regex_search(first.messages, header, kHeader))
+        compiled.failure += fmt::format("; if {} is in another folder, -IDIR names it", header[1].str());
+    return compiled;
+}
+
+}  // namespace twinlight::trace
