@@ -161,7 +161,7 @@ SOURCES_fuzz_library := $(filter-out src/judge/% $(addsuffix /%,$(addprefix src/
 # The tables of bad input; with the sanitizers they are a program of their own.
 SOURCES_bad_input := tests/property/bad_input_test.cpp
 SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
-SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz) $(SOURCES_recorder),$(sort $(shell find tests -name '*.cpp')))
+SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz) $(SOURCES_recorder),$(sort $(shell find tests -name '*.cpp' -not -path 'tests/recorded/*')))
 # The folders of tests that are built; all of them without FOLDERS=.
 SOURCES_some_tests := $(if $(FOLDERS),$(filter $(FOLDERS:%=%/%),$(SOURCES_tests)),$(SOURCES_tests))
 SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egls) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_web) $(SOURCES_tests) $(SOURCES_recorder) \

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
+#include "scene/trace/compile.h"
 
 namespace twinlight::cli {
 
@@ -57,9 +59,27 @@ void write_rules(const std::string& folder) {
     write_files_atomically(files, {}, MissingFolders::kMade);
 }
 
+// C++ has no arrays such as (GLfloat[]){1, 1, 1, 1} in calls.
+std::string in_cpp(const std::string& call) {
+    static const std::regex array(R"(^(.*)\(GLfloat\[\]\)(\{[^}]*\})(.*)$)");
+    return std::regex_replace(call, array, "{ const GLfloat values[] = $2; $1values$3 }");
+}
+
+// Whether its edits are in one file of C or C++, which is not the file to write.
+bool can_be_edited(const lint::Warning& warning, const std::string& output) {
+    const auto is_in_file = [&](const Place& place) { return place.file == warning.place.file && place.column > 0; };
+    if (warning.place.calls) {
+        std::error_code ignored;
+        if (trace::is_python(*warning.place.file)) return false;
+        if (std::filesystem::equivalent(*warning.place.file, output, ignored))
+            throw UsageError(fmt::format("-o {}: this is the program's source, which --fix leaves as it is", output));
+    }
+    return std::ranges::all_of(warning.edits, [&](const lint::Edit& edit) {
+        return is_in_file(edit.place) && (edit.moved == Place{} || is_in_file(edit.moved));
+    });
+}
+
 int write_mended(const LintArguments& arguments, const Scene& scene, const std::vector<lint::Warning>& warnings) {
-    const CommandList* list = scene.recording->command_list();
-    if (!list || !list->text) throw UsageError("--fix works on scenes in C, not on recorded programs");
     const lint::Rule* rule = lint::find_rule(arguments.fix);
     if (!rule) {
         std::vector<std::string_view> names;
@@ -74,14 +94,20 @@ int write_mended(const LintArguments& arguments, const Scene& scene, const std::
     if (found == warnings.end()) throw UsageError(fmt::format("--fix: this scene has no warning '{}'", arguments.fix));
     if (found->edits.empty())
         throw UsageError(fmt::format("--fix: '{}' needs your own change: {}", arguments.fix, found->fix));
+    const auto text = scene.recording->text_of(found->place);
+    if (!text || !can_be_edited(*found, arguments.output))
+        throw UsageError(
+            fmt::format("--fix: '{}' needs your own change at {}: {}", arguments.fix, found->place.str(), found->fix));
     const auto others = std::ranges::count_if(
         warnings, [&](const lint::Warning& warning) { return warning.rule == rule && warning.place == found->place; });
     if (found->count + others > 2 &&
         std::ranges::any_of(found->edits, [](const lint::Edit& edit) { return edit.removes; }))
         throw UsageError(fmt::format("--fix: '{}' is in {} places; mend them yourself: {}", arguments.fix, found->count,
                                      found->fix));
-    const std::string text = lint::mended(*list->text, *found);
-    write_output(arguments.output, text);
+    lint::Warning warning = *found;
+    if (warning.place.calls && !warning.place.file->ends_with(".c"))
+        for (lint::Edit& edit : warning.edits) edit.insert = in_cpp(edit.insert);
+    write_output(arguments.output, lint::mended(*text, warning));
     return kFine;
 }
 
@@ -134,7 +160,9 @@ Subcommand add_lint(CLI::App& app) {
     add_memory_option(*lint, arguments->memory);
     add_calls_flag(*lint, arguments->calls);
     lint->add_flag("--json", arguments->json, "print one JSON object instead of the text");
-    lint->add_option("--fix", arguments->fix, "write the scene with the first warning of this name mended; needs -o")
+    lint->add_option("--fix", arguments->fix,
+                     "write the scene, or the source of a recorded program, with the first warning of this name "
+                     "mended; needs -o")
         ->type_name("NAME")
         ->check(not_empty());
     lint->add_flag("--rules", arguments->rules,

@@ -18,8 +18,8 @@ namespace twinlight::cli {
 
 namespace {
 
-// How long a program may take until it draws, unless --seconds is given.
-constexpr double kUntilItDraws = 20;
+// If a program draws nothing, it runs again for so long, unless --seconds is given.
+constexpr double kLonger[] = {8, 20};
 
 const std::map<std::string, trace::WindowSystem> kWindowSystems = {
     {"glx", trace::WindowSystem::kGlx},
@@ -71,16 +71,17 @@ void add_options(std::vector<std::string>& to, const char* name, const std::vect
 std::vector<std::string> program_of(const RunArguments& run, const std::string& folder) {
     std::vector<std::string> command = run.command;
     const std::vector<std::string> sources = sources_of(command);
-    if (trace::is_python(command.front())) {
-        std::error_code ignored;
-        if (!std::filesystem::is_regular_file(command.front(), ignored))
-            throw SceneError(command.front() + ": there is no such file");
-        command.insert(command.begin(), "python3");
-    }
-    if (sources.empty()) {
-        command.front() = trace::find_program(command.front());
-        return command;
-    }
+    const std::string given = one_line(command.front());
+    std::error_code ignored;
+    for (const std::string& file : trace::is_python(command.front()) ? std::vector{command.front()} : sources)
+        if (!std::filesystem::is_regular_file(file, ignored)) throw SceneError(file + ": there is no such file");
+    if (trace::is_python(command.front())) command.insert(command.begin(), "python3");
+    if (sources.empty()) command.front() = trace::find_program(command.front());
+    // Before all else: people may not expect that this runs.
+    print_message("twinlight: note: {} {} for {:g} s, with your rights and without a sandbox; Ctrl-C stops it\n",
+                  sources.empty() ? "runs" : "compiles and runs", given,
+                  run.seconds.value_or(trace::RecordOptions{}.seconds));
+    if (sources.empty()) return command;
     const std::string program = folder + "/" + std::filesystem::path(sources.front()).stem().string();
     trace::Build build{.sources = sources};
     add_options(build.options, "-I", run.headers);
@@ -119,8 +120,6 @@ std::vector<std::string> program_of(const RunArguments& run, const std::string& 
 RecordingMade record_program(const RunArguments& run, const std::string& file) {
     const std::string given = one_line(run.command.front());
     const double seconds = run.seconds.value_or(trace::RecordOptions{}.seconds);
-    print_message("twinlight: note: {} {} for {:g} s, with your rights and without a sandbox; Ctrl-C stops it\n",
-                  trace::is_source(run.command.front()) ? "compiles and runs" : "runs", given, seconds);
     const trace::TemporaryFolder folder;
     const std::vector<std::string> command = program_of(run, folder.path());
     const Interrupt interrupt;
@@ -137,14 +136,22 @@ RecordingMade record_program(const RunArguments& run, const std::string& file) {
         recorded.window_system == trace::WindowSystem::kGlx && trace::names_egl(command.front())) {
         print_message("twinlight: note: GLX shows no frames; runs {} again with --api egl\n", given);
         record_for(seconds, trace::WindowSystem::kEgl);
-    } else if (!run.seconds && !busiest && recorded.ended.empty() && !recorded.has_drawn && !Interrupt::came()) {
-        print_message("twinlight: note: {} drew nothing in {:g} s; runs it again until it draws, for {:g} s at most\n",
-                      given, seconds, kUntilItDraws);
-        record_for(kUntilItDraws, recorded.window_system);
+    }
+    // What was recorded can be seen only when a megabyte is full, or the program has ended.
+    for (double longer : kLonger) {
+        if (run.seconds || recorded.has_drawn || !recorded.ended.empty() || Interrupt::came()) break;
+        print_message("twinlight: note: {} drew nothing; runs it again, for {:g} s\n", given, longer);
+        record_for(longer, recorded.window_system);
     }
     if (!recorded.has_calls) fail_without_calls(given, recorded);
     if (recorded.has_failed && !busiest && !recorded.has_drawn)
         throw SceneError(fmt::format("{}: it {}, before it drew anything", given, one_line(recorded.ended)));
+    if (busiest && !busiest->has_setup)
+        print_message(
+            "twinlight: warning: {} draws, but without any call such as glClear, glMatrixMode and glEnable; apitrace "
+            "has "
+            "missed calls, so this is not the program's picture\n",
+            given);
     made.frame = frame_that_draws(file, busiest);
     // Keys change the picture, so the last one shows what they do.
     if (!run.keys.empty() && busiest && made.frame.number == busiest->number) made.frame.number = busiest->frames - 1;
@@ -158,15 +165,17 @@ RecordingMade record_program(const RunArguments& run, const std::string& file) {
 void add_run_options(CLI::App& app, RunArguments& run) {
     app.add_option_function<double>(
            "--seconds", [&run](double seconds) { run.seconds = seconds; },
-           "end the program after this time (default: 3, or up to 20 until it draws)")
+           "end the program after this time (default: 3; if it draws nothing, 8 and 20)")
         ->type_name("S")
         ->check(number_from(0.1, 3600.0));
     app.add_option("--frames", run.frames, "end the program after so many frames, but not before one that draws")
         ->type_name("N")
         ->check(number_from(1, 1'000'000))
         ->default_str(std::to_string(run.frames));
-    app.add_option("--keys", run.keys,
-                   "send these keys to the program's window; <Left>, <F1>, <Escape> are keys by their names")
+    app.add_option(
+           "--keys", run.keys,
+           "send these keys to the program's window, in a display of its own; <Left>, <F1>, <Escape> are keys by their "
+           "names")
         ->type_name("TEXT")
         ->check(not_empty());
     app.add_option_function<std::string>(

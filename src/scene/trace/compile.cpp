@@ -129,9 +129,6 @@ bool is_source(const std::string& file) {
 bool is_python(const std::string& file) { return extension_of(file) == ".py"; }
 
 Compiled compile(const Build& build, const std::string& program) {
-    std::error_code ignored;
-    for (const std::string& source : build.sources)
-        if (!fs::is_regular_file(source, ignored)) throw SceneError(source + ": there is no such file");
     const std::string& name = build.sources.front();
     const TemporaryFolder headers;
     write_headers(headers.path());

@@ -210,7 +210,7 @@ void DumpReader::read_stack() {
     if (has_stack || mark != marks_.end()) {
         if (const Place& place = stacks_.place(stack_, function_name_); place.file) command_.place = place;
         place_before_ = command_.place;
-    } else if (place_before_.file) {
+    } else if (place_before_.calls) {
         command_.place = place_before_;
     }
 }

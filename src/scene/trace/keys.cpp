@@ -50,8 +50,8 @@ std::vector<std::string> keys_of(const std::string& text) {
 
 std::vector<std::string> sender_of(const std::vector<std::string>& keys) {
     need("xdotool", "xdotool", "--keys");
-    // Without a window manager no window has the focus of the keyboard.
-    std::vector<std::string> command = {"xdotool", "search", "--sync",      "--onlyvisible", "--name",  "",
+    // The root window has no name. Without a window manager no window has the focus of the keyboard.
+    std::vector<std::string> command = {"xdotool", "search", "--sync",      "--onlyvisible", "--name",  ".",
                                         "sleep",   "0.1",    "windowfocus", "key",           "--delay", "60"};
     command.insert(command.end(), keys.begin(), keys.end());
     return command;

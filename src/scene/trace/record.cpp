@@ -146,7 +146,8 @@ std::string tracer_library(WindowSystem window_system) {
 // glVertex3f, glNormal3f, glTexCoord2f, which would take four times as long.
 constexpr std::string_view kCallsWithStacks =
     "glA* glB* glC* glD* glE* glF* glG* glH* glI* glL* glMa* glMe* glMi* glMultM* glMultT* glMultiD* glNew* "
-    "glNormalPointer* glO* glP* glQ* glR* glS* glTexB* glTexE* glTexF* glTexG* glTexI* glTexP* glTexS* glTexCoordPointer* "
+    "glNormalPointer* glO* glP* glQ* glR* glS* glTexB* glTexE* glTexF* glTexG* glTexI* glTexP* glTexS* "
+    "glTexCoordPointer* "
     "glTr* glU* glVertexA* glVertexP* glVi* glW*";
 
 std::string with_before(const std::string& folder, const char* variable) {
@@ -210,7 +211,8 @@ Recorded record(const RecordOptions& options) {
     const std::string whole = folder.path() + "/whole.trace";
     const char* display = std::getenv("DISPLAY");
     std::optional<OwnDisplay> own;
-    if (!display || !*display) own.emplace();
+    // Keys must not reach other programs.
+    if (!display || !*display || !options.keys.empty()) own.emplace();
 
     // Without WAYLAND_DISPLAY the program opens its window in the display.
     std::vector<std::string> arguments = {"env", "-u", "WAYLAND_DISPLAY"};
@@ -268,15 +270,30 @@ Recorded record(const RecordOptions& options) {
     return recorded;
 }
 
+namespace {
+
+// What every program calls before it draws.
+bool sets_up(std::string_view name) {
+    static constexpr std::array<std::string_view, 11> kStarts = {"glClear", "glMatrixMode", "glLoad",  "glMult",
+                                                                 "glOrtho", "glFrustum",    "glTrans", "glRotate",
+                                                                 "glScale", "glLight",      "glColor"};
+    return name == "glEnable" ||
+           std::ranges::any_of(kStarts, [&](std::string_view start) { return name.starts_with(start); });
+}
+
+}  // namespace
+
 std::optional<BusiestFrame> busiest_frame(const std::string& trace) {
     const std::shared_ptr<const Recording> recording = open_trace(trace);
     FunctionTable functions;
     ContextCounts counts;
     std::vector<double> vertices{0};  // of each frame
     double before = 0;
+    bool has_setup = false;
     recording->for_each([&](const Step& step) {
         if (step.kind == Step::Kind::kFrameEnd) vertices.push_back(0);
         if (step.kind != Step::Kind::kCommand) return true;
+        has_setup = has_setup || sets_up(step.command.name());
         counts.count(0, functions.find(step.command.name()), step.command.name(), step.command.arguments);
         vertices.back() += counts.all() - std::exchange(before, counts.all());
         return true;
@@ -286,8 +303,11 @@ std::optional<BusiestFrame> busiest_frame(const std::string& trace) {
     const double most = *std::ranges::max_element(vertices);
     if (most == 0) return std::nullopt;
     const auto first = std::ranges::find_if(vertices, [&](double count) { return 10 * count >= 9 * most; });
-    return BusiestFrame{static_cast<int>(first - vertices.begin()), static_cast<int>(vertices.size()), has_swaps,
-                        recording->notes()};
+    return BusiestFrame{.number = static_cast<int>(first - vertices.begin()),
+                        .frames = static_cast<int>(vertices.size()),
+                        .has_setup = has_setup,
+                        .has_swaps = has_swaps,
+                        .notes = recording->notes()};
 }
 
 }  // namespace trace

@@ -51,6 +51,7 @@ Recorded record(const RecordOptions& options);
 struct BusiestFrame {
     int number = 0;                    // counted from 0
     int frames = 0;                    // of the recording
+    bool has_setup = false;            // calls such as glClear, glMatrixMode and glEnable
     bool has_swaps = false;            // if false, the program never swaps buffers, and `number` is 0
     std::vector<std::string> notes{};  // Recording::notes()
 };
