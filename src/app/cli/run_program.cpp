@@ -193,11 +193,12 @@ void add_run_options(CLI::App& app, RunArguments& run) {
 }
 
 void add_run_flag(CLI::App& app, RunInstead& run) {
+    run.name_of_command = app.get_name();
     app.add_flag(
         "--run", run.is_on,
         "SCENE is a program, or its source in C, C++ or Python: run it, and take the frame that draws the most; "
         "its other files and arguments follow. It runs with all your rights");
-    app.add_option("WITH_RUN", run.arguments.command,
+    app.add_option("ARGUMENTS", run.arguments.command,
                    "with --run: other sources, or arguments of the program; write -- before it if some start with -")
         ->type_name("");
     add_run_options(app, run.arguments);
@@ -205,10 +206,14 @@ void add_run_flag(CLI::App& app, RunInstead& run) {
 
 std::string recorded_first(RunInstead& run, const std::string& scene, RecordedPart& part) {
     if (!run.is_on) {
-        if (!run.arguments.command.empty())
-            throw UsageError(fmt::format("unexpected argument '{}'", run.arguments.command.front()));
-        for (const bool is_given : {run.arguments.seconds.has_value(), !run.arguments.keys.empty()})
-            if (is_given) throw UsageError("--seconds and --keys need --run");
+        const RunArguments& given = run.arguments;
+        if (!given.command.empty())
+            throw UsageError(fmt::format("unexpected argument '{}'; see 'twinlight {} --help'", given.command.front(),
+                                         run.name_of_command));
+        if (given.seconds || !given.keys.empty() || given.frames != RunArguments{}.frames || given.window_system ||
+            !given.libraries.empty() || !given.headers.empty() || !given.macros.empty() ||
+            !given.library_folders.empty())
+            throw UsageError("--seconds, --frames, --keys, --api, -l, -I, -D and -L need --run");
         return scene;
     }
     RunArguments arguments = run.arguments;

@@ -35,6 +35,7 @@ RecordingMade record_program(const RunArguments& run, const std::string& file);
 // --run: the scene on the command line is a program, which is recorded first.
 struct RunInstead {
     bool is_on = false;
+    std::string name_of_command{};
     RunArguments arguments{};  // `command` lacks its first word
     std::optional<trace::TemporaryFolder> folder{};
 };

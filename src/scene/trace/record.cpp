@@ -240,7 +240,8 @@ Recorded record(const RecordOptions& options) {
         std::optional<Running> sending;
         if (!options.keys.empty()) sending.emplace(start({sender, -1, -1, -1, ".", true}));
         const bool ended_itself = running.wait([&] {
-            trace.read_on();
+            constexpr int kMostChunks = 16;
+            trace.read_on(kMostChunks);
             if (sending && sending->wait([] { return true; })) {
                 sending.reset();
                 last += trace.frames();

@@ -105,7 +105,7 @@ std::string read_at(const Descriptor& file, std::uint64_t at, std::size_t size) 
 
 }  // namespace
 
-void TraceFollower::read_on() {
+void TraceFollower::read_on(int most_chunks) {
     if (!descriptor_.valid()) descriptor_ = Descriptor(::open(file_.c_str(), O_RDONLY | O_CLOEXEC));
     if (!descriptor_.valid() || !failure_.empty()) return;
     if (read_ == 0) {
@@ -114,7 +114,7 @@ void TraceFollower::read_on() {
         if (signature != "at") failure_ = "not the format of apitrace 5 to 13";
         read_ = kSignatureBytes;
     }
-    while (failure_.empty()) {
+    for (int i = 0; i < most_chunks && failure_.empty(); ++i) {
         const std::string size = read_at(descriptor_, read_, kSizeBytes);
         if (size.size() < kSizeBytes) return;
         const std::uint64_t length = little_endian(size);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -20,8 +21,8 @@ class TraceFollower {
   public:
     explicit TraceFollower(std::string file) : file_(std::move(file)) {}
 
-    // Reads what the file has got since.
-    void read_on();
+    // Reads what the file has got since, but no more chunks than these: a program may write faster than this reads.
+    void read_on(int most_chunks = std::numeric_limits<int>::max());
 
     int frames() const { return static_cast<int>(frame_ends_.size()); }  // that have ended
     bool has_drawn() const { return first_drawn_ >= 0; }

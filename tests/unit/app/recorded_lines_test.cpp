@@ -292,7 +292,7 @@ TEST_F(RecordedLines, AreOnlyOfWhatRunIsGivenFor) {
         EXPECT_TRUE(has(result.err, message)) << result.err;
     };
     expect_refused("lint report lab", "unexpected argument 'lab'");
-    expect_refused("compare report --keys x", "--seconds and --keys need --run");
+    expect_refused("compare report --keys x", "--seconds, --frames, --keys, --api, -l, -I, -D and -L need --run");
     expect_refused("explain --run none.c", "none.c: there is no such file");
     expect_refused("record --keys '<Left' " + kFolder + "keys.c", "--keys: < starts the name of a key");
     EXPECT_FALSE(has(twinlight("lint " + kFolder + "bodies.cpp").err, "runs"));
