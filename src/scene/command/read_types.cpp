@@ -98,6 +98,7 @@ bool is_qualifier(const Token& token) { return token.is("const") || token.is("vo
 
 bool Reader::is_type(const Token& token) const {
     if (token.kind != TokenKind::kName) return false;
+    if (!program_ && token.text.starts_with("gl")) return false;  // most words of a scene
     if (find_type(token.text, kTypes) || token.is("void") || token.is("GLvoid")) return true;
     if (!program_) return false;
     return find_type(token.text, kTypesOfPrograms) || token.is("enum") || token.is("struct") || token.is("union") ||
