@@ -173,7 +173,7 @@ SCENES_of_tests := $(patsubst %,src/scene/scenes/%.gl,commands legacy)
 FILES_scenes := $(sort $(filter-out $(SCENES_of_tests),$(wildcard src/scene/scenes/*.gl))) $(SCENES_of_tests)
 # What the scenes load: pictures, and meshes with their materials.
 FILES_scene_assets := $(wildcard $(addprefix src/scene/scenes/*.,png obj mtl))
-FILES_recorder := src/scene/trace/python_lines.py
+FILES_recorder := src/scene/record/python_lines.py
 FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.glsl export/*.glsl export/loader.*))
 FILES_webgl := $(addprefix src/render/webgl/,exported_page.html gl.js viewer.js)
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.

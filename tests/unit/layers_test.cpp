@@ -43,6 +43,7 @@ const std::map<std::string, Table>& rooms() {
           {"state", {"command", "spectrum", "shape", "frame"}},
           {"recorded", {"command", "frame", "state"}},
           {"trace", {"command"}},
+          {"record", {"command", "trace"}},
           {"mesh", {"command"}},
           {"scenes", {"command", "trace", "mesh"}}}},
         {"render",

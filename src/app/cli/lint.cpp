@@ -16,8 +16,8 @@
 #include "base/image/png.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
+#include "scene/record/compile.h"
 #include "scene/state/state.h"
-#include "scene/trace/compile.h"
 
 namespace twinlight::cli {
 

@@ -8,10 +8,10 @@
 
 #include "app/cli/interrupt.h"
 #include "scene/command/text.h"
+#include "scene/record/compile.h"
+#include "scene/record/keys.h"
 #include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"
-#include "scene/trace/compile.h"
-#include "scene/trace/keys.h"
 #include "scene/trace/process.h"
 
 namespace twinlight::cli {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/cli/command_line.h"
-#include "scene/trace/record.h"
+#include "scene/record/record.h"
 #include "scene/trace/temporary_folder.h"
 
 namespace twinlight::cli {

@@ -18,7 +18,7 @@ namespace twinlight {
 namespace {
 
 constexpr int kOffsetBits = 32;
-static_assert(kMaxMemoryBytes < std::size_t{1} << kOffsetBits);
+static_assert(kMaxMemoryBytes < std::uint64_t{1} << kOffsetBits);
 constexpr std::size_t kBytesOfAllocation = 256;  // that Twinlight itself needs for an object from malloc
 constexpr std::size_t kBytesOfAStep = 64;        // of malloc, memset and memcpy, so that a loop of them ends
 

@@ -1,5 +1,5 @@
 // twinlight record: compiles, runs and records programs. Needs apitrace, Xvfb and cc with freeglut.
-#include "scene/trace/record.h"
+#include "scene/record/record.h"
 
 #include <gtest/gtest.h>
 

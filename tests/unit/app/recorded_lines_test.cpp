@@ -13,9 +13,9 @@
 #include "../run_program.h"
 #include "base/image/file.h"
 #include "scene/command/text.h"
-#include "scene/trace/compile.h"
-#include "scene/trace/keys.h"
-#include "scene/trace/trace_follower.h"
+#include "scene/record/compile.h"
+#include "scene/record/keys.h"
+#include "scene/record/trace_follower.h"
 
 namespace twinlight::recorded_lines_test {
 namespace {

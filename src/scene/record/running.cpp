@@ -1,4 +1,4 @@
-#include "scene/trace/running.h"
+#include "scene/record/running.h"
 
 #include <sys/syscall.h>
 #include <sys/wait.h>

@@ -1,4 +1,4 @@
-#include "scene/trace/trace_follower.h"
+#include "scene/record/trace_follower.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "scene/trace/compile.h"
+#include "scene/record/compile.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "scene/trace/record.h"
+#include "scene/record/record.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -22,15 +22,15 @@
 #include "base/image/file.h"
 #include "base/text/input_text.h"
 #include "scene/command/text.h"
+#include "scene/record/keys.h"
+#include "scene/record/running.h"
+#include "scene/record/trace_follower.h"
 #include "scene/trace/call_stacks.h"
 #include "scene/trace/contexts.h"
 #include "scene/trace/functions.h"
-#include "scene/trace/keys.h"
 #include "scene/trace/process.h"
-#include "scene/trace/running.h"
 #include "scene/trace/temporary_folder.h"
 #include "scene/trace/trace.h"
-#include "scene/trace/trace_follower.h"
 
 namespace twinlight {
 

@@ -1,4 +1,4 @@
-#include "scene/trace/keys.h"
+#include "scene/record/keys.h"
 
 #include <cctype>
 #include <string_view>
