@@ -44,6 +44,7 @@ parts | awk -F '\t' -v shell="$shell" -v program="$name" -v scenes="$scenes" -v 
     function identifier(text) { gsub(/-/, "_", text); return text }
 
     $2 == "command" { commands[++command_count] = $3; about[$3] = brief($6); next }
+    $2 == "argument" && $3 ~ /ARGUMENTS/ { next }  # of the program that a command runs
     $2 == "argument" { argument[$1] = $3; argument_text[$1] = brief($6); next }
     $2 == "option" {
         ++count

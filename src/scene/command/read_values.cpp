@@ -54,7 +54,10 @@ void Reader::initialise_array(Object& object, const Place& place, std::string_vi
     else
         fill_elements(filled, object.type, 0, true, true);
     const std::size_t given = (filled.end + element->size - 1) / element->size;
-    if (length == 0 && given == 0) fail(place, "{} needs a length or values, as in GLfloat v[4];", shown);
+    // A scene may list no names: glDeleteTextures(0, (GLuint[]){});
+    const bool may_be_empty = !program_ && object.is_literal;
+    if (length == 0 && given == 0 && !may_be_empty)
+        fail(place, "{} needs a length or values, as in GLfloat v[4];", shown);
     if (length != 0 && given > length) {
         const std::size_t size = element->leaf ? element->leaf_size() : element->size;
         fail(place, "{} has {} values, but its length is {}", shown, filled.end / size,

@@ -60,7 +60,7 @@ std::string help_of(const std::string& program, const std::string& command) {
 // "--with", "-o": the names at the start of the lines of --help.
 std::set<std::string> options_of(const std::string& help) {
     std::set<std::string> options;
-    const std::regex row("\n  (-[a-z]|--[a-z-]+)(, *(--[a-z-]+))?");
+    const std::regex row("\n  (-[a-zA-Z]|--[a-z-]+)(, *(--[a-z-]+))?");
     for (std::sregex_iterator match(help.begin(), help.end(), row), end; match != end; ++match)
         for (const int group : {1, 3})
             if ((*match)[group].matched) options.insert(match->str(group));
