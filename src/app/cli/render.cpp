@@ -2,9 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <map>
 
@@ -70,8 +68,7 @@ Image drawn(const RenderArguments& arguments, const Scene& scene, const Renderer
 
 // -o writes a PNG whatever the name is, so it refuses the names of other formats.
 void check_is_png(const std::string& file) {
-    std::string extension = std::filesystem::path(file).extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string extension = extension_of(file);
     for (std::string_view other :
          {".jpg", ".jpeg", ".gif", ".bmp", ".ppm", ".tif", ".tiff", ".webp", ".svg", ".pdf", ".tga"}) {
         if (extension != other) continue;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -217,6 +218,13 @@ std::string read_rest(int descriptor, std::size_t max_bytes, const std::string& 
 }
 
 }  // namespace
+
+std::string extension_of(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
 
 void refuse_special_file(const std::string& path) {
     struct stat about {};

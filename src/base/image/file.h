@@ -15,6 +15,9 @@ struct FileError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// The extension of a file's name in small letters: ".png" of "Lamp.PNG".
+std::string extension_of(const std::string& path);
+
 // Throws FileError for a named pipe, which may have no writer, so that reading it would never end, and for a socket or a device in
 // a folder of files. Names such as /dev/stdin and /dev/fd/3 are taken.
 void refuse_special_file(const std::string& path);

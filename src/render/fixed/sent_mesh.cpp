@@ -16,12 +16,6 @@ bool all_share(const Draw& draw, Property Vertex::*property) {
                                [&](const Vertex& v) { return v.*property == draw.vertices.front().*property; });
 }
 
-// The texture unit of an attribute; nothing if it has no unit.
-std::optional<GLenum> unit_of(VertexAttribute attribute) {
-    const std::size_t unit = number_of(attribute) - number_of(VertexAttribute::kTexCoord0);
-    return unit < kMaxTextureUnits ? std::optional(GL_TEXTURE0 + static_cast<GLenum>(unit)) : std::nullopt;
-}
-
 GLenum array_of(VertexAttribute attribute) {
     switch (attribute) {
         case VertexAttribute::kPosition: return GL_VERTEX_ARRAY;
@@ -31,6 +25,11 @@ GLenum array_of(VertexAttribute attribute) {
         case VertexAttribute::kFogCoord: return GL_FOG_COORD_ARRAY;
         default: return GL_TEXTURE_COORD_ARRAY;
     }
+}
+
+// For commands on the array of texture coordinates.
+void choose_unit(VertexAttribute attribute) {
+    if (const auto unit = texture_unit_of(attribute)) glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(*unit));
 }
 
 void set_pointer(VertexAttribute attribute, GLint size, GLsizei stride, const void* values) {
@@ -52,7 +51,7 @@ void send(VertexAttribute attribute, GLint size, const float* values) {
         case VertexAttribute::kColor: return glColor4fv(values);
         case VertexAttribute::kSecondaryColor: return glSecondaryColor3fv(values);
         case VertexAttribute::kFogCoord: return glFogCoordfv(values);
-        default: return glMultiTexCoord4fv(*unit_of(attribute), values);
+        default: return glMultiTexCoord4fv(GL_TEXTURE0 + static_cast<GLenum>(*texture_unit_of(attribute)), values);
     }
 }
 
@@ -72,7 +71,7 @@ SentMesh::SentMesh(const Draw& draw, const MeshContents& contents, const ReplayO
     if (contents.color && !all_share(draw, &Vertex::color)) add(VertexAttribute::kColor, 4);
     if (contents.tex_coord && !all_share(draw, &Vertex::tex_coord)) add(VertexAttribute::kTexCoord0, 4);
     for (const VertexColumn& column : draw.columns)
-        if (contents.further_tex_coords || !unit_of(column.attribute))
+        if (contents.further_tex_coords || !texture_unit_of(column.attribute))
             add(column.attribute, row_of(column.attribute).size);
     add(VertexAttribute::kPosition, w_is_1 ? 3 : 4);
 
@@ -144,7 +143,7 @@ void SentMesh::draw_arrays() const {
     const auto* memory = reinterpret_cast<const char*>(values_.data());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
     for (const Sent& sent : sent_) {
-        if (const auto unit = unit_of(sent.attribute)) glClientActiveTexture(*unit);
+        choose_unit(sent.attribute);
         glEnableClientState(array_of(sent.attribute));
         set_pointer(sent.attribute, sent.size, stride, elements_ ? buffer_offset(sent.offset) : memory + sent.offset);
     }
@@ -160,7 +159,7 @@ void SentMesh::draw_arrays() const {
     else
         glDrawElements(mode_, count_, GL_UNSIGNED_INT, indices_.data());
     for (const Sent& sent : sent_) {
-        if (const auto unit = unit_of(sent.attribute)) glClientActiveTexture(*unit);
+        choose_unit(sent.attribute);
         glDisableClientState(array_of(sent.attribute));
     }
     glClientActiveTexture(GL_TEXTURE0);

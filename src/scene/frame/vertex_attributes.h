@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -25,6 +26,11 @@ enum class VertexAttribute : std::uint8_t {
 constexpr std::size_t number_of(VertexAttribute attribute) { return static_cast<std::size_t>(attribute); }
 constexpr VertexAttribute tex_coord_attribute(std::size_t unit) {
     return static_cast<VertexAttribute>(number_of(VertexAttribute::kTexCoord0) + unit);
+}
+// The texture unit of texture coordinates; nothing for other attributes.
+constexpr std::optional<std::size_t> texture_unit_of(VertexAttribute attribute) {
+    const std::size_t unit = number_of(attribute) - number_of(VertexAttribute::kTexCoord0);
+    return unit < kMaxTextureUnits ? std::optional(unit) : std::nullopt;
 }
 
 struct VertexAttributeRow {
@@ -56,8 +62,6 @@ struct Vertex {
 struct VertexColumn {
     VertexAttribute attribute = VertexAttribute::kFogCoord;
     std::vector<glm::dvec4> values{};  // a fog coordinate is in x
-
-    friend bool operator==(const VertexColumn&, const VertexColumn&) = default;
 };
 
 // The current value of every attribute.

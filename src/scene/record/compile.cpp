@@ -25,16 +25,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// ".cpp" of "Lamp.CPP"; but ".C" is C++.
-std::string extension_of(const std::string& file) {
-    std::string extension = fs::path(file).extension().string();
-    if (extension == ".C") return ".cc";
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
+// ".C" is C++, ".c" is C.
+std::string extension_of_source(const std::string& file) {
+    return fs::path(file).extension() == ".C" ? ".cc" : extension_of(file);
 }
 
-bool is_c(const std::string& file) { return extension_of(file) == ".c"; }
+bool is_c(const std::string& file) { return extension_of_source(file) == ".c"; }
 
 // Headers of Windows, of macOS, and of systems where letters of names have no case: one line each.
 void write_headers(const fs::path& folder) {
@@ -123,7 +119,7 @@ bool is_of_gl(const std::string& function) {
 
 bool is_source(const std::string& file) {
     static constexpr std::array kExtensions = {".c", ".cc", ".cpp", ".cxx", ".c++"};
-    return std::ranges::find(kExtensions, extension_of(file)) != kExtensions.end();
+    return std::ranges::find(kExtensions, extension_of_source(file)) != kExtensions.end();
 }
 
 bool is_python(const std::string& file) { return extension_of(file) == ".py"; }

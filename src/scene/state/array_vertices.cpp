@@ -199,8 +199,7 @@ void VertexArrays::read_element(std::uint64_t index, SignedRule rule, ArrayVerti
     values(client_.color, vertex.color, true);
     values(client_.tex_coord[0], vertex.tex_coord, false);
     for (VertexColumn& column : read.columns)
-        values(client_.tex_coord[number_of(column.attribute) - number_of(VertexAttribute::kTexCoord0)],
-               column.values.emplace_back(0, 0, 0, 1), false);
+        values(client_.tex_coord[*texture_unit_of(column.attribute)], column.values.emplace_back(0, 0, 0, 1), false);
     std::array<double, 1> flag{1};
     values(client_.edge_flag, flag, false);
     vertex.edge_flag = flag[0] != 0;

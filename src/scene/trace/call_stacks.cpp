@@ -123,13 +123,10 @@ int column_of(std::string_view line, std::string_view function, std::string_view
 }
 
 // What a program's text is written in, so that a recording of a stranger makes no other file readable.
-bool is_source_name(const fs::path& file) {
+bool is_source_name(const std::string& file) {
     static constexpr std::array kExtensions = {".c",   ".cc",  ".cpp", ".cxx", ".c++", ".h",  ".hh",
                                                ".hpp", ".hxx", ".inl", ".ipp", ".inc", ".py", ".tcc"};
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return std::ranges::find(kExtensions, extension) != kExtensions.end();
+    return std::ranges::find(kExtensions, extension_of(file)) != kExtensions.end();
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "../run_program.h"
 #include "base/image/file.h"
+#include "homework.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
@@ -22,25 +23,11 @@ std::string program(const std::string& statements, const std::string& before = "
            "glutDisplayFunc(display); glutMainLoop(); return 0; }\n";
 }
 
-CommandList read_program(const std::string& text, const ReadOptions& options = {}) {
-    return read_scene(text, "homework.c", "homework", no_images, options);
-}
+using homework::error_of;
+using homework::read_program;
 
-std::string error_of(const std::string& text) {
-    try {
-        read_program(text);
-    } catch (const SceneError& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
-// The arguments of all commands, one after the other.
 Values values_of(const std::string& statements, const std::string& before = "") {
-    Values values;
-    for (const Command& command : read_program(program(statements, before)).commands)
-        values.insert(values.end(), command.arguments.begin(), command.arguments.end());
-    return values;
+    return homework::arguments_of(read_program(program(statements, before)));
 }
 
 std::string printed(const std::string& statements, const std::string& before = "") {
