@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "judge/lint/watch.h"
+#include "judge/lint/between_vertices.h"
+#include "judge/lint/seen.h"
 #include "render/lighting_of.h"
 #include "render/reference/geometry/primitive_assembly.h"
 #include "render/reference/reference.h"
@@ -49,21 +50,6 @@ const Side* beyond(const reference::Primitive& primitive, const std::vector<refe
         if (all) return &side;
     }
     return nullptr;
-}
-
-// Whether culling removes a triangle; false if it is partly behind the camera.
-bool culls(const Draw& draw, const reference::Primitive& primitive,
-           const std::vector<reference::StageVertex>& vertices) {
-    std::array<glm::dvec2, 3> p;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const glm::dvec4& clip = vertices[primitive.vertices[i]].position_clip;
-        if (clip.w <= 0) return false;
-        p[i] = glm::dvec2(clip) / clip.w;
-    }
-    const glm::dvec2 a = p[1] - p[0], b = p[2] - p[0];
-    const double area = (a.x * b.y - a.y * b.x) * (draw.raster.front_face == kGL_CCW ? 1 : -1);
-    const Enum cull = draw.raster.cull_face;
-    return cull == kGL_FRONT_AND_BACK || (cull == kGL_FRONT ? area > 0 : area <= 0);
 }
 
 struct View {
@@ -168,57 +154,6 @@ Dark dark_reason(const Draw& draw, const LightSource& light, const Arrival& arri
     const glm::dvec3 both =
         diffuse * glm::dvec3(light.diffuse) + glm::dvec3(material.specular) * glm::dvec3(light.specular);
     return largest(both) < kInvisible ? Dark::kMaterialBlack : Dark::kNot;
-}
-
-// Barycentric places inside a triangle.
-template <class Visit>
-bool any_inside(const std::vector<EyeVertex>& vertices, const Triangle& triangle, Visit visit) {
-    constexpr int kSteps = 12;
-    for (int i = 0; i <= kSteps; ++i) {
-        for (int j = 0; i + j <= kSteps; ++j) {
-            const double a = static_cast<double>(i) / kSteps, b = static_cast<double>(j) / kSteps, c = 1 - a - b;
-            const EyeVertex &u = vertices[triangle[0]], &v = vertices[triangle[1]], &w = vertices[triangle[2]];
-            glm::dvec3 normal = a * u.normal + b * v.normal + c * w.normal;
-            if (const double length = glm::length(normal); length > 0) normal /= length;
-            if (visit(EyeVertex{a * u.position + b * v.position + c * w.position, normal})) return true;
-        }
-    }
-    return false;
-}
-
-// The lights of cones that no vertex is in, and the first Draw inside which there is a lit place.
-std::map<int, const Draw*> lost_spots(const Frame& frame) {
-    std::map<int, const Draw*> lost;
-    std::set<int> found;
-    const std::vector<const Draw*> draws = frame.draws();
-    const auto is_spot = [](const LightSource& light) {
-        return light.spot_cutoff_deg < 90 && !light.is_directional() && !is_black(light);
-    };
-    const auto lights = [](const lighting::Light<double>& light, const EyeVertex& point) {
-        const Arrival arrival = arrival_at(point.position, light);
-        return arrival.reach() > 0.05 && glm::dot(point.normal, arrival.to_light_dir) > 0.05;
-    };
-    for (const Draw* draw : draws) {
-        for (const int number : enabled_lights(*draw)) {
-            const LightSource& source = draw->lighting.lights[static_cast<std::size_t>(number)];
-            if (!is_spot(source) || found.contains(number)) continue;
-            const lighting::Light<double> light = lighting_of(source);
-            const std::vector<EyeVertex> vertices = eye_vertices(*draw);
-            if (std::ranges::any_of(
-                    vertices, [&](const EyeVertex& vertex) { return arrival_at(vertex.position, light).spot > 0; })) {
-                found.insert(number);
-                continue;
-            }
-            if (lost.contains(number) || vertices.size() > 5000) continue;
-            const std::vector<Triangle> triangles = triangles_of(*draw);
-            const auto is_lit_inside = [&](const Triangle& triangle) {
-                return any_inside(vertices, triangle, [&](const EyeVertex& point) { return lights(light, point); });
-            };
-            if (std::ranges::any_of(triangles, is_lit_inside)) lost[number] = draw;
-        }
-    }
-    std::erase_if(lost, [&](const auto& entry) { return found.contains(entry.first); });
-    return lost;
 }
 
 // What the Draws of one object (one shape, or one glBegin) reach to, in eye coordinates.
@@ -329,21 +264,9 @@ class NotLit : public Watch {
     void finish(const Frame& frame, bool) override {
         const DarkFrame dark = dark_frame(frame);
         if (dark.why != kWhy || dark.light >= kMaxLights || view_of(frame).in_view == 0) return;
-        if (kWhy == Dark::kOutsideCone && !lost_spots(frame).empty()) return;
+        if (kWhy == Dark::kOutsideCone && !lost_lights(frame, kInvisible).empty()) return;
         const NotLitText text = not_lit_text(kWhy);
         warn({.place = dark.place, .message = fmt::format("no object is lit: {}", text.message), .fix = text.fix});
-    }
-};
-
-class SpotBetweenVertices : public Watch {
-    void finish(const Frame& frame, bool) override {
-        for (const auto& [light, draw] : lost_spots(frame))
-            warn({.place = draw->place,
-                  .message =
-                      fmt::format("the cone of {} falls between the vertices: GL lights vertices only, and none is "
-                                  "in the cone",
-                                  light_name(light)),
-                  .fix = "divide the surface into smaller pieces, or use shaders (--shading phong)"});
     }
 };
 
@@ -361,36 +284,6 @@ double highlight(const Draw& draw, const lighting::Light<double>& light, const E
     return std::pow(cosine, front.shininess) * arrival.reach() *
            largest(vec3_cast<glm::dvec3>(light.specular) * glm::dvec3(front.specular));
 }
-
-class HighlightBetweenVertices : public Watch {
-    void finish(const Frame& frame, bool) override {
-        for (const Draw* draw : frame.draws()) {
-            if (!has_specular_light(*draw) || is_black(draw->lighting.front.specular) || draw->vertices.size() > 2000 ||
-                draw->lighting.front.shininess < 1 || draw->lighting.shade_model != kGL_SMOOTH)
-                continue;
-            const std::vector<EyeVertex> vertices = eye_vertices(*draw);
-            const std::vector<Triangle> triangles = triangles_of(*draw);
-            for (const int number : enabled_lights(*draw)) {
-                const lighting::Light<double> light =
-                    lighting_of(draw->lighting.lights[static_cast<std::size_t>(number)]);
-                const auto at = [&](const EyeVertex& point) {
-                    return highlight(*draw, light, point, draw->lighting.light_model.local_viewer);
-                };
-                if (std::ranges::any_of(vertices, [&](const EyeVertex& vertex) { return at(vertex) > 0.02; })) continue;
-                const auto is_bright_inside = [&](const Triangle& triangle) {
-                    return any_inside(vertices, triangle, [&](const EyeVertex& point) { return at(point) > 0.5; });
-                };
-                if (std::ranges::none_of(triangles, is_bright_inside) || lost_spots(frame).contains(number)) continue;
-                warn({.place = draw->place,
-                      .message =
-                          fmt::format("the highlight of {} falls between the vertices: GL lights vertices only, and "
-                                      "none is bright",
-                                      light_name(number)),
-                      .fix = "divide the surface into smaller pieces, or use shaders (--shading phong)"});
-            }
-        }
-    }
-};
 
 // Flat surfaces of many vertices, all with the same highlight, where a local viewer sees a bright place.
 class HighlightEverywhere : public Watch {
@@ -604,48 +497,6 @@ std::vector<Rule> picture_rules() {
  glutSolidSphere(1.5, 40, 20);
 )",
          make_watch<NotLit<Dark::kMaterialBlack>>, kLightRules},
-        {"spot-between-vertices", "A spotlight shines on a surface, but no vertex is in its cone. Its light is lost.",
-         "Section 2.14.1: lighting happens at vertices; between them colours are interpolated.",
-         "divide the surface into smaller pieces",
-         R"(// the view
- glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 2, 0, 1});
- glLightfv(GL_LIGHT0, GL_SPOT_DIRECTION, (GLfloat[]){0, -1, 0});
- glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 25);
- glEnable(GL_LIGHTING);
- glEnable(GL_LIGHT0);
--glNormal3f(0, 1, 0);
--glBegin(GL_QUADS);
--glVertex3f(-3, 0, 3);
--glVertex3f(3, 0, 3);
--glVertex3f(3, 0, -3);
--glVertex3f(-3, 0, -3);
--glEnd();
-+glRotatef(-90, 1, 0, 0);
-+GLUquadric* floor = gluNewQuadric();
-+gluDisk(floor, 0, 3, 60, 60);
-)",
-         make_watch<SpotBetweenVertices>},
-        {"highlight-between-vertices", "A highlight lies on a surface, but no vertex is bright. It is lost.",
-         "Section 2.14.1: lighting happens at vertices; between them colours are interpolated.",
-         "divide the surface into smaller pieces",
-         R"(// the view
- glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 1.2, -0.6, 1});
- glEnable(GL_LIGHTING);
- glEnable(GL_LIGHT0);
- glMaterialfv(GL_FRONT, GL_SPECULAR, (GLfloat[]){1, 1, 1, 1});
- glMaterialf(GL_FRONT, GL_SHININESS, 60);
--glNormal3f(0, 1, 0);
--glBegin(GL_QUADS);
--glVertex3f(-3, 0, 3);
--glVertex3f(3, 0, 3);
--glVertex3f(3, 0, -3);
--glVertex3f(-3, 0, -3);
--glEnd();
-+glRotatef(-90, 1, 0, 0);
-+GLUquadric* floor = gluNewQuadric();
-+gluDisk(floor, 0, 3, 60, 60);
-)",
-         make_watch<HighlightBetweenVertices>},
         {"highlight-everywhere",
          "A flat surface has the same highlight everywhere, although it is divided into many pieces. The light is "
          "directional, and `GL_LIGHT_MODEL_LOCAL_VIEWER` is off.",

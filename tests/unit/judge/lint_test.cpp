@@ -18,6 +18,7 @@
 #include "base/image/png.h"
 #include "base/text/json.h"
 #include "judge/lint/watch.h"
+#include "lint_warnings.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/recorded/recorded_frame.h"
@@ -26,22 +27,6 @@
 
 namespace twinlight::lint_test {
 namespace {
-
-constexpr int kWidth = 160, kHeight = 120;  // of the pictures in docs/lint
-
-Scene scene_of(const std::string& text) {
-    const auto list = std::make_shared<CommandList>(read_scene(text, "scene.gl", "scene.gl"));
-    return make_scene(list, {.width = kWidth, .height = kHeight});
-}
-
-// The names of the rules that warn, each once.
-std::set<std::string> names(const std::vector<lint::Warning>& warnings) {
-    std::set<std::string> names;
-    for (const lint::Warning& warning : warnings) names.emplace(warning.rule->name);
-    return names;
-}
-
-std::vector<lint::Warning> warnings_of(const std::string& text) { return lint::lint(scene_of(text)); }
 
 TEST(Lint, WarnsOfEachMistakeByItsOwnRuleOnly) {
     for (const lint::Rule& rule : lint::rules())
@@ -197,13 +182,6 @@ TEST(Lint, SeesCommandsOfDisplayListsWhereTheyAreExecuted) {
     EXPECT_EQ(names(warnings_of(list + lit + "glCallList(list);\n")), std::set<std::string>{});
     EXPECT_EQ(names(warnings_of(list + lit + "glScalef(0.5, 0.5, 0.5);\nglCallList(list);\n")),
               std::set<std::string>{"scale-without-normalize"});
-}
-
-// `text` with one part of it replaced.
-std::string changed(std::string text, const std::string& part, const std::string& by) {
-    const std::size_t at = text.find(part);
-    EXPECT_NE(at, std::string::npos) << part;
-    return text.replace(at, part.size(), by);
 }
 
 TEST(Lint, ComparesTheAspectWithAViewportThatTheTextSets) {
