@@ -12,13 +12,6 @@ namespace {
 // Normals within 5 % of length 1 change a colour by less than anyone sees.
 constexpr double kLengthTolerance = 0.05;
 
-bool uses_normals(const Draw& draw) {
-    return std::ranges::any_of(enabled_lights(draw), [&](int light) {
-        const LightSource& source = draw.lighting.lights[static_cast<std::size_t>(light)];
-        return !is_black(source.diffuse) || !is_black(source.specular);
-    });
-}
-
 // The length furthest from 1 among normals that are not 0; 1 if all are near.
 double worst_length(const std::vector<glm::dvec3>& normals) {
     double worst = 1;
@@ -39,18 +32,6 @@ std::vector<glm::dvec3> eye_normals(const Draw& draw) {
     std::vector<glm::dvec3> normals;
     for (const EyeVertex& vertex : eye_vertices(draw)) normals.push_back(vertex.normal);
     return normals;
-}
-
-// Whether the modelview matrix brings all of space onto a plane, as the matrix of a planar shadow does.
-bool is_flattened(const Draw& draw) {
-    const glm::dmat4& m = draw.eye_from_object;
-    if (is_singular(glm::dmat3(m))) return true;
-    // A lamp's shadow is a projection. Unless its plane contains the origin, only the whole matrix has no inverse; its entries are floats.
-    if (m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0) return false;
-    constexpr double kRounding = 1e-6;
-    double columns = 1;
-    for (int i = 0; i < 4; ++i) columns *= glm::length(m[i]);
-    return std::abs(glm::determinant(m)) <= kRounding * columns;
 }
 
 Edit normalize_before(const Place& place) { return {.place = place, .insert = "glEnable(GL_NORMALIZE);"}; }
@@ -115,22 +96,6 @@ class ZeroNormal : public Watch {
   private:
     Place zero_;
 };
-
-// Whether a triangle's height is more than rounding of its vertices, which are floats. The facets at the poles of a ball that a
-// program computes can be as flat as 1e-17: they face nowhere.
-bool has_direction(const Draw& draw, const Triangle& triangle) {
-    constexpr double kRounding = 1e-6;
-    std::array<glm::dvec3, 3> corners;
-    double size = 0, longest = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const glm::dvec4& position = draw.vertices[triangle[i]].position_object;
-        corners[i] = glm::dvec3(position) / (position.w != 0 ? position.w : 1);
-        size = std::max(size, glm::length(corners[i]));
-    }
-    for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, glm::distance(corners[i], corners[(i + 1) % 3]));
-    const double twice_area = glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-    return twice_area > kRounding * size * longest;
-}
 
 // The normal of a triangle's plane in eye coordinates, of length 1; 0 for one without a direction.
 glm::dvec3 plane_normal(const Draw& draw, const std::vector<EyeVertex>& vertices, const Triangle& triangle) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/math/directions.h"
+#include "base/math/normal_matrix.h"
 #include "render/reference/geometry/primitive_assembly.h"
 #include "render/reference/vertices/vertex_stage.h"
 #include "scene/frame/resized.h"
@@ -57,6 +58,24 @@ bool has_specular_light(const Draw& draw) {
            });
 }
 
+bool uses_normals(const Draw& draw) {
+    return std::ranges::any_of(enabled_lights(draw), [&](int light) {
+        const LightSource& source = draw.lighting.lights[static_cast<std::size_t>(light)];
+        return !is_black(source.diffuse) || !is_black(source.specular);
+    });
+}
+
+bool is_flattened(const Draw& draw) {
+    const glm::dmat4& m = draw.eye_from_object;
+    if (is_singular(glm::dmat3(m))) return true;
+    // A lamp's shadow is a projection. Unless its plane contains the origin, only the whole matrix has no inverse; its entries are floats.
+    if (m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0) return false;
+    constexpr double kRounding = 1e-6;
+    double columns = 1;
+    for (int i = 0; i < 4; ++i) columns *= glm::length(m[i]);
+    return std::abs(glm::determinant(m)) <= kRounding * columns;
+}
+
 Frame smaller(const Frame& frame) {
     constexpr double kSide = 128;
     const double factor = std::min(1.0, kSide / std::max(frame.width, frame.height));
@@ -70,6 +89,20 @@ std::vector<Triangle> triangles_of(const Draw& draw) {
     for (const reference::Primitive& primitive : reference::assemble(draw, reference::QuadCut::kFirstToThird))
         if (primitive.shape == reference::Shape::kTriangle) triangles.push_back(primitive.vertices);
     return triangles;
+}
+
+bool has_direction(const Draw& draw, const Triangle& triangle) {
+    constexpr double kRounding = 1e-6;
+    std::array<glm::dvec3, 3> corners;
+    double size = 0, longest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec4& position = draw.vertices[triangle[i]].position_object;
+        corners[i] = glm::dvec3(position) / (position.w != 0 ? position.w : 1);
+        size = std::max(size, glm::length(corners[i]));
+    }
+    for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, glm::distance(corners[i], corners[(i + 1) % 3]));
+    const double twice_area = glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+    return twice_area > kRounding * size * longest;
 }
 
 std::vector<EyeVertex> eye_vertices(const Draw& draw) {

@@ -50,8 +50,8 @@ std::unique_ptr<Watch> make_watch() {
 }
 
 // The rules of each file.
-std::vector<Rule> light_rules(), material_rules(), normal_rules(), view_rules(), picture_rules(),
-    between_vertices_rules(), redraw_rules(), scaled_shininess_rules();
+std::vector<Rule> light_rules(), material_rules(), normal_rules(), turned_normals_rules(), view_rules(),
+    picture_rules(), between_vertices_rules(), redraw_rules(), scaled_shininess_rules();
 
 // Placeholders in the rules' scenes: a camera and a light that many share.
 inline constexpr std::string_view kView = "// the view\n";
@@ -81,12 +81,20 @@ inline bool is_black(const LightSource& light) {
 // Whether any enabled light has a colour of this kind.
 bool has_specular_light(const Draw& draw);
 
+// Whether a light of diffuse or specular colour lights it.
+bool uses_normals(const Draw& draw);
+// Whether the modelview matrix brings all of space onto a plane, as the matrix of a planar shadow does.
+bool is_flattened(const Draw& draw);
+
 // The frame with smaller sides; it shows the same.
 Frame smaller(const Frame& frame);
 
 // Triangles of a Draw by numbers of vertices; none for points and lines.
 using Triangle = std::array<std::uint32_t, 3>;
 std::vector<Triangle> triangles_of(const Draw& draw);
+// Whether a triangle's height is more than rounding of its vertices, which are floats. The facets at the poles of a ball that a
+// program computes can be as flat as 1e-17: they face nowhere.
+bool has_direction(const Draw& draw, const Triangle& triangle);
 
 // A lit vertex in eye coordinates.
 struct EyeVertex {
