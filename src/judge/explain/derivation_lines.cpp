@@ -61,6 +61,8 @@ Lines place_lines(const Derivation& at) {
     return text;
 }
 
+bool is_zero(const Vec& v) { return v == Vec{}; }
+
 Lines normal_lines(const Derivation& at) {
     const LitPoint& point = at.point;
     const LightingState& state = at.draw.lighting;
@@ -168,6 +170,7 @@ Lines spot_lines(const LightAt& light, bool whole) {
 
 Lines diffuse_angle_lines(const Derivation& at, const LightAt& light) {
     const double cosine = light.geometry.cosine_to_light;
+    if (is_zero(at.point.surface.normal_eye)) return line("n.VP", "0", "n is zero");
     std::string how = fmt::format("{:.2f} degrees between n and VP", light.normal_to_light_deg);
     Lines behind;
     if (cosine <= 0) {
@@ -184,9 +187,12 @@ Lines highlight_lines(const Derivation& at, const LightAt& light) {
     const double cosine = light.geometry.cosine_highlight, s = at.point.material.shininess;
     Lines text = reflection ? line("r", triple(light.geometry.half_dir), "VP reflected about n (not in GL)")
                             : line("h", triple(light.geometry.half_dir), "VP + VP_e, made unit");
+    const bool has_angle = reflection || !is_zero(at.point.surface.normal_eye);
     text += line(base, fmt::format("{:.5f}", std::max(cosine, 0.0)),
-                 fmt::format("{:.2f} degrees between {}{}", light.highlight_deg, reflection ? "r and VP_e" : "n and h",
-                             cosine < 0 ? fmt::format(": max({:.5f}, 0)", cosine) : ""));
+                 has_angle ? fmt::format("{:.2f} degrees between {}{}", light.highlight_deg,
+                                         reflection ? "r and VP_e" : "n and h",
+                                         cosine < 0 ? fmt::format(": max({:.5f}, 0)", cosine) : "")
+                           : "n is zero");
     const bool facing = reflection || light.geometry.cosine_to_light > 0;
     return text + line(reflection ? "(r.v)^s" : "f(n.h)^s", fmt::format("{:.5f}", light.terms.highlight),
                        facing ? fmt::format("{:.5f}^{:.5g}: s is GL_SHININESS{}", std::max(cosine, 0.0), s,
@@ -225,8 +231,6 @@ Formula used_factors(Formula formula, const LightAt& light) {
         formula = without(std::move(formula), {Factor::Of::kAttenuation});
     return light.is_spot() ? formula : without(std::move(formula), {Factor::Of::kSpot});
 }
-
-bool is_zero(const Vec& c) { return c == Vec{}; }
 
 Lines product_lines(const Derivation& at, const LightAt& light, const char* name, const Formula& formula,
                     const Vec& material, const Vec& color, const Vec& product, bool whole) {

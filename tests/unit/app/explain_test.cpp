@@ -310,6 +310,16 @@ TEST_F(Explain, ShowsTheLengthOfNormalsThatAScaleShortened) {
     EXPECT_NE(text("glScalef(0.5, 0.5, 0.5);\n").find("the light is too bright"), std::string::npos);
 }
 
+TEST_F(Explain, ANormalOfZeroHasNoSide) {
+    const std::string zero =
+        "glNormal3f(0, 0, 0); glBegin(GL_TRIANGLES); glVertex3f(-9, -9, 0); glVertex3f(9, -9, 0);"
+        "glVertex3f(0, 9, 0); glEnd();\n";
+    const std::string first = run(scene(ball(zero)), {"--vertex", "1,1"}).out;
+    EXPECT_NE(first.find("note: n is zero"), std::string::npos) << first;
+    EXPECT_NE(first.find("n.VP         0                               n is zero"), std::string::npos) << first;
+    EXPECT_EQ(first.find("behind the surface"), std::string::npos);
+}
+
 TEST_F(Explain, ShowsALightBehindTheSurfaceAndASpotThatMisses) {
     const char* behind = "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 0, -9, 1});\n";
     EXPECT_NE(text(behind).find("the light is behind the surface here"), std::string::npos);
