@@ -149,10 +149,31 @@ class AttenuationOfDirectional : public InEveryDraw {
         const Place* place =
             last_of(parameters, {kGL_CONSTANT_ATTENUATION, kGL_LINEAR_ATTENUATION, kGL_QUADRATIC_ATTENUATION});
         if (!place) return;
-        warn_directional(
-            light, *place,
-            fmt::format("the attenuation of {} has no effect, because its position has w = 0", light_name(light)),
-            parameters);
+        warn_directional(light, *place,
+                         fmt::format("the attenuation of {} has no effect, because {}", light_name(light),
+                                     parameters.contains(kGL_POSITION)
+                                         ? "its position has w = 0"
+                                         : "its position is never set, and the initial one (0, 0, 1, 0) has w = 0"),
+                         parameters);
+    }
+};
+
+// GL_LIGHT0 of which only the ambient colour is set. A light whose diffuse colour or position is set, or nothing at all, may be
+// meant for the viewer's head.
+class OnlyAmbientSet : public InEveryDraw {
+    bool is_wrong(const LightSource& light) const override {
+        const LightingState state;
+        const LightSource& initial = state.lights[0];
+        return light.diffuse == initial.diffuse && light.position_eye == initial.position_eye;
+    }
+    void report(int light, const Parameters& parameters) override {
+        const Place* place = last_of(parameters, {kGL_AMBIENT});
+        if (light != 0 || !place || parameters.size() != 1) return;
+        warn({.place = *place,
+              .message = "only the ambient colour of GL_LIGHT0 is set: it also shines white, from the viewer, with its "
+                         "initial diffuse colour and position",
+              .fix = "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){x, y, z, 1}); or, for ambient light only, "
+                     "GL_LIGHT_MODEL_AMBIENT instead of this light"});
     }
 };
 
@@ -464,6 +485,21 @@ std::vector<Rule> light_rules() {
  glutSolidSphere(1.5, 40, 20);
 )",
          make_watch<AttenuationOfDirectional>},
+        {"light0-initial",
+         "Of `GL_LIGHT0` only the ambient colour is set. The light also shines white, from the viewer. (For a lamp at "
+         "the "
+         "viewer's head, set its position or its diffuse colour.)",
+         "Table 2.10: the initial diffuse and specular colours of `GL_LIGHT0` are white, and its initial position is "
+         "(0, 0, 1, 0), the direction to the viewer. `GL_LIGHT_MODEL_AMBIENT` is ambient light without a lamp.",
+         "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){x, y, z, 1});",
+         R"(// the view
+ glLightfv(GL_LIGHT0, GL_AMBIENT, (GLfloat[]){0.3, 0.3, 0.3, 1});
++glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){3, 4, 5, 1});
+ glEnable(GL_LIGHTING);
+ glEnable(GL_LIGHT0);
+ glutSolidSphere(1.5, 40, 20);
+)",
+         make_watch<OnlyAmbientSet>},
         {"spot-directional",
          "A light is a spotlight, but its position has w = 0. Every point lies in the same direction from it, so the "
          "cone holds everything or nothing.",
