@@ -470,24 +470,6 @@ class SetAfterDrawing : public Watch {
     bool is_lit_ = false;
 };
 
-// Flat drawing over the picture (orthographic, without depth test) that is lit as well.
-class LitOverlay : public Watch {
-  public:
-    void drawn(const Draw& draw, const State&) override {
-        const bool is_orthographic = draw.clip_from_eye[2][3] == 0;
-        if (!is_orthographic) has_perspective_ |= draw.lighting.enabled;
-        if (!is_orthographic || !has_perspective_ || enabled_lights(draw).empty() || draw.raster.depth_test) return;
-        warn({.place = draw.place,
-              .message = "this overlay is lit like the scene: GL_LIGHTING is still enabled",
-              .fix = "glDisable(GL_LIGHTING);",
-              .edits = {{.place = draw.place, .insert = "glDisable(GL_LIGHTING);"}},
-              .key = "overlay"});
-    }
-
-  private:
-    bool has_perspective_ = false;
-};
-
 }  // namespace
 
 std::vector<Rule> material_rules() {
@@ -720,24 +702,6 @@ std::vector<Rule> material_rules() {
 +glutSolidSphere(1.5, 40, 20);
 )",
          make_watch<SetAfterDrawing>},
-        {"lit-overlay",
-         "After a lit scene in perspective something flat is drawn over it without depth test (text, a panel), and "
-         "`GL_LIGHTING` is still enabled. Its colours are those of a lit surface.",
-         "Section 2.14.1: with `GL_LIGHTING` every vertex is lit, also in an orthographic projection.",
-         "glDisable(GL_LIGHTING);",
-         R"(// the view
-// the light
- glutSolidSphere(1.5, 40, 20);
- glMatrixMode(GL_PROJECTION);
- glLoadIdentity();
- gluOrtho2D(0, 4, 0, 3);
- glMatrixMode(GL_MODELVIEW);
- glLoadIdentity();
- glDisable(GL_DEPTH_TEST);
-+glDisable(GL_LIGHTING);
- glRectf(0.2, 0.2, 1.2, 0.5);
-)",
-         make_watch<LitOverlay>},
     };
 }
 

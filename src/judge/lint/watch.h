@@ -50,8 +50,8 @@ std::unique_ptr<Watch> make_watch() {
 }
 
 // The rules of each file.
-std::vector<Rule> light_rules(), material_rules(), normal_rules(), turned_normals_rules(), view_rules(),
-    picture_rules(), between_vertices_rules(), redraw_rules(), scaled_shininess_rules();
+std::vector<Rule> light_rules(), material_rules(), overlay_rules(), normal_rules(), turned_normals_rules(),
+    view_rules(), picture_rules(), between_vertices_rules(), redraw_rules(), scaled_shininess_rules();
 
 // Placeholders in the rules' scenes: a camera and a light that many share.
 inline constexpr std::string_view kView = "// the view\n";
