@@ -16,9 +16,9 @@ namespace twinlight::lint {
 std::span<const Rule> rules() {
     static const std::vector<Rule> all = [] {
         std::vector<Rule> joined;
-        for (const auto& part :
-             {light_rules(), material_rules(), overlay_rules(), normal_rules(), turned_normals_rules(), view_rules(),
-              picture_rules(), between_vertices_rules(), redraw_rules(), scaled_shininess_rules()})
+        for (const auto& part : {light_rules(), material_rules(), overlay_rules(), normal_rules(),
+                                 turned_normals_rules(), back_side_rules(), view_rules(), picture_rules(),
+                                 between_vertices_rules(), redraw_rules(), scaled_shininess_rules()})
             joined.insert(joined.end(), part.begin(), part.end());
         return joined;
     }();

@@ -129,7 +129,8 @@ class NormalDoesNotFit : public Watch {
             const double length = glm::length(vertices[triangle[0]].normal);
             if (plane == glm::dvec3(0) || length == 0) return false;
             const double cosine = std::abs(glm::dot(plane, vertices[triangle[0]].normal)) / length;
-            return !(cosine > 0.5);  // 60 degrees
+            // 60 degrees; 30 where no normal is set at all, and so none can be meant for the face
+            return !(cosine > (wants_never_set_ ? 0.87 : 0.5));
         };
         if (std::ranges::none_of(triangles_of(draw), lies_along)) return;
         const char* message =

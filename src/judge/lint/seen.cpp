@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
-#include <limits>
+#include <optional>
 
 namespace twinlight::lint {
 
@@ -23,7 +23,6 @@ bool culls(const Draw& draw, const reference::Primitive& primitive,
 
 SeenPoints::SeenPoints(const Frame& frame) : draws_(frame.draws()) {
     for (std::size_t d = 0; d < draws_.size(); ++d) {
-        first_face_.push_back(faces_.size());
         const Draw& draw = *draws_[d];
         if (!draws_polygons(draw.mode) || draw.draws_borders()) continue;
         const std::vector<reference::StageVertex> vertices = reference::vertex_stage(draw);
@@ -44,35 +43,54 @@ SeenPoints::SeenPoints(const Frame& frame) : draws_(frame.draws()) {
     }
 }
 
-bool SeenPoints::hides(const Face& face, const TriangleNumber& triangle, const glm::dvec3& point_ndc) const {
+namespace {
+
+constexpr double kRounding = 1e-6;
+
+glm::dvec3 row(const std::array<glm::dvec4, 3>& corners, int axis) {
+    return {corners[0][axis], corners[1][axis], corners[2][axis]};
+}
+
+// The point of a triangle's plane at this place of the picture is the sum of its corners with these weights. None is negative inside
+// the triangle, if it is before the eye. nullopt for one that is seen from its edge.
+std::optional<glm::dvec3> weights_at(const std::array<glm::dvec4, 3>& corners_clip, const glm::dvec2& place_ndc) {
+    const glm::dmat3 m = glm::transpose(glm::dmat3(row(corners_clip, 0), row(corners_clip, 1), row(corners_clip, 3)));
+    if (glm::determinant(m) == 0) return std::nullopt;
+    return glm::inverse(m) * glm::dvec3(place_ndc, 1);
+}
+
+// Whether they are those of a place inside the triangle. `border`: how wide its border is, which is outside; negative: inside.
+bool is_inside(const glm::dvec3& weights, double border) {
+    const double sum = std::abs(weights.x) + std::abs(weights.y) + std::abs(weights.z);
+    return std::min({weights.x, weights.y, weights.z}) >= border * sum;
+}
+
+}  // namespace
+
+bool SeenPoints::hides(const Face& face, const Face& own, const glm::dvec3& point_ndc, bool at_border) const {
     if (point_ndc.x < face.low.x || point_ndc.x > face.high.x || point_ndc.y < face.low.y || point_ndc.y > face.high.y)
         return false;
-    const Draw &drawn = *draws_[face.number.draw], &own = *draws_[triangle.draw];
-    if (!(drawn.raster.viewport == own.raster.viewport)) return false;
-    // The point of the face there is the sum of its corners with weights that are not negative.
-    const auto row = [&](int axis) {
-        const auto& p = face.corners_clip;
-        return glm::dvec3(p[0][axis], p[1][axis], p[2][axis]);
-    };
-    const glm::dmat3 m = glm::transpose(glm::dmat3(row(0), row(1), row(3)));
-    if (glm::determinant(m) == 0) return false;  // seen from its edge
-    const glm::dvec3 weights = glm::inverse(m) * glm::dvec3(point_ndc.x, point_ndc.y, 1);
-    if (!(weights.x >= 0 && weights.y >= 0 && weights.z >= 0)) return false;
-    constexpr double kRounding = 1e-6;
-    const bool is_nearer = glm::dot(weights, row(2)) < point_ndc.z - kRounding;
-    if (face.number > triangle) return is_nearer || !drawn.raster.depth_test || !own.raster.depth_test;
-    return is_nearer && own.raster.depth_test && drawn.raster.depth_test;
+    const RasterState &raster = draws_[face.number.draw]->raster, &own_raster = draws_[own.number.draw]->raster;
+    if (!(raster.viewport == own_raster.viewport)) return false;
+    const std::optional<glm::dvec3> weights = weights_at(face.corners_clip, glm::dvec2(point_ndc));
+    if (!weights || !is_inside(*weights, -kRounding)) return false;
+    const double behind = point_ndc.z - glm::dot(*weights, row(face.corners_clip, 2));
+    // Of two faces at one depth, glDepthFunc and rounding choose one, so neither is certain. Neighbours share their border.
+    const bool hides_by_depth = behind > (at_border ? kRounding : -kRounding);
+    const bool tests = raster.depth_test && own_raster.depth_test;
+    return face.number > own.number ? hides_by_depth || !tests : hides_by_depth && tests;
 }
 
 bool SeenPoints::shows(const TriangleNumber& triangle, const glm::dvec4& point_clip) const {
     if (!(point_clip.w > 0)) return false;
     const glm::dvec3 ndc = glm::dvec3(point_clip) / point_clip.w;
     if (!(std::max({std::abs(ndc.x), std::abs(ndc.y), std::abs(ndc.z)}) <= 1)) return false;
-    const auto own = std::ranges::find(faces_.begin() + static_cast<std::ptrdiff_t>(first_face_[triangle.draw]),
-                                       faces_.end(), triangle, &Face::number);
-    if (own == faces_.end()) return false;  // culled
+    const auto own = std::ranges::lower_bound(faces_, triangle, {}, &Face::number);
+    if (own == faces_.end() || own->number != triangle) return false;  // culled
+    const std::optional<glm::dvec3> weights = weights_at(own->corners_clip, glm::dvec2(ndc));
+    const bool at_border = !weights || !is_inside(*weights, kRounding);
     return std::ranges::none_of(
-        faces_, [&](const Face& face) { return face.number != triangle && hides(face, triangle, ndc); });
+        faces_, [&](const Face& face) { return face.number != triangle && hides(face, *own, ndc, at_border); });
 }
 
 }  // namespace twinlight::lint

@@ -33,11 +33,10 @@ class SeenPoints {
         std::array<glm::dvec4, 3> corners_clip;
         glm::dvec2 low, high;  // in normalised device coordinates; infinite if the triangle is partly behind the eye
     };
-    bool hides(const Face& face, const TriangleNumber& triangle, const glm::dvec3& point_ndc) const;
+    bool hides(const Face& face, const Face& own, const glm::dvec3& point_ndc, bool at_border) const;
 
     std::vector<const Draw*> draws_;
-    std::vector<Face> faces_;              // those that are not culled, in the order of drawing
-    std::vector<std::size_t> first_face_;  // of each Draw
+    std::vector<Face> faces_;  // those that are not culled, in the order of drawing
 };
 
 }  // namespace twinlight::lint

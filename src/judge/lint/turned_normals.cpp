@@ -170,13 +170,15 @@ enum class Seen : std::uint8_t { kGrazing, kFromItsNormals, kFromBehind };
 // From which side the viewer sees a face: the one that its normals point to, or the other. GL may turn the normals of back faces
 // (2.14.1).
 Seen side_seen(const SurfaceFace& face) {
-    constexpr double kGrazing = 0.2;
-    const bool is_perspective = face.draw->clip_from_eye[2][3] != 0;
-    glm::dvec3 to_eye = is_perspective ? -face.center_eye() : glm::dvec3(0, 0, 1);
+    constexpr double kGrazing = 0.1;
+    glm::dvec3 to_eye = to_viewer(*face.draw, face.center_eye());
     if (glm::length(to_eye) == 0) return Seen::kGrazing;
     to_eye = glm::normalize(to_eye);
     const double plane = glm::dot(face.plane_eye, to_eye);
-    const bool is_front = (plane > 0) == (face.draw->raster.front_face == kGL_CCW);
+    // A projection that looks along z shows the other side, but keeps the vertices' order in the window.
+    const glm::dmat4& projection = face.draw->clip_from_eye;
+    const bool looks_along_z = projection[2][3] == 0 && projection[2][2] > 0;
+    const bool is_front = ((plane > 0) != looks_along_z) == (face.draw->raster.front_face == kGL_CCW);
     const double turn = face.draw->lighting.light_model.two_side && !is_front ? -1 : 1;
     const double normal = turn * glm::dot(face.normal_eye, to_eye), side = turn * plane * face.cosine();
     if (side > 0 && normal > kGrazing) return Seen::kFromItsNormals;
@@ -300,8 +302,9 @@ std::vector<Rule> turned_normals_rules() {
          "Some normals of a surface point to its one side, and some to its other side. Where the side without normals "
          "is "
          "seen, it is dark.",
-         "Section 2.14.1: n . VP is 0 where the light is behind the surface, and only the normal tells where that is. "
-         "Lighting does not look at the order of the vertices, unless it is two-sided.",
+         "Section 2.14.1: n . VP is 0 where the light is behind the surface, and the normal decides where that is. "
+         "One-sided "
+         "lighting ignores the order of the vertices.",
          "glNormal3f(-nx, -ny, -nz);",
          R"(// the view
 // the light

@@ -76,6 +76,11 @@ bool is_flattened(const Draw& draw) {
     return std::abs(glm::determinant(m)) <= kRounding * columns;
 }
 
+glm::dvec3 to_viewer(const Draw& draw, const glm::dvec3& point_eye) {
+    if (draw.clip_from_eye[2][3] != 0) return -point_eye;
+    return {0, 0, draw.clip_from_eye[2][2] > 0 ? -1 : 1};
+}
+
 Frame smaller(const Frame& frame) {
     constexpr double kSide = 128;
     const double factor = std::min(1.0, kSide / std::max(frame.width, frame.height));

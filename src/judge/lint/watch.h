@@ -86,6 +86,10 @@ bool uses_normals(const Draw& draw);
 // Whether the modelview matrix brings all of space onto a plane, as the matrix of a planar shadow does.
 bool is_flattened(const Draw& draw);
 
+// The direction from a point in eye coordinates to the viewer; of any length. A parallel projection may look along z, as one that
+// is never set does, or along -z.
+glm::dvec3 to_viewer(const Draw& draw, const glm::dvec3& point_eye);
+
 // The frame with smaller sides; it shows the same.
 Frame smaller(const Frame& frame);
 

@@ -70,10 +70,10 @@ TEST(LintNormals, IsSilentAboutRightNormalsWhateverTheOrder) {
     for (const auto& [quad, back] : {std::pair{kFront, "0, 0, -1"}, {kTop, "0, -1, 0"}, {kRight, "-1, 0, 0"}})
         both += text_of(quad) + text_of(turned(reversed(quad), back));
     EXPECT_EQ(names(warnings_of(kView + both)), Names{});
-    // Faces that do not meet.
+    // Faces that do not meet are no surface: each may show its back.
     EXPECT_EQ(
         names(warnings_of(kView + text_of(kFront) + "glTranslatef(0, 0.2, 0);" + text_of(turned(kTop, "0, -1, 0")))),
-        Names{});
+        Names{"back-seen"});
     // A wall that stands on a floor, with the same border: the wall shows its lit side.
     EXPECT_EQ(names(warnings_of(kView + text_of(turned(kBottom, "0, 1, 0")) + text_of(kFront))), Names{});
 }
@@ -110,6 +110,33 @@ TEST(LintNormals, FindsASmoothSurfaceWhoseNormalsTurnGradually) {
     };
     EXPECT_EQ(names(warnings_of(kView + ring(false))), Names{"normals-turned"});
     EXPECT_EQ(names(warnings_of(kView + ring(true))), Names{});
+}
+
+// 2.7: without glNormal, all normals are (0, 0, 1), whatever the slope.
+TEST(LintNormals, FindsAMissingNormalOfASlope) {
+    const auto triangle = [](double depth) {
+        return kView +
+               fmt::format(
+                   "glBegin(GL_TRIANGLES); glVertex3f(0, 1, {}); glVertex3f(-1, -1, 0); glVertex3f(1, -1, 0); glEnd();",
+                   -depth);
+    };
+    EXPECT_EQ(names(warnings_of(triangle(2))), Names{"normal-missing"});  // 45 degrees
+    EXPECT_EQ(names(warnings_of(triangle(0.3))), Names{});
+    EXPECT_EQ(names(warnings_of(changed(triangle(2), "glBegin", "glNormal3f(0, 0, 1); glBegin"))), Names{});
+}
+
+// 2.14.1: one-sided lighting lights a back face like its front.
+TEST(LintNormals, FindsABackThatIsSeenInTheLight) {
+    const std::string wrong = lint::wrong_scene(*lint::find_rule("back-seen"));
+    EXPECT_EQ(names(warnings_of(wrong)), Names{"back-seen"});
+    // Closed; culled; the light on the other side.
+    EXPECT_EQ(names(warnings_of(wrong + "glTranslatef(0, 0, 1.2); gluDisk(tube, 0, 1.5, 40, 10);")), Names{});
+    EXPECT_EQ(names(warnings_of(changed(wrong, "glRotatef(-60", "glEnable(GL_CULL_FACE); glRotatef(-60"))), Names{});
+    EXPECT_EQ(names(warnings_of(changed(wrong, "{3, 4, 5, 1}", "{0, 0, -9, 1}"))), Names{});
+    // A projection that is never set looks along z.
+    EXPECT_EQ(names(warnings_of("glClear(GL_DEPTH_BUFFER_BIT); glEnable(GL_DEPTH_TEST); glEnable(GL_LIGHTING);"
+                                "glEnable(GL_LIGHT0); glutSolidSphere(0.8, 20, 20);")),
+              Names{});
 }
 
 // A tent of four slopes of this height over a square.
