@@ -85,13 +85,16 @@ class LitOverlay : public LeftOn {
     std::optional<std::string> effect_on(const Draw& draw, const State&) override {
         const bool is_orthographic = draw.clip_from_eye[2][3] == 0;
         if (!is_orthographic) has_perspective_ |= draw.lighting.enabled;
-        if (!is_orthographic || !has_perspective_ || enabled_lights(draw).empty() || draw.raster.depth_test)
-            return std::nullopt;
+        if (!is_orthographic || draw.raster.depth_test || !draw.lighting.enabled) return std::nullopt;
+        // Flat drawing may be lit on purpose if it is the whole picture; so may text, but not without a light.
+        const bool has_light = !enabled_lights(draw).empty();
+        if (draw.pixels ? has_light && !has_perspective_ : !has_light || !has_perspective_) return std::nullopt;
         return "GL_LIGHTING";
     }
     bool uses(const Draw& draw) const override { return draw.lighting.enabled; }
     std::string message(bool is_text) const override {
-        return is_text ? "this text over the picture is lit like the scene: GL_LIGHTING is still enabled at glRasterPos"
+        return is_text ? "this text has the colour of a lit surface, not that of glColor: GL_LIGHTING is still enabled "
+                         "at glRasterPos"
                        : "this overlay is lit like the scene: GL_LIGHTING is still enabled";
     }
 

@@ -104,6 +104,20 @@ TEST(LintOverlays, TheFixSwitchesTheStateOffForThatDrawingOnly) {
     }
 }
 
+// A flat window without a lit scene.
+TEST(LintOverlays, FindsTextThatNoLightReaches) {
+    const auto with = [](const std::string& light) {
+        return names(lint_test::warnings_of(
+            "glClear(GL_COLOR_BUFFER_BIT); glMatrixMode(GL_PROJECTION); gluOrtho2D(0, 160, 0, 120);"
+            "glMatrixMode(GL_MODELVIEW); glPixelStorei(GL_UNPACK_ALIGNMENT, 1); GLubyte letter[] = {0xff, 0xff, 0xff, "
+            "0xff, 0xff, 0xff, 0xff, 0xff};" +
+            light + "glRasterPos2f(10, 20); glBitmap(8, 8, 0, 0, 10, 0, letter);"));
+    };
+    EXPECT_TRUE(with("glEnable(GL_LIGHTING);").contains("lit-overlay"));
+    EXPECT_EQ(with("glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);"), Names{});  // may be meant
+    EXPECT_EQ(with(""), Names{});
+}
+
 TEST(LintOverlays, IsSilentWhereTheStateIsMeant) {
     const char* const text = kTexts[0];
     for (const LeftOn left_on : {LeftOn::kLighting, LeftOn::kTexture}) {
