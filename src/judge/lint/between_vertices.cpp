@@ -186,7 +186,8 @@ SurfaceKey key_of(const Draw& draw, const std::array<const StageVertex*, 3>& cor
     key.is_flat = normal == corners[1]->normal_eye && normal == corners[2]->normal_eye;
     if (!key.is_flat) return key;
     constexpr double kSteps = 64;  // for each unit
-    for (int i = 0; i < 3; ++i) key.plane[static_cast<std::size_t>(i)] = std::lround(kSteps * normal[i]);
+    for (int i = 0; i < 3; ++i)
+        key.plane[static_cast<std::size_t>(i)] = std::lround(std::clamp(kSteps * normal[i], -1e9, 1e9));
     const double distance = glm::dot(normal, glm::dvec3(corners[0]->position_eye));
     key.plane[3] = std::lround(std::clamp(kSteps * distance, -1e9, 1e9));
     return key;
@@ -218,7 +219,7 @@ void add(const Draw& draw, std::size_t number, double least, Surfaces& surfaces)
         }
         constexpr double kLarge = 0.1;  // the light within a smaller triangle is hardly seen
         const double size = extent(corners);
-        if (size < kLarge) continue;
+        if (!(size >= kLarge)) continue;
         for (const glm::dvec3& weights : weights_in(corners, size, lit.lights())) {
             const StageVertex point = point_at(corners, weights);
             if (!is_in_view(point.position_clip)) continue;

@@ -38,10 +38,22 @@ SeenPoints::SeenPoints(const Frame& frame) : draws_(frame.draws()) {
                 face.low = p.w > 0 ? glm::min(face.low, at) : glm::dvec2(-INFINITY);
                 face.high = p.w > 0 ? glm::max(face.high, at) : glm::dvec2(INFINITY);
             }
+            const auto id = static_cast<std::uint32_t>(faces_.size());
             faces_.push_back(face);
+            const int left = cell_at(face.low.x), right = cell_at(face.high.x), low = cell_at(face.low.y),
+                      high = cell_at(face.high.y);
+            constexpr int kLarge = 256;  // cells
+            if ((right - left + 1) * (high - low + 1) > kLarge) {
+                large_.push_back(id);
+                continue;
+            }
+            for (int y = low; y <= high; ++y)
+                for (int x = left; x <= right; ++x) cells_[static_cast<std::size_t>(y * kCells + x)].push_back(id);
         }
     }
 }
+
+int SeenPoints::cell_at(double ndc) { return static_cast<int>(std::clamp((ndc + 1) / 2 * kCells, 0.0, kCells - 1.0)); }
 
 namespace {
 
@@ -89,8 +101,11 @@ bool SeenPoints::shows(const TriangleNumber& triangle, const glm::dvec4& point_c
     if (own == faces_.end() || own->number != triangle) return false;  // culled
     const std::optional<glm::dvec3> weights = weights_at(own->corners_clip, glm::dvec2(ndc));
     const bool at_border = !weights || !is_inside(*weights, kRounding);
-    return std::ranges::none_of(
-        faces_, [&](const Face& face) { return face.number != triangle && hides(face, *own, ndc, at_border); });
+    const auto hides_it = [&](std::uint32_t id) {
+        return faces_[id].number != triangle && hides(faces_[id], *own, ndc, at_border);
+    };
+    const auto& cell = cells_[static_cast<std::size_t>(cell_at(ndc.y) * kCells + cell_at(ndc.x))];
+    return std::ranges::none_of(large_, hides_it) && std::ranges::none_of(cell, hides_it);
 }
 
 }  // namespace twinlight::lint

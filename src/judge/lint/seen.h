@@ -35,8 +35,14 @@ class SeenPoints {
     };
     bool hides(const Face& face, const Face& own, const glm::dvec3& point_ndc, bool at_border) const;
 
+    // The picture in cells, each with the numbers of the faces that may be in it. Large faces are apart.
+    static constexpr int kCells = 64;  // across and up
+    static int cell_at(double ndc);
+
     std::vector<const Draw*> draws_;
     std::vector<Face> faces_;  // those that are not culled, in the order of drawing
+    std::vector<std::vector<std::uint32_t>> cells_{static_cast<std::size_t>(kCells) * kCells};
+    std::vector<std::uint32_t> large_;
 };
 
 }  // namespace twinlight::lint

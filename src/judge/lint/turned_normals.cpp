@@ -46,14 +46,14 @@ std::vector<std::vector<SurfaceFace>> faces_by_matrix(const Frame& frame) {
             bool is_finite = true;
             for (std::size_t i = 0; i < 3; ++i) {
                 const reference::StageVertex& vertex = vertices[triangles[t][i]];
-                is_finite &= vertex.position_eye.w != 0;
+                is_finite &= vertex.position_eye.w != 0 && std::isfinite(glm::length(vertex.position_eye));
                 face.corners_eye[i] = glm::dvec3(vertex.position_eye) / vertex.position_eye.w;
                 face.normal_eye += vertex.normal_eye;
                 face.center_clip += vertex.position_clip / 3.0;
             }
             const auto& p = face.corners_eye;
             face.plane_eye = glm::cross(p[1] - p[0], p[2] - p[0]);
-            if (!is_finite || glm::length(face.plane_eye) == 0 || glm::length(face.normal_eye) == 0) continue;
+            if (!is_finite || !(glm::length(face.plane_eye) > 0) || !(glm::length(face.normal_eye) > 0)) continue;
             face.plane_eye = glm::normalize(face.plane_eye);
             face.normal_eye = glm::normalize(face.normal_eye);
             faces.push_back(face);
