@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/cli/command_line.h"
+#include "app/cli/lint_files.h"
 #include "app/cli/lint_notes.h"
 #include "app/cli/run_program.h"
 #include "base/image/file.h"
@@ -30,7 +31,9 @@ struct LintArguments {
     RunInstead run;
     std::string step;
     MemoryBudget memory;  // draws nothing
-    bool json = false, rules = false, calls = false;
+    bool json = false, csv = false, rules = false, calls = false;
+
+    LintForm form() const { return json ? LintForm::kJson : csv ? LintForm::kCsv : LintForm::kText; }
 };
 
 constexpr int kPictureWidth = 160, kPictureHeight = 120;
@@ -111,6 +114,41 @@ int write_mended(const LintArguments& arguments, const Scene& scene, const std::
     return kFine;
 }
 
+// The scenes, files and folders of the command line. With --run, only the first word is one, unless it is a folder.
+std::vector<std::string> inputs_of(const LintArguments& arguments) {
+    const std::vector<std::string>& others = arguments.run.arguments.command;
+    std::vector<std::string> inputs = {arguments.scene};
+    if (!arguments.run.is_on) inputs.insert(inputs.end(), others.begin(), others.end());
+    if (arguments.run.is_on && is_folder(arguments.scene) && !others.empty())
+        throw UsageError(fmt::format("--run {}: nothing can follow a folder of programs", arguments.scene));
+    return inputs;
+}
+
+Scene scene_of(const LintArguments& arguments, RunInstead& run, const std::string& input) {
+    RecordedPart part = arguments.part;
+    const std::string file = recorded_first(run, input, part);
+    return load_scene(file, arguments.size, part, arguments.step, arguments.memory);
+}
+
+int lint_many(const LintArguments& arguments, const std::vector<std::string>& inputs) {
+    if (!arguments.fix.empty()) throw UsageError("--fix takes one SCENE, and no folder");
+    if (arguments.calls) throw UsageError("--calls takes one SCENE, and no folder; --json names the calls of many");
+    const bool is_run = arguments.run.is_on;
+    const Programs programs = is_run ? Programs::kAreRun : Programs::kAreRead;
+    const std::vector<std::string> files = files_to_lint(inputs, programs);
+    if (is_run)
+        print_message("twinlight: note: compiles and runs {} program{} of {}, with your rights and without a sandbox\n",
+                      files.size(), files.size() == 1 ? "" : "s", one_line(arguments.scene));
+    const auto lint_one = [&](const std::string& file) {
+        RunInstead run{.is_on = is_run, .name_of_command = arguments.run.name_of_command};
+        run.arguments = arguments.run.arguments;
+        run.arguments.command.clear();
+        const Scene scene = scene_of(arguments, run, file);
+        return LintedFile{.file = file, .scene = is_run ? file : scene.name(), .warnings = lint::lint(scene)};
+    };
+    return lint_files(files, arguments.form(), programs, lint_one);
+}
+
 int run_lint(LintArguments& arguments) {
     if (arguments.rules) {
         if (!arguments.scene.empty()) throw UsageError("--rules takes no SCENE");
@@ -123,11 +161,15 @@ int run_lint(LintArguments& arguments) {
     if (arguments.scene.empty()) throw UsageError("SCENE is required; see 'twinlight lint --help'");
     if (arguments.fix.empty() != arguments.output.empty())
         throw UsageError("--fix NAME and -o FILE belong together; give both or neither");
-    const std::string file = recorded_first(arguments.run, arguments.scene, arguments.part);
-    const Scene scene = load_scene(file, arguments.size, arguments.part, arguments.step, arguments.memory);
+    if (arguments.json && arguments.csv) throw UsageError("choose --json or --csv");
+    const std::vector<std::string> inputs = inputs_of(arguments);
+    if (inputs.size() > 1 || is_folder(arguments.scene)) return lint_many(arguments, inputs);
+    const Scene scene = scene_of(arguments, arguments.run, arguments.scene);
     const std::vector<lint::Warning> warnings = lint::lint(scene);
     if (!arguments.fix.empty()) return write_mended(arguments, scene, warnings);
-    if (arguments.json) {
+    if (arguments.csv) {
+        write_result(csv_of({{.file = arguments.scene, .scene = scene.name(), .warnings = warnings}}));
+    } else if (arguments.json) {
         write_result(lint::json_text(scene.name(), warnings));
     } else {
         std::string text;
@@ -151,15 +193,30 @@ void print_lint_notes(const std::vector<lint::Warning>& warnings, const std::str
 
 Subcommand add_lint(CLI::App& app) {
     const auto arguments = std::make_shared<LintArguments>();
-    CLI::App* lint = app.add_subcommand("lint", "Find mistakes in a scene's lighting that GL accepts without an error");
-    add_scene_argument(*lint, arguments->scene)->required(false);
+    CLI::App* lint = app.add_subcommand(
+        "lint", "Find mistakes in the lighting of scenes and programs that GL accepts without an error");
+    add_scene_argument(*lint, arguments->scene)
+        ->required(false)
+        ->description(
+            "a built-in scene, a .gl file, a program in C (.c), an apitrace .trace file or its text dump, a folder of "
+            "these, or - for standard input");
     add_size_option(*lint, arguments->size);
     add_recorded_options(*lint, arguments->part);
     add_run_flag(*lint, arguments->run);
+    lint->get_option("--run")->description(
+        "SCENE is a program, or its source in C, C++ or Python: run it, and take the frame that draws the most; its "
+        "other files and arguments follow. Or it is a folder of such programs. They run with all your rights");
+    lint->get_option("ARGUMENTS")
+        ->description(
+            "more scenes and folders: prints one line for each file; with --run: other sources, or arguments of the "
+            "program; write -- before it if some start with -");
     add_step_option(*lint, arguments->step);
     add_memory_option(*lint, arguments->memory);
     add_calls_flag(*lint, arguments->calls);
-    lint->add_flag("--json", arguments->json, "print one JSON object instead of the text");
+    lint->add_flag("--json", arguments->json,
+                   "print one JSON object instead of the text; of several files: {\"files\": [...]}");
+    lint->add_flag("--csv", arguments->csv,
+                   "print a table for spreadsheets: one row for each warning, and for each file without any");
     lint->add_option("--fix", arguments->fix,
                      "write the scene, or the source of a recorded program, with the first warning of this name "
                      "mended; needs -o")
@@ -173,7 +230,11 @@ Subcommand add_lint(CLI::App& app) {
     lint->footer(
         "A comment in the scene silences a warning: // twinlight: allow(NAME), at the end of a line for that line, or\n"
         "on a line of its own for the whole scene.\n"
-        "Exit status: 0 no warnings, 1 some warnings, 2 bad input or usage.");
+        "  twinlight lint homework.c           a whole program, read without a compiler\n"
+        "  twinlight lint program.trace        a recording\n"
+        "  twinlight lint --run lamp.cpp       any other program: compiles, runs and records it\n"
+        "  twinlight lint --csv homework/      all scenes, C programs and recordings of a folder\n"
+        "Exit status: 0 no warnings, 1 some warnings, 2 a file that could not be read, or bad usage.");
     return {lint, [arguments] { return run_lint(*arguments); }};
 }
 

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <set>
 #include <vector>
 
+#include "base/image/file.h"
 #include "scene/command/lexer.h"
 #include "scene/command/text.h"
 
@@ -43,6 +46,12 @@ bool is_cpp_header(const Token& token) {
 }
 
 }  // namespace
+
+bool has_cpp_name(const std::string& file) {
+    static constexpr std::array kExtensions = {".cpp", ".cc", ".cxx", ".c++"};
+    return std::filesystem::path(file).extension() == ".C" ||
+           std::ranges::find(kExtensions, extension_of(file)) != kExtensions.end();
+}
 
 std::optional<CppWord> first_cpp_word(std::string_view text, const std::string& file) {
     const std::vector<Token> words = words_of(text, file);

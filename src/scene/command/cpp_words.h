@@ -1,4 +1,5 @@
-// Whether a program is C++: its first word that C does not have. Asked only about programs that cannot be read as C.
+// Whether a program is C++: by its file's name, or its first word that C does not have. Needed only for programs that cannot be read
+// as C.
 #pragma once
 
 #include <optional>
@@ -8,6 +9,9 @@
 #include "scene/command/place.h"
 
 namespace twinlight {
+
+// ".cpp", ".cc", ".cxx" or ".c++" in any case, or ".C"; ".c" is C.
+bool has_cpp_name(const std::string& file);
 
 struct CppWord {
     std::string text;  // "#include <iostream>"

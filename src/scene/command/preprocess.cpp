@@ -1,6 +1,7 @@
 #include "scene/command/preprocess.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <span>
@@ -26,7 +27,9 @@ struct Macro {
 class Preprocessor {
   public:
     Preprocessor(std::string_view text, const std::string& file, const TextLoader& load_text)
-        : lexer_(text, file, Lexer::Language::kProgram), load_text_(load_text) {}
+        : lexer_(text, file, Lexer::Language::kProgram),
+          folder_(std::filesystem::path(file).parent_path()),
+          load_text_(load_text) {}
 
     PreprocessedText run() {
         read_file();
@@ -71,10 +74,11 @@ class Preprocessor {
         included_bytes_ += text->size();
         if (included_bytes_ > kMaxSceneBytes) fail(at.place, "the included files are too large together");
         const bool is_once = text->find("#pragma once") != std::string::npos;
-        if (is_once && result_.included.contains(name)) return;
+        const std::string file = (folder_ / name).string();
+        if (is_once && result_.included.contains(file)) return;
         const std::string_view kept = result_.keep(*text);
-        result_.included[name] = kept;
-        Lexer outer = std::exchange(lexer_, Lexer(kept, name, Lexer::Language::kProgram));
+        result_.included[file] = kept;
+        Lexer outer = std::exchange(lexer_, Lexer(kept, file, Lexer::Language::kProgram));
         ++included_in_;
         read_file();
         --included_in_;
@@ -405,6 +409,7 @@ class Preprocessor {
     }
 
     Lexer lexer_;
+    std::filesystem::path folder_;  // of the program
     const TextLoader& load_text_;
     int included_in_ = 0;  // files
     std::size_t included_bytes_ = 0;

@@ -15,14 +15,15 @@ namespace twinlight {
 
 struct PreprocessedText {
     std::vector<Token> tokens{};
-    std::map<std::string, std::string_view, std::less<>> included{};  // the texts of the files, by their names
+    std::map<std::string, std::string_view, std::less<>> included{};  // the texts of the files, by their paths
     std::deque<std::string> made{};  // what tokens and `included` point into, beside the text
 
     std::string_view keep(std::string text) { return made.emplace_back(std::move(text)); }
 };
 
 // The program's tokens with macros replaced; the last is kEnd. The tokens of a macro have the place of its use, those of an included
-// file have its name in their places. Other #include lines, #error and foreign pragmas are skipped. Throws SceneError.
+// file have its path in their places, such as "homework/lamp.h". Other #include lines, #error and foreign pragmas are skipped.
+// Throws SceneError.
 PreprocessedText preprocess(std::string_view text, const std::string& file, const TextLoader& load_text);
 
 }  // namespace twinlight

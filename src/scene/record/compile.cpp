@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
@@ -15,6 +14,7 @@
 #include <set>
 
 #include "base/image/file.h"
+#include "scene/command/cpp_words.h"
 #include "scene/command/text.h"
 #include "scene/trace/process.h"
 #include "scene/trace/temporary_folder.h"
@@ -25,12 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// ".C" is C++, ".c" is C.
-std::string extension_of_source(const std::string& file) {
-    return fs::path(file).extension() == ".C" ? ".cc" : extension_of(file);
-}
-
-bool is_c(const std::string& file) { return extension_of_source(file) == ".c"; }
+bool is_c(const std::string& file) { return extension_of(file) == ".c" && !has_cpp_name(file); }
 
 // Headers of Windows, of macOS, and of systems where letters of names have no case: one line each.
 void write_headers(const fs::path& folder) {
@@ -117,10 +112,7 @@ bool is_of_gl(const std::string& function) {
 
 }  // namespace
 
-bool is_source(const std::string& file) {
-    static constexpr std::array kExtensions = {".c", ".cc", ".cpp", ".cxx", ".c++"};
-    return std::ranges::find(kExtensions, extension_of_source(file)) != kExtensions.end();
-}
+bool is_source(const std::string& file) { return is_c(file) || has_cpp_name(file); }
 
 bool is_python(const std::string& file) { return extension_of(file) == ".py"; }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/image/file.h"
+#include "scene/command/cpp_words.h"
 #include "scene/command/text.h"
 #include "scene/scenes/beside.h"
 #include "scene/scenes/images.h"
@@ -127,7 +128,10 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
             read_limited(text, one_line(scene), one_line(path.filename().string()), with_meshes, images_beside(path)));
     } catch (SceneError& error) {
         const bool names_record = std::string_view(error.what()).find("twinlight record") != std::string_view::npos;
-        if (is_c_program(text) && !names_record) error.note = "this is a C program; " + how_to_record(scene);
+        if (is_c_program(text) && !names_record) {
+            const bool is_cpp = has_cpp_name(scene) || first_cpp_word(text, scene);
+            error.note = std::string("this is a ") + (is_cpp ? "C++" : "C") + " program; " + how_to_record(scene);
+        }
         throw;
     }
 }

@@ -291,7 +291,7 @@ TEST_F(RecordedLines, AreOnlyOfWhatRunIsGivenFor) {
         EXPECT_EQ(result.status, 2) << arguments;
         EXPECT_TRUE(has(result.err, message)) << result.err;
     };
-    expect_refused("lint report lab", "unexpected argument 'lab'");
+    expect_refused("compare report lab", "unexpected argument 'lab'");
     expect_refused("compare report --keys x", "--seconds, --frames, --keys, --api, -l, -I, -D and -L need --run");
     expect_refused("explain --run none.c", "none.c: there is no such file");
     expect_refused("record --keys '<Left' " + kFolder + "keys.c", "--keys: < starts the name of a key");
