@@ -56,6 +56,27 @@ TEST_F(FramebufferObjectsTest, DrawIntoTheirTexture) {
     EXPECT_EQ(codes(text, 3, 12), (Codes{255, 0, 0, 51}));
 }
 
+// A list with the arrays of its commands, as real programs make them.
+TEST_F(FramebufferObjectsTest, AreDrawnIntoByArraysInLists) {
+    const std::string list =
+        "GLfloat corners[] = {0, 0, 1, 0, 1, 1, 0, 1};\nglVertexPointer(2, GL_FLOAT, 0, corners);\n"
+        "glEnableClientState(GL_VERTEX_ARRAY);\nglNewList(1, GL_COMPILE); glDrawArrays(GL_QUADS, 0, 4); glEndList();\n";
+    const std::string call = "glColor4f(0, 1, 0, 0.8); glCallList(1);\n";
+    const std::string bind = "glBindFramebuffer(GL_FRAMEBUFFER, 0); glBindFramebuffer(GL_FRAMEBUFFER, 1);\n";
+    const std::string text = list + object(16) + kClear + bind + call + shown();
+    EXPECT_EQ(codes(text, 3, 3), (Codes{255, 0, 0, 51}));
+    EXPECT_EQ(codes(text, 12, 12), (Codes{0, 255, 0, 204}));
+    const std::string incomplete =
+        list + object(16) + "glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);\n" +
+        "glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 0);\n" + call;
+    try {
+        make_frame(read_scene(incomplete, "scene.gl", "scene"), {.width = 16, .height = 16});
+        FAIL();
+    } catch (const SceneError& error) {
+        EXPECT_NE(std::string(error.what()).find("the bound framebuffer object is not complete"), std::string::npos);
+    }
+}
+
 TEST_F(FramebufferObjectsTest, LeaveTheWindowAsItIs) {
     const std::string text = "glClearColor(0, 0, 1, 1); glClear(GL_COLOR_BUFFER_BIT);\n" + object(16) + kClear +
                              "glBindFramebuffer(GL_FRAMEBUFFER, 0); glViewport(0, 0, 16, 16);\n" +

@@ -284,7 +284,7 @@ void State::execute_listed(const ListedCommand& listed) {
     } else if (listed.arrays && open_) {
         raise_inside(listed.command);
     } else if (listed.arrays) {
-        draw(listed.command, *listed.arrays);
+        if (use_framebuffers(listed.command)) draw(listed.command, *listed.arrays);
     } else if (listed.pixel_store) {
         const PixelStore now = std::exchange(pixel_store_, *listed.pixel_store);
         carry_out(listed.command);
