@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 bool is_c(const std::string& file) { return extension_of(file) == ".c" && !has_cpp_name(file); }
 
-// Headers of Windows, of macOS, and of systems where letters of names have no case: one line each.
+// Headers of Windows, of macOS, of old C++, and of systems where letters of names have no case: one line each.
 void write_headers(const fs::path& folder) {
     const std::vector<std::string> folders = {"GL", "gl", "Gl", "GLUT", "glut", "Glut", "OpenGL", "opengl", ""};
     const auto write = [&](const std::vector<std::string>& names, const std::string& line) {
@@ -42,6 +42,9 @@ void write_headers(const fs::path& folder) {
     write({"freeglut.h", "Freeglut.h", "FreeGlut.h"}, "#include <GL/freeglut.h>");
     write({"gl.h", "Gl.h", "GL.h", "GL.H"}, "#include <GL/gl.h>");
     write({"glu.h", "Glu.h", "GLu.h", "GLU.h", "GLU.H"}, "#include <GL/glu.h>");
+    // Of C++ before 1998.
+    for (const std::string name : {"iostream", "fstream", "iomanip"})
+        write_file_atomically((folder / (name + ".h")).string(), "#include <" + name + ">\nusing namespace std;\n");
     for (const char* name : {"windows.h", "Windows.h", "WINDOWS.H"})
         write_file_atomically((folder / name).string(), "// Only Windows needs it.\n");
 }
@@ -105,6 +108,15 @@ std::vector<std::string> other_sources(const std::vector<std::string>& sources) 
     return found;
 }
 
+// Why the program cannot be compiled with the other files of its folder: the first error, if it is not the linker's.
+std::string with_others(const std::string& messages) {
+    static const std::regex kError("[^\n]*: (fatal )?error: [^\n]*");
+    std::smatch error;
+    if (!std::regex_search(messages, error, kError) || error[0].str().find("ld returned") != std::string::npos)
+        return "";
+    return fmt::format(" (with the other files of its folder: {})", one_line(error[0].str()));
+}
+
 bool is_of_gl(const std::string& function) {
     return function.starts_with("gl") && function.size() > 2 &&
            (std::isupper(static_cast<unsigned char>(function[2])) != 0 || function.starts_with("glu"));
@@ -128,8 +140,8 @@ Compiled compile(const Build& build, const std::string& program) {
         Build larger = build;
         compiled.others = other_sources(build.sources);
         larger.sources.insert(larger.sources.end(), compiled.others.begin(), compiled.others.end());
-        if (!compiled.others.empty() && attempt(larger, headers.path(), program).made)
-            return {.others = compiled.others};
+        const Attempt second = compiled.others.empty() ? Attempt{} : attempt(larger, headers.path(), program);
+        if (second.made) return {.others = compiled.others};
         if (std::ranges::all_of(missing, [](const std::string& function) { return !is_of_gl(function); }))
             compiled.messages.clear();  // the linker's, which are long
         compiled.failure =
@@ -139,8 +151,8 @@ Compiled compile(const Build& build, const std::string& program) {
                               *std::ranges::find_if(missing, is_of_gl))
                 : fmt::format(
                       "{}: it calls {}, which is in no file given here; it needs its project's other files: compile it "
-                      "as usual and run 'twinlight record ./program'",
-                      name, *missing.begin());
+                      "as usual and run 'twinlight record ./program'{}",
+                      name, *missing.begin(), with_others(second.messages));
         return compiled;
     }
     const bool lacks_library = first.messages.find("cannot find -lglut") != std::string::npos ||
@@ -152,7 +164,9 @@ Compiled compile(const Build& build, const std::string& program) {
     if (lacks_library)
         compiled.failure += "; freeglut and GLU are in the packages freeglut3-dev and libglu1-mesa-dev";
     else if (std::regex_search(first.messages, header, kHeader))
-        compiled.failure += fmt::format("; if {} is in another folder, -IDIR names it", header[1].str());
+        compiled.failure += fmt::format(
+            "; if {} is in another folder, -IDIR names it; or compile it as usual and run 'twinlight record ./program'",
+            header[1].str());
     return compiled;
 }
 

@@ -1,5 +1,7 @@
 #include "scene/scenes/load.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
@@ -38,6 +40,15 @@ std::string how_to_record(const std::string& scene) {
 
 bool is_c_program(std::string_view text) {
     return text.find("main(") != std::string_view::npos || text.find("main (") != std::string_view::npos;
+}
+
+// A program of GLFW or SDL, or one that calls glutMainLoopEvent.
+bool is_program_without_loop(std::string_view text) {
+    const auto has = [&](std::string_view words) { return text.find(words) != text.npos; };
+    constexpr std::string_view kLoop = "glutMainLoop";
+    for (std::size_t at = text.find(kLoop); at != text.npos; at = text.find(kLoop, at + 1))
+        if (!text.substr(at + kLoop.size()).starts_with("Event")) return false;
+    return has("#include") && (has("int main") || has("void main"));
 }
 
 // The text of a file that a program beside it includes; nullopt if there is none, or if it is a copy of a library's header.
@@ -130,7 +141,15 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
         const bool names_record = std::string_view(error.what()).find("twinlight record") != std::string_view::npos;
         if (is_c_program(text) && !names_record) {
             const bool is_cpp = has_cpp_name(scene) || first_cpp_word(text, scene);
-            error.note = std::string("this is a ") + (is_cpp ? "C++" : "C") + " program; " + how_to_record(scene);
+            const std::string language = is_cpp ? "C++" : "C";
+            // The first error would be about a line that only scenes cannot have, such as #define.
+            if (is_program_without_loop(text))
+                throw SceneError(
+                    fmt::format("{}: this {} program does not call glutMainLoop, so it cannot be read; {}; or run and "
+                                "lint it: twinlight "
+                                "lint --run {}",
+                                one_line(scene), language, how_to_record(scene), one_line(scene)));
+            error.note = "this is a " + language + " program; " + how_to_record(scene);
         }
         throw;
     }
