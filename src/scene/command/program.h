@@ -33,6 +33,7 @@ struct Function {
     Token name;
     const DataType* result = nullptr;
     std::vector<FormalParameter> parameters{};
+    bool takes_more = false;              // f(const char* form, ...)
     std::size_t body = 0;                 // the index of its "{"
     std::optional<SceneError> refusal{};  // why its result or its parameters cannot be read; thrown where it is called
 };
@@ -71,11 +72,12 @@ struct Program {
     std::size_t loop = 0;   // the index of the loop that last began a round; 0 if there was none
     std::size_t depth = 0;  // statements, expressions and calls inside each other
     std::vector<Local> locals{};
-    std::size_t frame = 0;             // the first local of the running function
-    std::size_t block = 0;             // the first local of the running block
-    bool in_function = false;          // false while the global variables are read
-    const DataType* result = nullptr;  // of the running function
-    Value returned{};                  // by the last return; a pointer as its address, in `integer`
+    std::size_t frame = 0;                     // the first local of the running function
+    std::size_t block = 0;                     // the first local of the running block
+    bool in_function = false;                  // false while the global variables are read
+    const DataType* result = nullptr;          // of the running function
+    std::optional<std::vector<Value>> more{};  // what the running function gets for ..., if it has that
+    Value returned{};                          // by the last return; a pointer as its address, in `integer`
     std::shared_ptr<Memory> returned_struct{};
     RandomNumbers random{};
     std::uint64_t random_48 = 0x1234abcd330e;  // drand48()

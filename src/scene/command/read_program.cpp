@@ -236,6 +236,7 @@ void Reader::parameters_of(Function& function) {
             if (token_.is(".")) {  // the ... of printf
                 while (accept(".")) {
                 }
+                function.takes_more = true;
                 break;
             }
             function.parameters.push_back(parameter(type_name()));

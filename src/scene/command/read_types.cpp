@@ -55,6 +55,7 @@ constexpr NamedType kTypesOfPrograms[] = {
     {"uint8_t", Kind::kUbyte},     {"int16_t", Kind::kShort},    {"uint16_t", Kind::kUshort},
     {"int32_t", Kind::kInt},       {"uint32_t", Kind::kUint},    {"int64_t", Kind::kSizeiptr},
     {"uint64_t", Kind::kSizeiptr}, {"uint", Kind::kUint},        {"uchar", Kind::kUbyte},
+    {"va_list", Kind::kInt},
 };
 
 std::optional<Kind> find_type(std::string_view name, std::span<const NamedType> types) {

@@ -312,6 +312,7 @@ class Reader {
 
     // -- a whole program: its calls (run_calls.cpp) --
     std::vector<Value> values_in_parentheses();
+    std::vector<Value> values_before_list(const Token& name, std::size_t count);
     WindowSize window_size(const Token& name);
     Value call_in_program(const Token& name);
     std::optional<Value> call_of_chance_and_time(const Token& name);

@@ -113,9 +113,9 @@ Value Reader::call_in_program(const Token& name) {
     if (const std::optional<Value> result = call_of_texts(name)) return *result;
     if (name.is("exit") || name.is("abort"))
         fail(name.place, "the program ends itself here, before its first picture is complete");
-    constexpr std::string_view kOutOfReach[] = {"gettimeofday", "fopen",     "fclose",  "fread", "fscanf",
-                                                "sscanf",       "scanf",     "getchar", "fgets", "getenv",
-                                                "system",       "localtime", "qsort"};
+    constexpr std::string_view kOutOfReach[] = {"gettimeofday", "fopen",  "va_arg", "va_copy",   "fclose",
+                                                "fread",        "fscanf", "sscanf", "scanf",     "getchar",
+                                                "fgets",        "getenv", "system", "localtime", "qsort"};
     if (std::ranges::find(kOutOfReach, name.text) != std::end(kOutOfReach))
         out_of_reach(name.place, fmt::format("the function {}", name.text));
     std::vector<std::string_view> names;
@@ -445,6 +445,10 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
                                                 "gluQuadricCallback",
                                                 "printf",
                                                 "fprintf",
+                                                "va_start",
+                                                "va_end",
+                                                "vprintf",
+                                                "vfprintf",
                                                 "puts",
                                                 "fputs",
                                                 "putchar",

@@ -376,15 +376,16 @@ Value Reader::run_function(const Function& function, const std::vector<Value>& g
     Program& p = *program_;
     const std::string name = in_quotes(function.name.text);
     if (function.refusal) throw SceneError(*function.refusal);
-    if (given.size() != function.parameters.size())
-        fail(place, "the function {} takes {} arguments, but {} are given", name, function.parameters.size(),
-             given.size());
+    const std::size_t wanted_count = function.parameters.size();
+    if (given.size() < wanted_count || (given.size() > wanted_count && !function.takes_more))
+        fail(place, "the function {} takes {}{} arguments, but {} are given", name,
+             function.takes_more ? "at least " : "", wanted_count, given.size());
     if (++p.depth > kMaxProgramDepth) fail(place, "the calls of {} are nested too deeply", name);
 
     const std::size_t first = p.locals.size();
     const std::size_t frame = std::exchange(p.frame, first);
     const std::size_t block = std::exchange(p.block, first);
-    for (std::size_t i = 0; i < given.size(); ++i) {
+    for (std::size_t i = 0; i < wanted_count; ++i) {
         const FormalParameter& parameter = function.parameters[i];
         const Token token{TokenKind::kName, parameter.name, place};
         const auto refuse = [&](std::string_view needed) {
@@ -412,6 +413,9 @@ Value Reader::run_function(const Function& function, const std::vector<Value>& g
     const std::size_t nesting = std::exchange(nesting_, 0);
     const bool in_function = std::exchange(p.in_function, true);
     const DataType* const result = std::exchange(p.result, function.result);
+    std::optional<std::vector<Value>> more;
+    if (function.takes_more) more.emplace(given.begin() + static_cast<std::ptrdiff_t>(wanted_count), given.end());
+    more.swap(p.more);
     p.returned = integer(0);
     p.returned_struct.reset();
     jump(function.body);
@@ -421,6 +425,7 @@ Value Reader::run_function(const Function& function, const std::vector<Value>& g
     if (literals) literals_.swap(*literals);
     nesting_ = nesting;
     p.in_function = in_function;
+    p.more = std::move(more);
     p.frame = frame;
     p.block = block;
     --p.depth;

@@ -138,16 +138,33 @@ std::string Reader::printed(const std::vector<Value>& values, std::size_t format
     return text;
 }
 
+// The arguments of vsprintf and its like: the first ones, then what the running function gets for its "...".
+std::vector<Value> Reader::values_before_list(const Token& name, std::size_t count) {
+    const Program& p = *program_;
+    const std::size_t close = p.partners[p.at];
+    std::vector<Value> values;
+    expect("(", "after the function's name");
+    for (std::size_t i = 0; i < count; ++i) {
+        values.push_back(expression());
+        expect(",", "after an argument of {}", name.text);
+    }
+    if (!p.more || token_.kind != TokenKind::kName || p.at + 1 != close)
+        out_of_reach(name.place, "a va_list that another function made");
+    jump(close + 1);
+    values.insert(values.end(), p.more->begin(), p.more->end());
+    return values;
+}
+
 // strlen, strcpy, sprintf and others: nullopt for another name.
 std::optional<Value> Reader::call_of_texts(const Token& name) {
     constexpr std::pair<std::string_view, std::size_t> kAll[] = {
-        {"strlen", 1},  {"strcpy", 2},  {"strncpy", 3}, {"strcat", 2},  {"strcmp", 2},
-        {"strncmp", 3}, {"atoi", 1},    {"atof", 1},    {"sprintf", 2}, {"snprintf", 3},
-        {"isdigit", 1}, {"isspace", 1}, {"isalpha", 1}, {"toupper", 1}, {"tolower", 1}};
+        {"strlen", 1},  {"strcpy", 2},  {"strncpy", 3}, {"strcat", 2},   {"strcmp", 2},   {"strncmp", 3},
+        {"atoi", 1},    {"atof", 1},    {"sprintf", 2}, {"snprintf", 3}, {"vsprintf", 2}, {"vsnprintf", 3},
+        {"isdigit", 1}, {"isspace", 1}, {"isalpha", 1}, {"toupper", 1},  {"tolower", 1}};
     const auto row = std::ranges::find(kAll, name.text, [](const auto& known) { return known.first; });
     if (row == std::end(kAll)) return std::nullopt;
-    const std::vector<Value> given = values_in_parentheses();
-    const bool takes_more = name.text.ends_with("printf");
+    const bool takes_more = name.text.ends_with("printf"), takes_list = name.text.starts_with("v");
+    const std::vector<Value> given = takes_list ? values_before_list(name, row->second) : values_in_parentheses();
     if (given.size() < row->second || (given.size() > row->second && !takes_more))
         fail(name.place, "{} takes {}{} argument{}", name.text, takes_more ? "at least " : "", row->second,
              row->second == 1 ? "" : "s");
@@ -180,7 +197,7 @@ std::optional<Value> Reader::call_of_texts(const Token& name) {
         std::memcpy(to.data(), copy.data(), copy.size());
     }
     if (!takes_more) return given[0];
-    const bool is_limited = name.is("snprintf");
+    const bool is_limited = name.text.ends_with("snprintf");
     const std::string made = printed(given, is_limited ? 2 : 1, name.place);
     if (!is_limited || count(1) > 0) write_text(given[0], is_limited ? made.substr(0, count(1) - 1) : made, name.place);
     return integer(static_cast<std::int64_t>(made.size()));

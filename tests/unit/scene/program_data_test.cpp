@@ -155,6 +155,26 @@ TEST(ProgramTexts, AreReadCharacterByCharacter) {
 }
 
 // As freeglut 3.4 does: how glBitmap reads rows is set and set back for each character.
+TEST(ProgramTexts, AreMadeOfTheRestOfTheArguments) {
+    const std::string functions =
+        "char made[40];\n"
+        "void inner(const char *form, ...) { va_list more; va_start(more, form); vsprintf(made, form, more); "
+        "va_end(more); }\n"
+        "int label(int n, const char *form, ...) {\n"
+        "  char text[20];\n  va_list more;\n  va_start(more, form);\n  inner(\"%d\", 7);\n"
+        "  n += vsnprintf(text, 4, form, more);\n  va_end(more);\n  glLineWidth(text[0] - '0');\n  return n;\n}\n";
+    EXPECT_EQ(values_of("int n = label(10, \"%d-%s\", 3, \"abc\"); glScaled(n, made[0], 0);", functions),
+              (Values{3, 15, '7', 0}));
+    EXPECT_EQ(values_of("glScaled(label(10, \"5\"), 1, 1);", functions), (Values{5, 11, 1, 1}));
+    EXPECT_NE(error_of(program("label(1);", functions)).find("takes at least 2 arguments, but 1 are given"),
+              std::string::npos);
+    EXPECT_NE(error_of(program("label(1, \"%d\");", functions)).find("the form '%d' has no value"), std::string::npos);
+    const std::string passed =
+        "char t[9]; void to(const char *f, va_list l) { vsprintf(t, f, l); }\n"
+        "void from(const char *f, ...) { va_list l; va_start(l, f); to(f, l); }\n";
+    EXPECT_NE(error_of(program("from(\"%d\", 3);", passed)), "");
+}
+
 TEST(ProgramTexts, AreDrawnInGlutsFonts) {
     const std::string one = printed("glutBitmapCharacter(GLUT_BITMAP_8_BY_13, '!');");
     EXPECT_TRUE(
