@@ -285,7 +285,7 @@ bool sets_up(std::string_view name) {
 }  // namespace
 
 std::optional<BusiestFrame> busiest_frame(const std::string& trace) {
-    const std::shared_ptr<const Recording> recording = open_trace(trace);
+    const std::shared_ptr<const Recording> recording = open_trace(trace, std::nullopt, Blobs::kAreLeftOut);
     FunctionTable functions;
     ContextCounts counts;
     std::vector<double> vertices{0};  // of each frame

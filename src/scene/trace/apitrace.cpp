@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <vector>
 
 #include "scene/command/text.h"
 #include "scene/trace/process.h"
@@ -36,19 +37,17 @@ std::string first_words(const Descriptor& file) {
 
 }  // namespace
 
-ApitraceDump::ApitraceDump(const std::string& name, const std::string& trace, const Descriptor& input)
+ApitraceDump::ApitraceDump(const std::string& name, const std::string& trace, const Descriptor& input, Blobs blobs)
     : messages_(nameless_file()) {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw SceneError(name + ": " + std::strerror(errno));
     output_ = Descriptor(ends[0]);
     const Descriptor dump(ends[1]);
     // It runs in the temporary folder, because it writes blobs to its working folder. With --multiline=no it leaves out stacks.
-    process_ = start({{"apitrace", "dump", "--color=never", "--blobs", "--thread-ids=yes", "--arg-names=no",
-                       input.valid() ? "/dev/stdin" : std::filesystem::absolute(trace).string()},
-                      input.get(),
-                      dump.get(),
-                      messages_.get(),
-                      folder()});
+    std::vector<std::string> command = {"apitrace", "dump", "--color=never", "--thread-ids=yes", "--arg-names=no"};
+    if (blobs == Blobs::kAreRead) command.emplace_back("--blobs");
+    command.push_back(input.valid() ? "/dev/stdin" : std::filesystem::absolute(trace).string());
+    process_ = start({command, input.get(), dump.get(), messages_.get(), folder()});
     if (process_ > 0) {
         const rlimit most{kMostBytes, kMostBytes};
         ::prlimit(process_, RLIMIT_AS, &most, nullptr);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/image/descriptor.h"
+#include "scene/trace/blobs.h"
 #include "scene/trace/temporary_folder.h"
 
 namespace twinlight::trace {
@@ -14,7 +15,7 @@ class ApitraceDump {
   public:
     // Starts `apitrace dump --blobs` on the file `trace`, or on `input` if that is valid. `name` appears in messages.
     // Throws SceneError if apitrace is not installed.
-    ApitraceDump(const std::string& name, const std::string& trace, const Descriptor& input);
+    ApitraceDump(const std::string& name, const std::string& trace, const Descriptor& input, Blobs blobs);
     ~ApitraceDump();  // stops the process
     ApitraceDump(const ApitraceDump&) = delete;
     ApitraceDump& operator=(const ApitraceDump&) = delete;

@@ -16,7 +16,10 @@ inline constexpr std::size_t kMaxBlobBytes = std::size_t{256} << 20;
 // The limit on all blobs in memory at once. Vertex arrays and display lists keep blobs in memory.
 inline constexpr std::size_t kMaxHeldBlobBytes = std::size_t{1} << 30;
 
-// Gives the bytes of a blob; `place` is the place in the dump that names it. Throws SceneError.
+// Who only counts calls needs no blobs. apitrace writes a file for each, so the dump is much faster without them.
+enum class Blobs { kAreRead, kAreLeftOut };
+
+// Gives the bytes of a blob; `place` is the place in the dump that names it. Throws SceneError. Null if they are left out.
 using BlobLoader = std::function<std::shared_ptr<const Memory>(const std::string& name, const Place& place)>;
 
 // The files in a folder. Refuses a name that leads out of the folder, and a file that is missing or exceeds a limit.

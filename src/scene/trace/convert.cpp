@@ -73,6 +73,10 @@ void add_pointer(const Argument& argument, const Arguments& arguments, const Par
             command.arguments.push_back(0);
             return;
         case Form::kBlobSize:
+            if (!blobs) {
+                command.arguments.push_back(0);
+                return;
+            }
             refuse(command, parameter, "is not in this dump; create the dump with 'apitrace dump --blobs'");
         case Form::kArray:
         case Form::kOther:

@@ -115,8 +115,10 @@ class TraceRecording final : public DumpRecording {
     }
     // The dump of a .trace: of the file `trace`, or of `input`.
     TraceRecording(std::string given_name, std::string place, const std::string& trace, const Descriptor& input,
-                   std::optional<int> context)
-        : DumpRecording(std::move(given_name), std::move(place)), apitrace_(std::in_place, place_, trace, input) {
+                   std::optional<int> context, Blobs blobs = Blobs::kAreRead)
+        : DumpRecording(std::move(given_name), std::move(place)),
+          leaves_blobs_out_(blobs == Blobs::kAreLeftOut),
+          apitrace_(std::in_place, place_, trace, input, blobs) {
         folder_ = apitrace_->folder();
         text_.emplace(place_, nameless_file(), apitrace_->take_output(),
                       [this] { apitrace_error_ = apitrace_->wait(); });
@@ -146,9 +148,10 @@ class TraceRecording final : public DumpRecording {
 
   private:
     std::unique_ptr<ByteSource> start() const override { return std::make_unique<DumpTextReading>(*text_); }
-    BlobLoader blobs() const override { return blobs_in_folder(folder_); }
+    BlobLoader blobs() const override { return leaves_blobs_out_ ? BlobLoader() : blobs_in_folder(folder_); }
 
     std::string folder_;  // of the blobs
+    bool leaves_blobs_out_ = false;
     std::optional<ApitraceDump> apitrace_;
     mutable std::optional<DumpText> text_;
     mutable std::string apitrace_error_;
@@ -232,10 +235,10 @@ bool is_dump(std::string_view front) {
     return skip(is_word) && line.starts_with('(');
 }
 
-std::shared_ptr<const Recording> open_trace(const std::string& path, std::optional<int> context) {
+std::shared_ptr<const Recording> open_trace(const std::string& path, std::optional<int> context, Blobs blobs) {
     const std::filesystem::path file = path;
     return std::make_shared<TraceRecording>(one_line(file.filename().string()), one_line(path), path, Descriptor(),
-                                            context);
+                                            context, blobs);
 }
 
 std::shared_ptr<const Recording> open_dump(const std::string& path, std::optional<int> context) {

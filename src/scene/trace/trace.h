@@ -23,7 +23,8 @@ bool is_dump(std::string_view front);  // the front of the output of `apitrace d
 // A recording can be visited any number of times. apitrace runs only once; its dump stays in a temporary file as long
 // as the recording exists. Only one GL context is visited: `context`, counted from 0 in the order in which they became
 // current, or the one that draws most. All of them throw SceneError.
-std::shared_ptr<const Recording> open_trace(const std::string& path, std::optional<int> context = std::nullopt);
+std::shared_ptr<const Recording> open_trace(const std::string& path, std::optional<int> context = std::nullopt,
+                                            Blobs blobs = Blobs::kAreRead);
 // The blobs must be in the folder of the dump.
 std::shared_ptr<const Recording> open_dump(const std::string& path, std::optional<int> context = std::nullopt);
 // A dump in memory, which must exist as long as the recording. The busiest context is visited.
