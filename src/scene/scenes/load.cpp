@@ -48,7 +48,7 @@ bool is_program_without_loop(std::string_view text) {
     constexpr std::string_view kLoop = "glutMainLoop";
     for (std::size_t at = text.find(kLoop); at != text.npos; at = text.find(kLoop, at + 1))
         if (!text.substr(at + kLoop.size()).starts_with("Event")) return false;
-    return has("#include") && (has("int main") || has("void main"));
+    return has("#include") && (has("int main") || has("void main") || has("\nmain"));
 }
 
 // The text of a file that a program beside it includes; nullopt if there is none, or if it is a copy of a library's header.
