@@ -155,6 +155,15 @@ TEST(ProgramTexts, AreReadCharacterByCharacter) {
 }
 
 // As freeglut 3.4 does: how glBitmap reads rows is set and set back for each character.
+TEST(ProgramCallbacks, OfDevicesAndWindowsComeAfterThePicture) {
+    for (const char* name :
+         {"glutPositionFunc", "glutMultiButtonFunc", "glutTabletMotionFunc", "glutSpaceballMotionFunc"})
+        EXPECT_EQ(
+            values_of(std::string(name) + "(moved); glLineWidth(2);", "void moved(int x, int y) { goto nowhere; }"),
+            (Values{2}))
+            << name;
+}
+
 TEST(ProgramTexts, AreMadeOfTheRestOfTheArguments) {
     const std::string functions =
         "char made[40];\n"
