@@ -370,6 +370,21 @@ TEST_F(LabelsTest, AreComparedThreeWays) {
     EXPECT_EQ(compare_three_ways(scene).verdict(), compare::Verdict::kWithin);
 }
 
+// Mesa finds the label at 5 in column 5, doubles find it in column 4: 5 * 2/800 - 1 is no float. Both are allowed.
+TEST_F(LabelsTest, AtWholePixelsMayBeAPixelAside) {
+    for (const char* blending : {"", "glEnable(GL_BLEND); glBlendFunc(GL_ONE, GL_ONE);\n"}) {
+        const std::string text =
+            "glMatrixMode(GL_PROJECTION); glOrtho(0, 800, 0, 600, -1, 1);\nglColor3f(0.5, 1, 1);\n" +
+            std::string(blending) + "glRasterPos2f(5, 580);\n" + kDraw;
+        const Scene scene = make_scene(list_of(kStairs + text), {.width = 800, .height = 600});
+        EXPECT_EQ(compare_three_ways(scene).verdict(), compare::Verdict::kWithin);
+        const auto allowed = reference::allowed_difference(scene.frame, {});
+        const auto background = [&](int x) { return allowed.edge[static_cast<std::size_t>(19 * 800 + x)] != 0; };
+        EXPECT_TRUE(background(4));
+        EXPECT_FALSE(background(40));
+    }
+}
+
 // ---- The raster position itself ----
 
 // Where floats compute a position without rounding, no driver can find another.

@@ -6,6 +6,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "render/reference/geometry/coverage.h"
 #include "render/reference/geometry/surface_rays.h"
@@ -356,7 +358,14 @@ void add_pixels(const Draw& draw, std::uint32_t draw_index, InClipPlane in_clip_
                                     .weights_over_w = {1, 0, 0}}};
         return pieces.emplace_back(std::move(piece));
     };
-    for (std::uint32_t i = 0; const glm::ivec2& place : draw.pixels->places) add(place, i++);
+    // A pixel in doubt may also keep what was there before, so that nothing is certain there.
+    std::set<std::pair<int, int>> in_doubt;
+    if (in_clip_plane == InClipPlane::kPerhaps)
+        for (const glm::ivec2& place : draw.pixels->doubtful) in_doubt.emplace(place.x, place.y);
+    for (std::uint32_t i = 0; const glm::ivec2& place : draw.pixels->places) {
+        if (!in_doubt.contains({place.x, place.y})) add(place, i);
+        ++i;
+    }
     if (in_clip_plane != InClipPlane::kPerhaps) return;
     for (const glm::ivec2& place : draw.pixels->doubtful) add(place, 0).is_perhaps_clipped = true;
     if (const CopyRanges::OfPixels* copied = CopyRanges::of(ranges, draw.pixels))
