@@ -15,9 +15,11 @@
 #include "app/cli/run_program.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
+#include "judge/lint/tried.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/record/compile.h"
+#include "scene/recorded/recorded_frame.h"
 #include "scene/state/state.h"
 
 namespace twinlight::cli {
@@ -124,10 +126,35 @@ std::vector<std::string> inputs_of(const LintArguments& arguments) {
     return inputs;
 }
 
-Scene scene_of(const LintArguments& arguments, RunInstead& run, const std::string& input) {
+// The later pictures of a whole program, or of a recorded one.
+std::vector<lint::LaterScene> later_of(const Scene& scene) {
+    if (scene.recording->command_list()) return lint::later_scenes(scene);
+    std::vector<lint::LaterScene> later;
+    for (RecordedFrame& frame : later_frames(scene)) {
+        const bool is_next = later.empty();
+        later.push_back(
+            {std::move(frame.scene),
+             is_next ? fmt::format("from frame {} on", frame.number) : fmt::format("in frame {}", frame.number),
+             is_next});
+    }
+    return later;
+}
+
+// The scene that the user named, and its warnings.
+struct Linted {
+    Scene scene;
+    std::vector<lint::Warning> warnings;
+};
+
+Linted linted(const LintArguments& arguments, RunInstead& run, const std::string& input) {
     RecordedPart part = arguments.part;
     const std::string file = recorded_first(run, input, part);
-    return load_scene(file, arguments.size, part, arguments.step, arguments.memory);
+    Linted result{load_scene(file, arguments.size, part, arguments.step, arguments.memory), {}};
+    std::vector<lint::LaterScene> later;
+    if (!arguments.part.frame) later = later_of(result.scene);
+    result.warnings = lint::lint(result.scene, later);
+    lint::try_fixes(result.scene, later, result.warnings);
+    return result;
 }
 
 int lint_many(const LintArguments& arguments, const std::vector<std::string>& inputs) {
@@ -143,8 +170,8 @@ int lint_many(const LintArguments& arguments, const std::vector<std::string>& in
         RunInstead run{.is_on = is_run, .name_of_command = arguments.run.name_of_command};
         run.arguments = arguments.run.arguments;
         run.arguments.command.clear();
-        const Scene scene = scene_of(arguments, run, file);
-        return LintedFile{.file = file, .scene = is_run ? file : scene.name(), .warnings = lint::lint(scene)};
+        Linted one = linted(arguments, run, file);
+        return LintedFile{.file = file, .scene = is_run ? file : one.scene.name(), .warnings = std::move(one.warnings)};
     };
     return lint_files(files, arguments.form(), programs, lint_one);
 }
@@ -164,8 +191,7 @@ int run_lint(LintArguments& arguments) {
     if (arguments.json && arguments.csv) throw UsageError("choose --json or --csv");
     const std::vector<std::string> inputs = inputs_of(arguments);
     if (inputs.size() > 1 || is_folder(arguments.scene)) return lint_many(arguments, inputs);
-    const Scene scene = scene_of(arguments, arguments.run, arguments.scene);
-    const std::vector<lint::Warning> warnings = lint::lint(scene);
+    const auto [scene, warnings] = linted(arguments, arguments.run, arguments.scene);
     if (!arguments.fix.empty()) return write_mended(arguments, scene, warnings);
     if (arguments.csv) {
         write_result(csv_of({{.file = arguments.scene, .scene = scene.name(), .warnings = warnings}}));

@@ -19,7 +19,7 @@ namespace {
 std::shared_ptr<const CommandList> numbered(const CommandList& commands) {
     auto list = std::make_shared<CommandList>(commands);
     list->text = nullptr;
-    list->next_picture = nullptr;  // it is of the text, not of the edited commands
+    list->later = nullptr;  // they are of the text, not of the edited commands
     int line = 0;
     for (Command& command : list->commands) command.place = {nullptr, ++line, 1};
     return list;

@@ -24,6 +24,7 @@ struct Rule {
     std::string_view scene;  // a small scene as a diff: lines that start with "-" are wrong, with "+" mended
     std::unique_ptr<Watch> (*make)();
     std::vector<std::string_view> explained_by{};  // rules whose mistakes cause this one: it warns only without them
+    bool compares_pictures = false;                // its messages say which pictures are wrong
 };
 
 std::span<const Rule> rules();
@@ -50,13 +51,28 @@ struct Warning {
     std::string message;  // what is wrong here, with numbers
     std::string fix;      // the call to write here
     std::vector<Edit> edits{};
-    int count = 1;      // how often; `place` is the first
-    std::string key{};  // warnings of a rule with the same key are one; empty: the message
+    int count = 1;       // how often; `place` is the first
+    std::string when{};  // in which pictures of a program, if not in all: "from the second picture on"
+    Place draw{};        // the statement of the Draw that it is about; line 0 if it is not about one
+    std::string key{};   // warnings of a rule with the same key are one; empty: the message
 };
 
-// All warnings of a scene, in the order of their places. Comments of its text silence rules: `// twinlight: allow(name)` on
-// a line of its own for the whole text, at the end of a line for that line.
-std::vector<Warning> lint(const Scene& scene);
+// A later picture of a scene. Its recording starts where the scene's starts, with Step::Kind::kFrameEnd after each picture before it.
+struct LaterScene {
+    Scene scene;
+    std::string when;     // "in the second picture"
+    bool is_next = true;  // the second picture; others may be any that people can see
+};
+
+// Those of a whole program: its second picture, one after a second, one after a key. None for other scenes.
+std::vector<LaterScene> later_scenes(const Scene& scene);
+
+// All warnings of a scene and its later pictures, in the order of their places. Comments of its text silence rules: `// twinlight:
+// allow(name)` on a line of its own for the whole text, at the end of a line for that line.
+// A mistake of the second picture is a warning that says so. One of a later picture is, too, if the first two do not run its
+// statement: what people see after a second or a key may be meant.
+std::vector<Warning> lint(const Scene& scene, std::span<const LaterScene> later);
+inline std::vector<Warning> lint(const Scene& scene) { return lint(scene, later_scenes(scene)); }
 
 // ---- Output (warnings.cpp) ----
 
@@ -65,7 +81,8 @@ std::string headline(const Warning& warning);
 // As compilers print it: the headline, the line of the text with a caret, the reason and the fix. With `calls`, also the chain
 // of calls that led to a place of a recorded program.
 std::string full_text(const Warning& warning, std::string_view source, bool calls = false);
-// {"scene", "warnings": [{"name", "file", "line", "column", "calls", "count", "message", "why", "fix"}]}. Only places in the
+// {"scene", "warnings": [{"name", "file", "line", "column", "calls", "count", "when", "message", "why",
+// "fix"}]}. "when" is null for a mistake of all pictures. Only places in the
 // source of a recorded program have "calls"; without call stacks, `line` is the number of the call and `column` is null.
 std::string json_text(const std::string& scene, std::span<const Warning> warnings);
 // docs/lint.md.

@@ -11,12 +11,13 @@
 namespace twinlight::lint {
 
 std::optional<Redraw> redraw_of(const CommandList& list, int width, int height) {
-    if (!list.next_picture) return std::nullopt;
+    if (!list.later) return std::nullopt;
+    const LaterPicture& next = list.later->front();
     State state({.width = width, .height = height});
     for (const Command& command : list.commands) state.apply(command);
-    Redraw redraw{.start = list.next_picture->start, .clear_color = state.attributes().clear.clear_color};
+    Redraw redraw{.start = next.start, .clear_color = state.attributes().clear.clear_color};
     redraw.second = state.items().size();
-    for (const Command& command : list.next_picture->commands) {
+    for (const Command& command : next.commands) {
         state.apply(command);
         if (is_effect(command, "clear")) redraw.clear = command;
     }

@@ -35,6 +35,7 @@ std::string mended_scene(const Rule& rule) { return lines_with(rule.scene, " +")
 
 std::string headline(const Warning& warning) {
     std::string text = fmt::format("{}: warning: {}", warning.place.str(), warning.message);
+    if (!warning.when.empty()) text += fmt::format(" ({})", warning.when);
     if (warning.count > 1) text += fmt::format(" ({} times; this is the first)", warning.count);
     return text + fmt::format(" [{}]", warning.rule->name);
 }
@@ -55,6 +56,7 @@ std::string json_text(const std::string& scene, std::span<const Warning> warning
         if (warning.place.calls) one["calls"] = *warning.place.calls;
         one["column"] = is_call(warning.place) ? Json(nullptr) : Json(warning.place.column);
         one["count"] = warning.count;
+        one["when"] = warning.when.empty() ? Json(nullptr) : Json(warning.when);
         one["message"] = warning.message;
         one["why"] = warning.rule->why;
         one["fix"] = warning.fix;

@@ -30,12 +30,24 @@ class Watch {
     virtual void before(const Command&, const State&) {}
     virtual void after(const Command&, const State&) {}
     virtual void drawn(const Draw&, const State&) {}
+    // A picture ends, and another follows.
+    virtual void shown() {}
     // At the end of a whole program, with its next picture.
     virtual void redrawn(const Redraw&) {}
     // At the end, with the picture.
     virtual void finish(const Frame&, bool /*is_recorded*/) {}
 
-    std::vector<Warning> take() { return std::move(found_); }
+    // drawn(), which makes the warnings that it gives ones about this Draw.
+    void take(const Draw& draw, const State& state) {
+        const std::size_t known = found_.size();
+        drawn(draw, state);
+        for (std::size_t i = known; i < found_.size(); ++i) found_[i].draw = draw.place;
+    }
+
+    // Whether it warns anew in each picture that has the mistake.
+    virtual bool warns_again() const { return true; }
+
+    std::vector<Warning> take() { return std::exchange(found_, {}); }
 
   protected:
     void warn(Warning warning) { found_.push_back(std::move(warning)); }
@@ -51,7 +63,8 @@ std::unique_ptr<Watch> make_watch() {
 
 // The rules of each file.
 std::vector<Rule> light_rules(), material_rules(), overlay_rules(), normal_rules(), turned_normals_rules(),
-    view_rules(), picture_rules(), between_vertices_rules(), redraw_rules(), scaled_shininess_rules();
+    view_rules(), picture_rules(), between_vertices_rules(), redraw_rules(), later_picture_rules(),
+    scaled_shininess_rules();
 
 // Placeholders in the rules' scenes: a camera and a light that many share.
 inline constexpr std::string_view kView = "// the view\n";

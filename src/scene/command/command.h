@@ -196,10 +196,12 @@ struct WindowSize {
     friend bool operator==(const WindowSize&, const WindowSize&) = default;
 };
 
-// What a whole program does when GLUT calls its functions again: its idle or timer function, then its display function.
-struct NextPicture {
-    std::vector<Command> commands;
-    Place start;  // of the first statement of the display function
+// What a whole program does when GLUT calls its functions again: its idle, timer or keyboard function, then its display function.
+struct LaterPicture {
+    std::string when;               // "from the second picture on", "after 1 s", "after the key 'l'"
+    std::vector<Command> commands;  // since the picture before
+    Place start;                    // of the first statement of the display function
+    bool is_after_key = false;
 };
 
 // A note about a program whose window has several samples per pixel (section 3.2.1).
@@ -210,8 +212,8 @@ inline constexpr std::string_view kOneSampleNote =
 struct CommandList final : Recording {
     std::vector<Command> commands;
     std::optional<WindowSize> window{};  // what the scene or program gives its picture
-    std::shared_ptr<const NextPicture>
-        next_picture{};  // null where there is no program, or the reader cannot follow it
+    // The second picture, one after a second and one after a key; null where there is no program, or the reader cannot follow it.
+    std::shared_ptr<const std::vector<LaterPicture>> later{};
     std::shared_ptr<const std::string> text = nullptr;  // the C text, for messages; null if there is none
     bool is_program = false;                            // a whole program, whose GL errors do not end it
     // The texts of the files that a program includes, by the names in their places.

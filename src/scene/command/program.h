@@ -87,7 +87,7 @@ struct Program {
     bool reached_main_loop = false;
 
     std::optional<Token> display{}, reshape{};  // the functions that GLUT calls
-    std::optional<Token> idle{}, timer{};
+    std::optional<Token> idle{}, timer{}, keyboard{};
     Value timer_value{};                             // what the timer function gets
     WindowSize window{.width = 300, .height = 300};  // GLUT's own size
 };

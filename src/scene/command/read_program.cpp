@@ -1,6 +1,7 @@
 // Reads a whole GLUT program: its functions and global variables, then its run in GLUT's order.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -62,7 +63,8 @@ CommandList Reader::run(const std::string& name) {
     CommandList list{name, std::move(commands_)};
     list.is_program = true;
     list.window = p.window;
-    list.next_picture = next_picture();
+    if (std::vector<LaterPicture> later = later_pictures(); !later.empty())
+        list.later = std::make_shared<const std::vector<LaterPicture>>(std::move(later));
     if (p.asks_for_samples) list.own_notes.emplace_back(kOneSampleNote);
     return list;
 }
@@ -100,32 +102,84 @@ void Reader::leave_functions() {
     nesting_ = 0;
 }
 
-// An idle function may use what cannot be read, such as the time. Then only the display function is called again.
-std::shared_ptr<const NextPicture> Reader::next_picture() {
+// Calls a function of the program; false, and without its commands, where it uses what cannot be read.
+bool Reader::calls_from_glut(const Token& name, const std::vector<Value>& given) {
+    const std::size_t kept = commands_.size();
+    try {
+        call_from_glut(name, given);
+        return true;
+    } catch (const SceneError&) {
+        leave_functions();
+        commands_.resize(kept);
+        return false;
+    }
+}
+
+// Calls the idle or timer function; false if there is none, or it cannot be read, as where it uses the time.
+bool Reader::tick() {
+    const Program& p = *program_;
+    if (p.idle) return calls_from_glut(*p.idle, {});
+    return p.timer && calls_from_glut(*p.timer, {p.timer_value});
+}
+
+// The characters that a keyboard function compares its key with: 'a' in case 'a': or key == 'a'.
+std::vector<std::string_view> Reader::keys_of(const Function& function) const {
+    const std::vector<Token>& tokens = program_->tokens;
+    std::vector<std::string_view> keys;
+    for (std::size_t i = function.body; i < program_->partners[function.body]; ++i)
+        if (tokens[i].kind == TokenKind::kNumber && tokens[i].text.starts_with("'") &&
+            (tokens[i - 1].is("case") || tokens[i - 1].is("==")))
+            keys.push_back(tokens[i].text);
+    return keys;
+}
+
+// The picture after the first key that changes it; nullopt if none does. Keys that end the program, or that cannot be read, are left out.
+std::optional<LaterPicture> Reader::picture_after_key() {
     Program& p = *program_;
-    const auto function = p.functions.find(p.display->text);
-    NextPicture next{.commands = {}, .start = p.tokens[function->second.body + 1].place};
-    const auto runs = [&](const std::optional<Token>& name, const std::vector<Value>& given) {
-        const std::size_t kept = commands_.size();
-        try {
-            call_from_glut(*name, given);
-            return true;
-        } catch (const SceneError&) {
-            leave_functions();
-            commands_.resize(kept);
-            return false;
-        }
-    };
+    if (!p.keyboard) return std::nullopt;
+    const auto function = p.functions.find(p.keyboard->text);
+    if (function == p.functions.end()) return std::nullopt;
+    const auto same = [](const Command& a, const Command& b) { return a.id == b.id && a.arguments == b.arguments; };
+    commands_.clear();
+    if (!calls_from_glut(*p.display, {})) return std::nullopt;
+    const std::vector<Command> before = std::exchange(commands_, {});
+    constexpr std::size_t kMostKeys = 10;
+    std::vector<std::string_view> keys = keys_of(function->second);
+    if (keys.size() > kMostKeys) keys.resize(kMostKeys);
+    for (const std::string_view key : keys) {
+        commands_.clear();
+        std::vector<Value> given(function->second.parameters.size(), integer(0));
+        if (!given.empty()) given[0] = integer(character_code(key));
+        if (!calls_from_glut(*p.keyboard, given) || !calls_from_glut(*p.display, {})) continue;
+        if (!std::ranges::equal(commands_, before, same))
+            return LaterPicture{.when = fmt::format("after the key {}", key),
+                                .commands = std::move(commands_),
+                                .start = {},
+                                .is_after_key = true};
+    }
+    return std::nullopt;
+}
+
+std::vector<LaterPicture> Reader::later_pictures() {
+    constexpr std::size_t kMostCommands = 100'000;  // of a picture that is drawn more often
+    constexpr int kPicturesOfASecond = 1000 / kFrameMs;
+    Program& p = *program_;
+    std::vector<LaterPicture> later;
     commands_.clear();
     p.elapsed_ms += kFrameMs;
-    if (p.idle) {
-        runs(p.idle, {});
-    } else if (p.timer) {
-        runs(p.timer, {p.timer_value});
+    bool moves = tick();
+    if (!calls_from_glut(*p.display, {})) return later;
+    later.push_back({.when = "from the second picture on", .commands = std::exchange(commands_, {}), .start = {}});
+    if (later.front().commands.size() <= kMostCommands) {
+        p.elapsed_ms += 1000 - kFrameMs;
+        for (int i = 1; i < kPicturesOfASecond && moves && commands_.size() <= kMostCommands; ++i) moves = tick();
+        if (moves && calls_from_glut(*p.display, {}))
+            later.push_back({.when = "after 1 s", .commands = std::exchange(commands_, {}), .start = {}});
+        if (auto picture = picture_after_key()) later.push_back(std::move(*picture));
     }
-    if (!runs(p.display, {})) return nullptr;
-    next.commands = std::move(commands_);
-    return std::make_shared<const NextPicture>(std::move(next));
+    const auto function = p.functions.find(p.display->text);
+    for (LaterPicture& picture : later) picture.start = p.tokens[function->second.body + 1].place;
+    return later;
 }
 
 void Reader::call_from_glut(const Token& name, const std::vector<Value>& given) {

@@ -242,7 +242,11 @@ class Reader {
     FormalParameter parameter(const DataType* type);
     bool skip_extern();
     void call_from_glut(const Token& name, const std::vector<Value>& given);
-    std::shared_ptr<const NextPicture> next_picture();
+    bool calls_from_glut(const Token& name, const std::vector<Value>& given);
+    bool tick();
+    std::optional<LaterPicture> picture_after_key();
+    std::vector<std::string_view> keys_of(const Function& function) const;
+    std::vector<LaterPicture> later_pictures();
     std::vector<Value> arguments_of_main(const Function& main);
     void leave_functions();
     [[noreturn]] void out_of_reach(const Place& place, std::string_view construct) const;

@@ -305,11 +305,14 @@ std::optional<Token> Reader::function_argument(const Token& name) {
     return function;
 }
 
-// glutIdleFunc(f) or glutTimerFunc(milliseconds, f, value): what runs before the next picture. Other forms are passed over.
+// glutIdleFunc(f), glutKeyboardFunc(f) or glutTimerFunc(milliseconds, f, value): what runs before later pictures. Other forms
+// are passed over.
 void Reader::later_function(const Token& name) {
     Program& p = *program_;
     const std::size_t last = p.partners[p.at];
-    std::optional<Token>& function = name.is("glutIdleFunc") ? p.idle : p.timer;
+    std::optional<Token>& function = name.is("glutIdleFunc")       ? p.idle
+                                     : name.is("glutKeyboardFunc") ? p.keyboard
+                                                                   : p.timer;
     function.reset();
     const std::vector<Token>& tokens = p.tokens;
     for (std::size_t i = p.at + 1; i < last; ++i) {
@@ -318,7 +321,7 @@ void Reader::later_function(const Token& name) {
                                  (tokens[i + 1].is(")") || tokens[i + 1].is(","));
         if (!is_argument || !p.functions.contains(tokens[i].text)) continue;
         function = tokens[i];
-        if (name.is("glutIdleFunc")) return;
+        if (!name.is("glutTimerFunc")) return;
         const bool has_value = i + 3 == last && tokens[i + 2].kind == TokenKind::kNumber;
         p.timer_value = has_value ? literal(tokens[i + 2]) : integer(0);
         return;
@@ -334,7 +337,7 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
         (is_display ? p.display : p.reshape) = function_argument(name);
         return integer(0);
     }
-    if (name.is("glutIdleFunc") || name.is("glutTimerFunc")) {
+    if (name.is("glutIdleFunc") || name.is("glutTimerFunc") || name.is("glutKeyboardFunc")) {
         later_function(name);
         jump(after);
         return integer(0);
@@ -404,7 +407,6 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
                                                 "glutSetWindowTitle",
                                                 "glutSetIconTitle",
                                                 "glutSetCursor",
-                                                "glutKeyboardFunc",
                                                 "glutKeyboardUpFunc",
                                                 "glutSpecialFunc",
                                                 "glutSpecialUpFunc",

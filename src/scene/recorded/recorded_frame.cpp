@@ -35,10 +35,11 @@ std::optional<Command> made_finite(const Step& step) {
 // frames after these are one picture.
 class Beginning final : public Recording {
   public:
-    Beginning(std::shared_ptr<const Recording> whole, std::size_t steps, int frame_ends, std::vector<Command> endings,
-              std::string given_name)
-        : Recording(std::move(given_name)),
+    Beginning(std::shared_ptr<const Recording> whole, const FrameChoice& choice, std::size_t steps, int frame_ends,
+              std::vector<Command> endings)
+        : Recording(fmt::format("{}, frame {}", whole->name, choice.number.value_or(0))),
           whole_(std::move(whole)),
+          choice_(choice),
           steps_(steps),
           frame_ends_(frame_ends),
           endings_(std::move(endings)) {}
@@ -60,9 +61,27 @@ class Beginning final : public Recording {
     }
     std::vector<std::string> notes() const override { return whole_->notes(); }
     std::shared_ptr<const std::string> text_of(const Place& place) const override { return whole_->text_of(place); }
+    // The frame that comes so many later, of the same size.
+    RecordedFrame later(int frames, WindowSize size) const {
+        FrameChoice choice = choice_;
+        choice.number = *choice.number + frames;
+        choice.width = size.width;
+        choice.height = size.height;
+        return make_recorded_frame(whole_, choice);
+    }
+    // How many of the next frames there are, but no more than `most`.
+    int frames_left(int most) const {
+        int ends = -*choice_.number;
+        whole_->for_each([&](const Step& step) {
+            ends += step.kind == Step::Kind::kFrameEnd;
+            return ends <= most;
+        });
+        return ends - 1;
+    }
 
   private:
     std::shared_ptr<const Recording> whole_;
+    FrameChoice choice_;  // with its number
     std::size_t steps_;
     int frame_ends_;
     std::vector<Command> endings_;
@@ -327,10 +346,11 @@ RecordedFrame Player::result(const std::shared_ptr<const Recording>& recording) 
                                      shown == 1 ? "the one before is" : fmt::format("the {} before are", shown),
                                      are_all ? "" : ", and those before them left out")));
     }
-    result.scene = {
-        std::make_shared<const Beginning>(recording, steps_, std::min(first_shown_, frame_), std::move(endings_),
-                                          fmt::format("{}, frame {}", recording->name, frame_)),
-        state_.take_frame()};
+    FrameChoice choice = choice_;
+    choice.number = frame_;
+    result.scene = {std::make_shared<const Beginning>(recording, choice, steps_, std::min(first_shown_, frame_),
+                                                      std::move(endings_)),
+                    state_.take_frame()};
     return result;
 }
 
@@ -395,6 +415,21 @@ RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& record
         result.scene.frame.height = reach_y;
         return result;
     }
+}
+
+std::vector<RecordedFrame> later_frames(const Scene& scene) {
+    std::vector<RecordedFrame> frames;
+    const auto* const shown = dynamic_cast<const Beginning*>(scene.recording.get());
+    if (!shown) return frames;
+    constexpr int kLast = 50;
+    const WindowSize size{scene.frame.width, scene.frame.height};
+    const int left = shown->frames_left(kLast);
+    try {
+        if (left > 0) frames.push_back(shown->later(1, size));
+        if (left > 1) frames.push_back(shown->later(left, size));
+    } catch (const SceneError&) {  // it draws nothing
+    }
+    return frames;
 }
 
 RecordedFrame frame_to_see(const std::shared_ptr<const Recording>& recording, const FrameChoice& choice,

@@ -36,6 +36,10 @@ struct RecordedFrame {
 // Throws SceneError if the recording cannot be read, has too few frames, or this frame draws nothing.
 RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& recording, const FrameChoice& choice);
 
+// The frames after that of a scene, which one of these functions made: the next one, and the last of the next 50. Fewer where the
+// recording ends, or they draw nothing.
+std::vector<RecordedFrame> later_frames(const Scene& scene);
+
 // The frame that `choice` chooses. If it chooses none, and the first frame that draws is almost of one colour, as at the
 // start of a fade-in, a later frame that is not. `contrast` gives the color_contrast() of a picture, or nullopt if it is
 // not known.

@@ -8,8 +8,10 @@ static void display(void) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
     glMatrixMode(GL_PROJECTION);
+    glLoadIdentity();
     gluPerspective(40, 4.0 / 3.0, 1, 50);
     glMatrixMode(GL_MODELVIEW);
+    glLoadIdentity();
     gluLookAt(0, 0, 6,  0, 0, 0,  0, 1, 0);
 
     glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){-4, 1, 2, 1});

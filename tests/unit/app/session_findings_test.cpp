@@ -21,7 +21,7 @@ CommandList read(const std::string& text) { return read_scene(text, "test.gl", "
 
 // The window leaves out what only the text or a program's next picture shows, because edits change neither.
 std::vector<lint::Warning> warnings_of(CommandList commands) {
-    commands.next_picture = nullptr;
+    commands.later = nullptr;
     std::vector<lint::Warning> warnings = lint::lint(
         make_scene(std::make_shared<CommandList>(std::move(commands)), {.width = kSize.width, .height = kSize.height}));
     std::erase_if(warnings, [](const lint::Warning& warning) { return warning.rule->name == "shininess-scaled"; });

@@ -296,8 +296,8 @@ TEST(Programs, KnowTheExtensionsThatEveryDriverHas) {
 Values values_of_next(const std::string& text) {
     Values values;
     const CommandList scene = read_program(text);
-    if (!scene.next_picture) return values;
-    for (const Command& command : scene.next_picture->commands)
+    if (!scene.later) return values;
+    for (const Command& command : scene.later->front().commands)
         values.insert(values.end(), command.arguments.begin(), command.arguments.end());
     return values;
 }
@@ -316,11 +316,11 @@ TEST(Programs, DrawTheirNextPictureAfterIdleOrTimer) {
     EXPECT_EQ(values_of_next(text("glutTimerFunc(40, &tick, 7);")), (Values{8}));
     EXPECT_EQ(values_of_next(text("glutIdleFunc(clock);")), (Values{20}));  // milliseconds
     const CommandList scene = read_program(text("glutIdleFunc(turn);"));
-    EXPECT_EQ(scene.next_picture->start.str(), "homework.c:2:22");
+    EXPECT_EQ(scene.later->front().start.str(), "homework.c:2:22");
     EXPECT_EQ(scene.commands.size(), 1u);
     // The second call of the display function cannot be followed.
-    EXPECT_EQ(read_program(program("static int n = 0; glLineWidth(++n > 1 ? getchar() : 1);")).next_picture, nullptr);
-    EXPECT_EQ(read_scene("glLineWidth(2);", "scene.gl", "scene.gl").next_picture, nullptr);
+    EXPECT_EQ(read_program(program("static int n = 0; glLineWidth(++n > 1 ? getchar() : 1);")).later, nullptr);
+    EXPECT_EQ(read_scene("glLineWidth(2);", "scene.gl", "scene.gl").later, nullptr);
 }
 
 TEST(Programs, KnowNamesInParentheses) {
