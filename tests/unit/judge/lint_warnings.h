@@ -10,7 +10,7 @@
 
 #include "judge/lint/lint.h"
 #include "scene/command/text.h"
-#include "scene/scenes/load.h"
+#include "scene/state/state.h"
 
 namespace twinlight::lint_test {
 
