@@ -21,7 +21,8 @@ GLfloat color[PLANETS][4] = {
 
 void sun(void) {
     GLfloat glow[] = {1.0f, 0.85f, 0.2f, 1.0f};
-    GLfloat none[] = {0, 0, 0, 1};
+    GLfloat none[] = {0, 0, 0, 1}, dim[] = {0.2f, 0.2f, 0.2f, 1};
+    glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, dim);
     glMaterialfv(GL_FRONT, GL_EMISSION, glow);
     glutSolidSphere(0.8, 30, 30);
     glMaterialfv(GL_FRONT, GL_EMISSION, none);

@@ -149,6 +149,7 @@ struct Linted {
 Linted linted(const LintArguments& arguments, RunInstead& run, const std::string& input) {
     RecordedPart part = arguments.part;
     const std::string file = recorded_first(run, input, part);
+    part.frame = arguments.part.frame;  // several are looked at, from the first that draws on
     Linted result{load_scene(file, arguments.size, part, arguments.step, arguments.memory), {}};
     std::vector<lint::LaterScene> later;
     if (!arguments.part.frame) later = later_of(result.scene);
@@ -230,7 +231,7 @@ Subcommand add_lint(CLI::App& app) {
     add_recorded_options(*lint, arguments->part);
     add_run_flag(*lint, arguments->run);
     lint->get_option("--run")->description(
-        "SCENE is a program, or its source in C, C++ or Python: run it, and take the frame that draws the most; its "
+        "SCENE is a program, or its source in C, C++ or Python: run it; its "
         "other files and arguments follow. Or it is a folder of such programs. They run with all your rights");
     lint->get_option("ARGUMENTS")
         ->description(
@@ -254,6 +255,9 @@ Subcommand add_lint(CLI::App& app) {
         ->type_name("FILE")
         ->check(not_empty());
     lint->footer(
+        "Several pictures of a program are looked at: the first, the second, one after a second and one after a key; "
+        "of\n"
+        "a recording the first that draws, the next and a later one (--frame N: only that one).\n"
         "A comment in the scene silences a warning: // twinlight: allow(NAME), at the end of a line for that line, or\n"
         "on a line of its own for the whole scene.\n"
         "  twinlight lint homework.c           a whole program, read without a compiler\n"

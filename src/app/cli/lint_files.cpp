@@ -236,7 +236,7 @@ std::string csv_of(const std::vector<LintedFile>& files) {
         for (const lint::Warning& warning : file.warnings)
             text += fmt::format("{},warning,{},{},{},{},{},{}\n", name, warning.rule->name,
                                 field(warning.place.file ? *warning.place.file : file.file), warning.place.line,
-                                warning.count, field(warning.message), field(warning.fix));
+                                warning.count, field(lint::message_of(warning)), field(warning.fix));
     }
     return text;
 }

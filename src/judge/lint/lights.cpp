@@ -521,7 +521,7 @@ std::vector<Rule> light_rules() {
          "Section 2.14.1: the spotlight factor is 1 where `GL_SPOT_CUTOFF` is 180, its initial value.",
          "glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 30);",
          R"(// the view
- glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 4, 0, 1});
+ glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 2.5, 0, 1});
  glLightfv(GL_LIGHT0, GL_SPOT_DIRECTION, (GLfloat[]){0, -1, 0});
 +glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 15);
  glEnable(GL_LIGHTING);

@@ -76,6 +76,8 @@ inline std::vector<Warning> lint(const Scene& scene) { return lint(scene, later_
 
 // ---- Output (warnings.cpp) ----
 
+// The message, and in which pictures: "GL_LIGHT1 is on but black (after 1 s)".
+std::string message_of(const Warning& warning);
 // "scene.gl:7:1: warning: message [name]"
 std::string headline(const Warning& warning);
 // As compilers print it: the headline, the line of the text with a caret, the reason and the fix. With `calls`, also the chain

@@ -421,7 +421,8 @@ std::vector<Rule> picture_rules() {
 )",
          make_watch<EverythingCulled>,
          {"winding-against-normals", "nothing-in-view"}},
-        {"no-depth-test", "The depth test is never enabled, and the order of drawing shows far faces before near ones.",
+        {"no-depth-test",
+         "The depth test is never enabled, and the order of drawing shows far faces before near ones.",
          "Section 4.1.6: without `GL_DEPTH_TEST` every fragment replaces what was drawn before.",
          "glEnable(GL_DEPTH_TEST);",
          R"( glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -434,7 +435,8 @@ std::vector<Rule> picture_rules() {
  glRotatef(40, 1, 1, 0);
  glutSolidTorus(0.6, 1.4, 20, 40);
 )",
-         make_watch<NoDepthTest>},
+         make_watch<NoDepthTest>,
+         {"left-for-next-picture"}},
         {"normals-face-away", "No object is lit, because every normal points away from every light.",
          "Section 2.14.1: n . VP is 0 where the light is behind the surface.",
          "move the light, or turn the normals around",

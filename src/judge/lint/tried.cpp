@@ -27,6 +27,7 @@ class Editor {
             for (Command& command : written) command.place = edit.place;
             edits_.push_back({edit, std::move(written)});
         }
+        used_.resize(edits_.size());
     }
 
     // What runs before a statement, or in its place, and after it.
@@ -54,7 +55,7 @@ class Editor {
 
     std::vector<std::pair<Edit, Commands>> edits_;
     std::vector<Commands> moved_;
-    std::vector<std::size_t> used_ = std::vector<std::size_t>(edits_.size());  // of each edit's `moved`
+    std::vector<std::size_t> used_;  // of each edit's `moved`
 };
 
 Editor editor_for(const Recording& recording, std::span<const Edit> edits) {
@@ -181,6 +182,23 @@ bool shows_the_same(const Draw& a, const Draw& b) {
     return true;
 }
 
+// Whether any object gets other colours, even where it is not seen.
+bool draws_differ(const Frame& before, const Frame& after) {
+    const std::vector<const Draw*> draws = before.draws(), with = after.draws();
+    return !std::ranges::equal(draws, with, [](const Draw* a, const Draw* b) { return shows_the_same(*a, *b); });
+}
+
+// The second picture is drawn over a cleared one here, whatever it clears.
+bool clears_differ(const Frame& before, const Frame& after) {
+    const auto buffers = [](const Frame& frame) {
+        std::vector<std::pair<bool, bool>> cleared;
+        for (const FrameItem& item : frame.items)
+            if (const Clear* clear = std::get_if<Clear>(&item)) cleared.emplace_back(clear->color, clear->depth);
+        return cleared;
+    };
+    return buffers(before) != buffers(after);
+}
+
 class Trial {
   public:
     Trial(const Shown& shown) : shown_(shown), found_(warnings_of_all_pictures(shown.scene, shown.later)) {
@@ -201,7 +219,8 @@ class Trial {
         bool changes = false;
         for (std::size_t i = 0; i < before.size(); ++i) {
             if (!about.empty() && !changes_only(about, *before[i], *after[i])) return false;
-            changes = changes || differs(pictures_[i], reference::render(smaller(*after[i]), {}));
+            changes = changes || clears_differ(*before[i], *after[i]) || draws_differ(*before[i], *after[i]) ||
+                      differs(pictures_[i], reference::render(smaller(*after[i]), {}));
         }
         return changes;
     }

@@ -33,9 +33,12 @@ std::string lines_with(std::string_view scene, std::string_view signs) {
 std::string wrong_scene(const Rule& rule) { return lines_with(rule.scene, " -"); }
 std::string mended_scene(const Rule& rule) { return lines_with(rule.scene, " +"); }
 
+std::string message_of(const Warning& warning) {
+    return warning.when.empty() ? warning.message : fmt::format("{} ({})", warning.message, warning.when);
+}
+
 std::string headline(const Warning& warning) {
-    std::string text = fmt::format("{}: warning: {}", warning.place.str(), warning.message);
-    if (!warning.when.empty()) text += fmt::format(" ({})", warning.when);
+    std::string text = fmt::format("{}: warning: {}", warning.place.str(), message_of(warning));
     if (warning.count > 1) text += fmt::format(" ({} times; this is the first)", warning.count);
     return text + fmt::format(" [{}]", warning.rule->name);
 }
@@ -80,6 +83,15 @@ std::string markdown() {
         "      fix: glLightfv(GL_LIGHT1, GL_DIFFUSE, (GLfloat[]){{1, 1, 1, 1}});\n\n"
         "- SCENE may be a recorded program as well; `twinlight lint --run lamp.cpp` runs and records one "
         "([real-programs.md](real-programs.md)). A repeated warning is printed once, with its count.\n"
+        "- Of a program several pictures are looked at: the first, the second, one after a second and one after a key "
+        "that changes it; of a recording the first that draws, the next, and the last of the next 50 (`--frame N`: "
+        "only "
+        "that one). A warning that does not hold in all of them says when. What only a later picture has is a warning "
+        "if "
+        "the first two do not run its statement.\n"
+        "- A fix is tried before it is offered: with it, in each of these pictures, the warning must be gone, no other "
+        "may come, and nothing that it is not about may change. `--fix` writes only such fixes; other lines `fix:` are "
+        "advice. (Fixes of recordings with more than 300,000 calls are not tried.)\n"
         "- Several files, or a folder, give one line each: the file, the number of its warnings, and their rules. "
         "`twinlight lint --csv homework > homework.csv` writes a table for a spreadsheet: one row for each warning, "
         "with "

@@ -18,8 +18,10 @@ struct Place {
 
     std::string str() const;  // "scene.gl:14:22", "program.trace: call 1234"
 
+    // Whether both are the same place: a recording that is read again has names of its own.
     friend bool operator==(const Place& a, const Place& b) {
-        return a.file == b.file && a.line == b.line && a.column == b.column;
+        const bool same_file = a.file == b.file || (a.file && b.file && *a.file == *b.file);
+        return a.line == b.line && a.column == b.column && same_file;
     }
 };
 

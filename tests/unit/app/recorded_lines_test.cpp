@@ -181,6 +181,21 @@ TEST_F(RecordedLines, AreSilencedByComments) {
     EXPECT_EQ(result.out, "");
 }
 
+TEST_F(RecordedLines, AreOfWhatAPictureLeavesForTheNext) {
+    const std::string lit = "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n";
+    write_program("twice.c",
+                  lit +
+                      "glutSolidSphere(0.7, 20, 20);\nglDisable(GL_LIGHTING);\nglRectf(0.8, 0.8, 1, 1);\n"
+                      "glutSwapBuffers();\nglutPostRedisplay();",
+                  "static void first(void) { glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_DEPTH_TEST); }\n"
+                  "#define glutMainLoop() (first(), glutMainLoop())");
+    const ProgramResult result = twinlight("lint --run twice.c", in_.str());
+    EXPECT_TRUE(has(result.out, "twice.c:10:1: warning: this glDisable(GL_LIGHTING) still holds when the next picture"))
+        << result.out << result.err;
+    const ProgramResult first = twinlight("lint --run twice.c --frame 0", in_.str());
+    EXPECT_EQ(first.out, "") << first.err;
+}
+
 TEST_F(RecordedLines, CanBeMendedInACopy) {
     const std::string fix = " --fix scale-without-normalize -o ";
     const auto expect_mended = [&](const std::string& program, const std::string& rule, const std::string& copy) {

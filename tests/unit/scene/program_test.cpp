@@ -323,6 +323,34 @@ TEST(Programs, DrawTheirNextPictureAfterIdleOrTimer) {
     EXPECT_EQ(read_scene("glLineWidth(2);", "scene.gl", "scene.gl").later, nullptr);
 }
 
+TEST(Programs, DrawLaterPicturesAfterASecondAndAfterAKey) {
+    const auto later = [](const std::string& key, const std::string& registers) {
+        const CommandList scene = read_program(
+            "int ticks = 0, is_on = 0;\nvoid display(void) { glLineWidth(1 + ticks); if (is_on) glPointSize(2); }\n"
+            "void turn(void) { ++ticks; }\nvoid key(unsigned char k, int x, int y) {\n" +
+            key +
+            "\n}\nint main(int argc, char **argv) { glutCreateWindow(\"w\"); glutDisplayFunc(display); " + registers +
+            " glutMainLoop(); return 0; }");
+        std::vector<std::string> pictures;
+        for (const LaterPicture& picture : *scene.later) {
+            std::string text = picture.when + ":";
+            for (const Command& command : picture.commands) text += " " + print_command(command);
+            pictures.push_back(text);
+        }
+        return pictures;
+    };
+    const std::string on = "if (k == 27 || k == 'q') exit(0); switch (k) { case 'a': break; case 'o': is_on = 1; }";
+    using Pictures = std::vector<std::string>;
+    const std::string second = "from the second picture on: glLineWidth(";
+    EXPECT_EQ(later(on, ""), (Pictures{second + "1);"}));
+    EXPECT_EQ(later(on, "glutIdleFunc(turn);"), (Pictures{second + "2);", "after 1 s: glLineWidth(51);"}));
+    EXPECT_EQ(later(on, "glutKeyboardFunc(key);"),
+              (Pictures{second + "1);", "after the key 'o': glLineWidth(1); glPointSize(2);"}));
+    // Keys that cannot be read, and those that change nothing, are left out.
+    EXPECT_EQ(later("if (k == 'o') is_on = getchar();", "glutKeyboardFunc(key);"), (Pictures{second + "1);"}));
+    EXPECT_EQ(later("if (k == 'o') ticks = 0;", "glutKeyboardFunc(key);"), (Pictures{second + "1);"}));
+}
+
 TEST(Programs, KnowNamesInParentheses) {
     EXPECT_EQ(values_of("float a[2]; SET(a, 3, 4); (i) = 5; ((i))++; glScaled((a)[0], ((a))[1], (i));",
                         "#define SET(v, x, y) { (v)[0] = x; (v)[1] = y; }\nint i;"),
