@@ -28,8 +28,8 @@ class ColorIgnored : public Watch {
         if (state.lighting().color_material.enabled) used_ = true;
     }
     void drawn(const Draw& draw, const State&) override {
-        (draw.lighting.enabled && !draw.lighting.color_material.enabled ? ignored_ : used_) = true;
-        if (draw.lighting.enabled && draw.lighting.color_material.enabled) used_ = true;
+        const bool is_overlay = overlays_.is_overlay(draw);  // lit-overlay warns about its colour
+        (draw.lighting.enabled && !draw.lighting.color_material.enabled && !is_overlay ? ignored_ : used_) = true;
     }
     void finish(const Frame&, bool) override { settle(); }
 
@@ -46,6 +46,7 @@ class ColorIgnored : public Watch {
         ignored_ = used_ = false;
     }
 
+    LitOverlays overlays_;
     std::vector<Command> open_;  // since the last settled one
     bool ignored_ = false, used_ = false;
 };

@@ -83,12 +83,7 @@ class LeftOn : public Watch {
 // Flat drawing over the picture (orthographic, without depth test) that is lit as well.
 class LitOverlay : public LeftOn {
     std::optional<std::string> effect_on(const Draw& draw, const State&) override {
-        const bool is_orthographic = draw.clip_from_eye[2][3] == 0;
-        if (!is_orthographic) has_perspective_ |= draw.lighting.enabled;
-        if (!is_orthographic || draw.raster.depth_test || !draw.lighting.enabled) return std::nullopt;
-        // Flat drawing may be lit on purpose if it is the whole picture; so may text, but not without a light.
-        const bool has_light = !enabled_lights(draw).empty();
-        if (draw.pixels ? has_light && !has_perspective_ : !has_light || !has_perspective_) return std::nullopt;
+        if (!lit_.is_overlay(draw)) return std::nullopt;
         return "GL_LIGHTING";
     }
     bool uses(const Draw& draw) const override { return draw.lighting.enabled; }
@@ -98,7 +93,7 @@ class LitOverlay : public LeftOn {
                        : "this overlay is lit like the scene: GL_LIGHTING is still enabled";
     }
 
-    bool has_perspective_ = false;
+    LitOverlays lit_;
 };
 
 // What has no texture coordinates of its own, and gets the colour of one texel.

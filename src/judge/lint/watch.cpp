@@ -52,6 +52,15 @@ std::vector<int> enabled_lights(const Draw& draw) {
     return numbers;
 }
 
+bool LitOverlays::is_overlay(const Draw& draw) {
+    const bool is_orthographic = draw.clip_from_eye[2][3] == 0;
+    if (!is_orthographic) has_perspective_ |= draw.lighting.enabled;
+    if (!is_orthographic || draw.raster.depth_test || !draw.lighting.enabled) return false;
+    // Flat drawing may be lit on purpose if it is the whole picture; so may text, but not without a light.
+    const bool has_light = !enabled_lights(draw).empty();
+    return draw.pixels ? !has_light || has_perspective_ : has_light && has_perspective_;
+}
+
 bool has_specular_light(const Draw& draw) {
     return draw.lighting.enabled && std::ranges::any_of(draw.lighting.lights, [](const LightSource& light) {
                return light.enabled && !is_black(light.specular);

@@ -91,6 +91,15 @@ inline bool is_black(const glm::dvec4& color) { return color.r == 0 && color.g =
 inline bool is_black(const LightSource& light) {
     return is_black(light.ambient) && is_black(light.diffuse) && is_black(light.specular);
 }
+// Flat drawing over the picture (orthographic, without depth test) that is lit as well. It is shown all Draws, in order.
+class LitOverlays {
+  public:
+    bool is_overlay(const Draw& draw);
+
+  private:
+    bool has_perspective_ = false;
+};
+
 // Whether any enabled light has a colour of this kind.
 bool has_specular_light(const Draw& draw);
 

@@ -156,5 +156,26 @@ TEST(LintNormals, FindsOneNormalForFacesInManyDirections) {
     EXPECT_EQ(names(warnings_of(kView + text_of(kFront) + text_of(kTop) + text_of(kRight))), Names{});
 }
 
+TEST(LintNormals, AreRightOfWallsThatAreDrawnInBothOrders) {
+    const std::string back = "glNormal3f(0, 0, -1);\n", side = "glNormal3f(-1, 0, 0);\n",
+                      walls =
+                          "glBegin(GL_QUADS);\nglNormal3f(0, 0, 1);\nglVertex3f(-1, -1, 0); glVertex3f(1, -1, 0); "
+                          "glVertex3f(1, 1, 0); glVertex3f(-1, 1, 0);\n" +
+                          back +
+                          "glVertex3f(-1, 1, 0); glVertex3f(1, 1, 0); glVertex3f(1, -1, 0); glVertex3f(-1, -1, 0);\n"
+                          "glNormal3f(1, 0, 0);\nglVertex3f(1, -1, 0); glVertex3f(1, -1, -2); glVertex3f(1, 1, -2); "
+                          "glVertex3f(1, 1, 0);\n" +
+                          side +
+                          "glVertex3f(1, 1, 0); glVertex3f(1, 1, -2); glVertex3f(1, -1, -2); glVertex3f(1, -1, 0);\n"
+                          "glEnd();\n",
+                      seen = std::string(lint::view_lines()) + std::string(lint::light_lines());
+    for (const std::string switched : {"", "glEnable(GL_CULL_FACE);\n", "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);\n"})
+        EXPECT_EQ(names(warnings_of(seen + switched + walls)), std::set<std::string>{}) << switched;
+    // With one normal for both orders, two-sided lighting turns it.
+    EXPECT_EQ(names(warnings_of(seen + "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);\n" +
+                                changed(changed(walls, back, ""), side, ""))),
+              std::set<std::string>{});
+}
+
 }  // namespace
 }  // namespace twinlight::lint_normals_test

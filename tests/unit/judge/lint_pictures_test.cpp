@@ -73,6 +73,9 @@ TEST(LintPictures, FindWhatAPictureLeavesForTheNext) {
                                         "30);\nglDisable(GL_DEPTH_TEST); glDisable(GL_LIGHTING);\n" +
                                         kAxis + "glEnable(GL_LIGHTING);"))),
               left);
+    EXPECT_EQ(names(warnings_of(program(kBall + right + "glLightfv(GL_LIGHT1, GL_POSITION, light_at);\n" + kBall, "",
+                                        "glEnable(GL_LIGHT1); glLightfv(GL_LIGHT1, GL_DIFFUSE, green);"))),
+              left);
     // glPopAttrib takes it back. A state that changes nothing that is seen is no mistake.
     EXPECT_EQ(names(warnings_of(program(kBall + "glPushAttrib(GL_ENABLE_BIT); glDisable(GL_LIGHTING);\n" + kAxis +
                                         "glPopAttrib();"))),
