@@ -198,7 +198,8 @@ Scene load_scene(const std::string& name, std::optional<Size> size, const Record
     }
     const CommandList* commands = recording->command_list();
     if (!commands) return load_recorded_frame(recording, size, part.frame, memory);
-    if (part.any()) {
+    const bool is_refused = part.frame && !(part.chooses_of_program && commands->is_program);
+    if (is_refused || part.context) {
         throw UsageError(fmt::format("--{} applies only to recorded programs; '{}' is a scene",
                                      part.frame ? "frame" : "context", name));
     }

@@ -66,8 +66,8 @@ void add_precise_flag(CLI::App& app, bool& precise);
 // Which picture of a recorded program.
 struct RecordedPart {
     std::optional<int> frame{}, context{};  // counted from 0
-
-    bool any() const { return frame || context; }
+    // Whether the caller itself chooses the frame of a program that is read; otherwise it is refused.
+    bool chooses_of_program = false;
 };
 // --frame and --context.
 void add_recorded_options(CLI::App& app, RecordedPart& part);

@@ -140,6 +140,18 @@ std::vector<lint::LaterScene> later_of(const Scene& scene) {
     return later;
 }
 
+// Frame 0 or 1 of a program that is read.
+Scene frame_of_program(const std::string& input, const Scene& scene, int frame) {
+    if (frame == 0) return scene;
+    std::vector<lint::LaterScene> later = lint::later_scenes(scene);
+    if (frame > 1 || later.empty())
+        throw UsageError(
+            fmt::format("--frame {}: of a program that is read, not recorded, there {}; to record it: "
+                        "twinlight lint --run {}",
+                        frame, later.empty() ? "is only frame 0" : "are frames 0 and 1", shell_word(input)));
+    return later.front().scene;
+}
+
 // The scene that the user named, and its warnings.
 struct Linted {
     Scene scene;
@@ -150,7 +162,10 @@ Linted linted(const LintArguments& arguments, RunInstead& run, const std::string
     RecordedPart part = arguments.part;
     const std::string file = recorded_first(run, input, part);
     part.frame = arguments.part.frame;  // several are looked at, from the first that draws on
+    part.chooses_of_program = true;
     Linted result{load_scene(file, arguments.size, part, arguments.step, arguments.memory), {}};
+    if (part.frame && result.scene.recording->command_list())
+        result.scene = frame_of_program(input, result.scene, *part.frame);
     std::vector<lint::LaterScene> later;
     if (!arguments.part.frame) later = later_of(result.scene);
     result.warnings = lint::lint(result.scene, later);
@@ -257,7 +272,9 @@ Subcommand add_lint(CLI::App& app) {
     lint->footer(
         "Several pictures of a program are looked at: the first, the second, one after a second and one after a key; "
         "of\n"
-        "a recording the first that draws, the next and a later one (--frame N: only that one).\n"
+        "a recording the first that draws, the next and a later one. --frame N: only that one (of a program that is "
+        "read,\n"
+        "0 or 1).\n"
         "A comment in the scene silences a warning: // twinlight: allow(NAME), at the end of a line for that line, or\n"
         "on a line of its own for the whole scene.\n"
         "  twinlight lint homework.c           a whole program, read without a compiler\n"

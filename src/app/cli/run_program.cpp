@@ -221,7 +221,7 @@ std::string recorded_first(RunInstead& run, const std::string& scene, RecordedPa
     run.folder.emplace();
     const std::string file = run.folder->path() + "/" + name_after_scene(scene, ".trace");
     const RecordingMade made = record_program(arguments, file);
-    if (!part.any() && made.frame.has_swaps) part.frame = made.frame.number;
+    if (!part.frame && !part.context && made.frame.has_swaps) part.frame = made.frame.number;
     return file;
 }
 

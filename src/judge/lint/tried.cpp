@@ -148,8 +148,11 @@ std::optional<Shown> edited(const Shown& shown, const Warning& warning) {
     };
     std::optional<Scene> scene = edited_scene(shown.scene);
     if (!scene) return std::nullopt;
-    Shown result{*scene, later_scenes(*scene)};
-    if (scene->recording->command_list()) return result;
+    Shown result{*scene, {}};
+    if (scene->recording->command_list()) {
+        if (!shown.later.empty()) result.later = later_scenes(*scene);
+        return result;
+    }
     for (const LaterScene& picture : shown.later) {
         std::optional<Scene> later = edited_scene(picture.scene);
         if (!later) return std::nullopt;

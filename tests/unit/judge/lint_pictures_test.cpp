@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "../run_program.h"
+#include "base/image/file.h"
 #include "judge/lint/lint.h"
 #include "judge/lint/tried.h"
 #include "lint_warnings.h"
@@ -139,6 +141,24 @@ TEST(LintPictures, FindLightsThatMoveByMistake) {
               Names{});
     EXPECT_EQ(names(warnings_of(without_camera(light + "glLoadIdentity();\n" + back + turn + cube))),
               Names{"light-before-identity"});
+}
+
+TEST(LintPictures, AreChosenByTheirNumbers) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "balls.c";
+    const std::string large = "glPushMatrix(); glScalef(2, 2, 2); glutSolidSphere(0.5, 30, 20); glPopMatrix();\n";
+    write_file_atomically(file, program("if (count++ > 0) { " + large + "} else { " + kBall + "}", "int count = 0;\n"));
+    EXPECT_EQ(run_program("twinlight", {"lint", file}).status, 1);
+    EXPECT_EQ(run_program("twinlight", {"lint", file, "--frame", "0"}).status, 0);
+    const ProgramResult second = run_program("twinlight", {"lint", file, "--frame", "1"});
+    EXPECT_EQ(second.status, 1);
+    EXPECT_NE(second.out.find("[scale-without-normalize]"), std::string::npos) << second.out;
+    EXPECT_EQ(second.out.find("second picture"), std::string::npos) << second.out;
+    const ProgramResult third = run_program("twinlight", {"lint", file, "--frame", "2"});
+    EXPECT_EQ(third.status, 2);
+    EXPECT_NE(third.err.find("--frame 2: of a program that is read, not recorded, there are frames 0 and 1"),
+              std::string::npos)
+        << third.err;
 }
 
 // ---- Fixes ----
