@@ -9,6 +9,7 @@
 
 #include "app/session/edits.h"
 #include "judge/lint/source.h"
+#include "judge/lint/tried.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
@@ -77,8 +78,11 @@ std::vector<Finding> findings_of(const CommandList& commands, WindowSize size) {
     StateOptions options;
     options.width = size.width;
     options.height = size.height;
+    const Scene scene = make_scene(numbered(commands), options);
+    std::vector<lint::Warning> warnings = lint::lint(scene);
+    lint::try_fixes(scene, {}, warnings);
     std::vector<Finding> findings;
-    for (lint::Warning& warning : lint::lint(make_scene(numbered(commands), options))) {
+    for (lint::Warning& warning : warnings) {
         const auto index = index_of(warning.place, commands.commands.size());
         if (!index) continue;
         const bool mends = can_mend(warning, commands.commands.size());

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostDraws = 2000;  // of a picture that are looked at
 
-// A Draw's statement, and the how manieth time in its picture that it runs.
+// A Draw's statement, and how often its picture ran it before.
 using Occurrence = std::tuple<std::string, int, int, int>;
 
 class Occurrences {

@@ -17,6 +17,7 @@
 #include "base/image/file.h"
 #include "base/image/png.h"
 #include "base/text/json.h"
+#include "judge/lint/tried.h"
 #include "judge/lint/watch.h"
 #include "lint_warnings.h"
 #include "render/reference/reference.h"
@@ -147,6 +148,28 @@ TEST(Lint, WarnsOfKnownScenesOnlyWhereThatIsRight) {
         expected.erase(file);
     }
     for (const auto& [file, rules] : expected) EXPECT_TRUE(rules.empty()) << file << " was not read";
+}
+
+// Warnings that are right: a fix that is offered makes the scene's text clean of its mistake, and adds no other.
+TEST(Lint, FixesOfKnownScenesMendTheirTexts) {
+    int mended = 0;
+    for (const auto& [file, rules] : expected_warnings()) {
+        if (!file.ends_with(".gl")) continue;
+        const Scene scene = load(file);
+        std::vector<lint::Warning> warnings = lint::lint(scene);
+        lint::try_fixes(scene, lint::later_scenes(scene), warnings);
+        for (const lint::Warning& warning : warnings) {
+            if (warning.edits.empty() || warning.count > 1) continue;
+            ++mended;
+            const std::string text = lint::mended(read_file(file), warning);
+            const auto list = std::make_shared<CommandList>(read_scene(text, file, file));
+            std::set<std::string> left = names(lint::lint(Scene{list, make_frame(*list, {})}));
+            EXPECT_FALSE(left.contains(std::string(warning.rule->name))) << file << ":\n" << text;
+            for (const lint::Warning& known : warnings) left.erase(std::string(known.rule->name));
+            EXPECT_EQ(left, std::set<std::string>{}) << file << ", " << warning.rule->name << ":\n" << text;
+        }
+    }
+    EXPECT_GE(mended, 5);
 }
 
 // ---- What silences, joins and prints ----
