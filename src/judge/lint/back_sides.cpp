@@ -76,8 +76,8 @@ class BackSeen : public Watch {
         constexpr double kClear = 0.01;
         constexpr std::size_t kTries = 500;
         const std::size_t tries = std::min(backs.size(), kTries);
-        std::ranges::partial_sort(backs, backs.begin() + static_cast<std::ptrdiff_t>(tries), std::greater(),
-                                  &Back::share);
+        std::partial_sort(backs.begin(), backs.begin() + static_cast<std::ptrdiff_t>(tries), backs.end(),
+                          [](const Back& a, const Back& b) { return a.share > b.share; });
         double sum = 0;
         for (std::size_t i = 0; i < tries && sum < kClear; ++i)
             if (seen.shows(backs[i].number, backs[i].center_clip)) sum += backs[i].share;

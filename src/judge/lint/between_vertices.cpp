@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
+#include <tuple>
 
 #include "judge/lint/seen.h"
 #include "render/lighting_of.h"
@@ -24,7 +24,11 @@ struct SurfaceKey {
     bool is_flat = false;
     std::array<long, 4> plane{};  // rounded
 
-    friend auto operator<=>(const SurfaceKey&, const SurfaceKey&) = default;
+    // Emscripten's library has no <=> for pointers and arrays.
+    friend bool operator<(const SurfaceKey& a, const SurfaceKey& b) {
+        return std::tie(a.file, a.line, a.column, a.is_flat, a.plane) <
+               std::tie(b.file, b.line, b.column, b.is_flat, b.plane);
+    }
 };
 
 // One light's part of the colours at a point.
@@ -262,8 +266,8 @@ std::optional<LostLight> lost_of(int number, OfLight& of, const SeenPoints& seen
     });
     constexpr std::size_t kTries = 30;
     const std::size_t tries = std::min(of.places.size(), kTries);
-    std::ranges::partial_sort(of.places, of.places.begin() + static_cast<std::ptrdiff_t>(tries), std::greater(),
-                              &BrightPlace::loss);
+    std::partial_sort(of.places.begin(), of.places.begin() + static_cast<std::ptrdiff_t>(tries), of.places.end(),
+                      [](const BrightPlace& a, const BrightPlace& b) { return a.loss > b.loss; });
     for (std::size_t i = 0; i < tries; ++i) {
         const BrightPlace& place = of.places[i];
         if (!seen.shows(place.triangle, place.position_clip)) continue;

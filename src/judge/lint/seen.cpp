@@ -97,7 +97,9 @@ bool SeenPoints::shows(const TriangleNumber& triangle, const glm::dvec4& point_c
     if (!(point_clip.w > 0)) return false;
     const glm::dvec3 ndc = glm::dvec3(point_clip) / point_clip.w;
     if (!(std::max({std::abs(ndc.x), std::abs(ndc.y), std::abs(ndc.z)}) <= 1)) return false;
-    const auto own = std::ranges::lower_bound(faces_, triangle, {}, &Face::number);
+    const auto own =
+        std::lower_bound(faces_.begin(), faces_.end(), triangle,
+                         [](const Face& face, const TriangleNumber& number) { return face.number < number; });
     if (own == faces_.end() || own->number != triangle) return false;  // culled
     const std::optional<glm::dvec3> weights = weights_at(own->corners_clip, glm::dvec2(ndc));
     const bool at_border = !weights || !is_inside(*weights, kRounding);

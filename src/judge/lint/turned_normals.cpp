@@ -211,8 +211,8 @@ class TurnedNormals : public Watch {
                     const Side &turned = sides[is_second ? 1 : 0], &other = sides[is_second ? 0 : 1];
                     if (turned.away.empty() || other.toward.empty()) continue;
                     if (!seen) seen.emplace(frame);
-                    const SurfaceFace* away = shown(turned.away, *seen);
-                    if (away && shown(other.toward, *seen) && !shown(other.away, *seen)) report(*away);
+                    const SurfaceFace* away = first_shown(turned.away, *seen);
+                    if (away && first_shown(other.toward, *seen) && !first_shown(other.away, *seen)) report(*away);
                 }
             }
         }
@@ -221,7 +221,7 @@ class TurnedNormals : public Watch {
     struct Side {
         std::vector<const SurfaceFace*> toward, away;  // the viewer
     };
-    static const SurfaceFace* shown(const std::vector<const SurfaceFace*>& faces, const SeenPoints& seen) {
+    static const SurfaceFace* first_shown(const std::vector<const SurfaceFace*>& faces, const SeenPoints& seen) {
         constexpr std::size_t kTries = 200;
         const std::size_t step = faces.size() / kTries + 1;
         for (std::size_t i = 0; i < faces.size(); i += step)
