@@ -76,6 +76,7 @@ bool* flag_of(Draw& draw, Enum capability) {
         return &draw.lighting.lights[static_cast<std::size_t>(*light)].enabled;
     return nullptr;
 }
+
 // Visits what a Draw has of each Variable that can count for it: visit(variable, values).
 template <class Visit>
 void for_each_variable(const Draw& draw, const Visit& visit) {
@@ -180,13 +181,15 @@ class LeftForNextPicture : public Watch {
         if (picture_ != 2) return;
         const std::vector<const Draw*> draws = frame.draws();
         if (found_.empty() || draws.size() != drawn_) return;
+        constexpr float kVisible = 10.0F / 255;
+        constexpr std::size_t kFew = 12;  // pixels at borders
         const Frame small = smaller(frame);
         const Image picture = reference::render(small, {});
         for (const auto& [variable, left] : found_) {
             Frame other = small;
             const std::vector<Draw*> changed = other.editable_draws();
             for (const Change& change : left.changes) set(*changed[change.number], variable, change.value);
-            if (differs(picture, reference::render(other, {}))) report(variable, left);
+            if (differing_pixels(picture, reference::render(other, {}), kVisible) > kFew) report(variable, left);
         }
     }
 
@@ -209,17 +212,6 @@ class LeftForNextPicture : public Watch {
         Command command;
         std::vector<Change> changes;
     };
-
-    static bool differs(const Image& a, const Image& b) {
-        constexpr float kVisible = 10.0F / 255;
-        constexpr std::size_t kFew = 12;  // pixels at borders
-        std::size_t differing = 0;
-        for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-            const Rgba &p = a.pixels[i], &q = b.pixels[i];
-            differing += std::max({std::abs(p[0] - q[0]), std::abs(p[1] - q[1]), std::abs(p[2] - q[2])}) > kVisible;
-        }
-        return differing > kFew;
-    }
 
     void report(const Variable& variable, const Left& left) {
         const Command& command = left.command;
@@ -382,7 +374,7 @@ class LightTurnsWithObjects : public MovingLights {
                                 "{} turns with the objects, so the same sides are always lit: its position is set "
                                 "after their glRotate ({})",
                                 light.name, where(light.turn)),
-                            .fix = fmt::format("set its position before the glRotate, right after the camera"),
+                            .fix = "set its position before the glRotate, right after the camera",
                             .key = light.name};
             if (light.camera) warning.edits = {{.place = *light.camera, .is_after = true, .moved = light.place}};
             warn(std::move(warning));

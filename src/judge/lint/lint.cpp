@@ -72,7 +72,7 @@ class Statements {
 // The warnings of one picture.
 struct Found {
     std::vector<Warning> warnings;
-    std::shared_ptr<const Statements> statements;
+    Statements statements;
 
     bool has(const Warning& wanted) const {
         return std::ranges::any_of(warnings, [&](const Warning& one) { return is_same_mistake(one, wanted); });
@@ -103,7 +103,7 @@ class Walk {
     }
 
     Found finish(const Frame& frame, bool is_recorded) {
-        Found found{.warnings = {}, .statements = statements_};
+        Found found{.warnings = {}, .statements = std::move(statements_)};
         for (std::size_t i = 0; i < watches_.size(); ++i) {
             watches_[i]->finish(frame, is_recorded);
             for (Warning& warning : watches_[i]->take()) {
@@ -116,7 +116,7 @@ class Walk {
 
   private:
     void next_picture() {
-        statements_ = std::make_shared<Statements>();
+        statements_ = {};
         for (const auto& watch : watches_) {
             if (watch->warns_again()) watch->take();
             watch->shown();
@@ -129,7 +129,7 @@ class Walk {
             for (const auto& watch : watches_) watch->before(command, state_);
             return;
         }
-        statements_->add(command.place);
+        statements_.add(command.place);
         for (const auto& item : state_.items())
             if (const Draw* draw = std::get_if<Draw>(&item))
                 for (const auto& watch : watches_) watch->take(*draw, state_);
@@ -139,7 +139,7 @@ class Walk {
 
     State state_;
     std::vector<std::unique_ptr<Watch>> watches_;
-    std::shared_ptr<Statements> statements_ = std::make_shared<Statements>();  // of this picture
+    Statements statements_;  // of this picture
 };
 
 // The first pictures of a whole program, one after the other.
@@ -150,9 +150,10 @@ class Pictures final : public Recording {
 
     void for_each(const std::function<bool(const Step&)>& visit) const override {
         const CommandList& list = *first_->command_list();
-        list.for_each(visit);
+        bool goes_on = true;
+        list.for_each([&](const Step& step) { return goes_on = visit(step); });
         const Command none{};
-        for (std::size_t i = 0; i + 1 < count_; ++i) {
+        for (std::size_t i = 0; goes_on && i + 1 < count_; ++i) {
             if (!visit({.kind = Step::Kind::kFrameEnd, .command = none})) return;
             for (const Command& command : (*list.later)[i].commands)
                 if (!visit({.command = command})) return;
@@ -223,12 +224,11 @@ std::vector<Warning> warnings_of_all_pictures(const Scene& scene, std::span<cons
     const Found first = found_in(scene, list, redraw ? &*redraw : nullptr);
     std::vector<Warning> all = first.warnings;
     Statements run;
-    run.add(*first.statements);
+    run.add(first.statements);
     for (const LaterScene& picture : later) {
         const Found found = found_in(picture.scene, list, nullptr);
         for (Warning& warning : all) {
-            const bool is_first_only =
-                first.has(warning) && found.statements->has(warning.place) && !found.has(warning);
+            const bool is_first_only = first.has(warning) && found.statements.has(warning.place) && !found.has(warning);
             if (picture.is_next && is_first_only) warning.when = "in the first picture only";
         }
         for (const Warning& warning : found.warnings) {
@@ -238,7 +238,7 @@ std::vector<Warning> warnings_of_all_pictures(const Scene& scene, std::span<cons
             all.push_back(warning);
             if (!warning.rule->compares_pictures) all.back().when = picture.when;
         }
-        run.add(*found.statements);
+        run.add(found.statements);
     }
     return all;
 }

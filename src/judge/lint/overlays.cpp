@@ -8,14 +8,12 @@ namespace twinlight::lint {
 
 namespace {
 
-bool is_same(const Place& a, const Place& b) { return a.line == b.line && a.column == b.column && a.file == b.file; }
-
 // Finds Draws with the state, one after the other, and where to disable it before them and to enable it again after them.
 class LeftOn : public Watch {
   public:
     void before(const Command& command, const State& state) override {
         if (is_effect(command, "raster_pos") || is_effect(command, "window_pos")) raster_ = command.place;
-        if (open_ && !next_ && !is_same(command.place, open_->last)) next_ = command.place;
+        if (open_ && !next_ && command.place != open_->last) next_ = command.place;
         see(command, state);
     }
     void drawn(const Draw& draw, const State& state) override {
@@ -29,7 +27,7 @@ class LeftOn : public Watch {
             open_ = {.start = draw.pixels && raster_.line > 0 ? raster_ : draw.place,
                      .state = *effect,
                      .is_text = draw.pixels != nullptr};
-        open_->repeats = is_same(open_->last, draw.place);
+        open_->repeats = open_->last == draw.place;
         open_->last = open_->end = draw.place;
         next_.reset();
     }

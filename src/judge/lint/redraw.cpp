@@ -51,13 +51,8 @@ bool Redraw::shows_first(Buffer buffer) const {
     const bool is_color = buffer == Buffer::kColor;
     const Image over = drawn_after({.color = !is_color, .depth = is_color, .clear_color = clear_color});
     const Image cleared = drawn_after({.color = true, .depth = true, .clear_color = clear_color});
-    std::size_t differing = 0;
-    for (std::size_t i = 0; i < over.pixels.size(); ++i) {
-        constexpr float kVisible = 10.0F / 255;
-        const Rgba &a = over.pixels[i], &b = cleared.pixels[i];
-        differing += std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])}) > kVisible;
-    }
-    return differing * 200 > over.pixels.size();
+    constexpr float kVisible = 10.0F / 255;
+    return differing_pixels(over, cleared, kVisible) * 200 > over.pixels.size();
 }
 
 Frame shown_frame(const Scene& scene) {

@@ -90,6 +90,15 @@ glm::dvec3 to_viewer(const Draw& draw, const glm::dvec3& point_eye) {
     return {0, 0, draw.clip_from_eye[2][2] > 0 ? -1 : 1};
 }
 
+std::size_t differing_pixels(const Image& a, const Image& b, float visible) {
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const Rgba &p = a.pixels[i], &q = b.pixels[i];
+        differing += std::max({std::abs(p[0] - q[0]), std::abs(p[1] - q[1]), std::abs(p[2] - q[2])}) > visible;
+    }
+    return differing;
+}
+
 Frame smaller(const Frame& frame) {
     constexpr double kSide = 128;
     const double factor = std::min(1.0, kSide / std::max(frame.width, frame.height));

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/image/image.h"
 #include "judge/lint/lint.h"
 #include "judge/lint/redraw.h"
 #include "scene/command/command_set.h"
@@ -111,6 +112,9 @@ bool is_flattened(const Draw& draw);
 // The direction from a point in eye coordinates to the viewer; of any length. A parallel projection may look along z, as one that
 // is never set does, or along -z.
 glm::dvec3 to_viewer(const Draw& draw, const glm::dvec3& point_eye);
+
+// How many pixels of two pictures of one size differ by more than this in red, green or blue, from 0 to 1.
+std::size_t differing_pixels(const Image& a, const Image& b, float visible);
 
 // The frame with smaller sides; it shows the same.
 Frame smaller(const Frame& frame);
