@@ -523,7 +523,7 @@ std::vector<Rule> light_rules() {
          R"(// the view
  glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 2.5, 0, 1});
  glLightfv(GL_LIGHT0, GL_SPOT_DIRECTION, (GLfloat[]){0, -1, 0});
-+glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 15);
++glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 30);
  glEnable(GL_LIGHTING);
  glEnable(GL_LIGHT0);
  glutSolidSphere(1.5, 80, 40);
