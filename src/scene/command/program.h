@@ -2,6 +2,7 @@
 // read*.cpp and run*.cpp.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <map>
 #include <memory>
@@ -46,6 +47,12 @@ struct Local {
     std::size_t block;  // the first local of its block: blocks inside it have larger numbers
 };
 
+// A function that GLUT calls, with its last argument as an address (Reader::address) where it was registered with one.
+struct Callback {
+    Token function;
+    std::optional<std::uint64_t> data{};
+};
+
 struct Program {
     std::vector<Token> tokens;  // the last is kEnd
     // For each opening bracket, the index of the closing one.
@@ -82,12 +89,16 @@ struct Program {
     RandomNumbers random{};
     std::uint64_t random_48 = 0x1234abcd330e;  // drand48()
     int elapsed_ms = 0;                        // GLUT_ELAPSED_TIME of the picture
-    bool has_window = false;
+    int windows = 0;                           // number created so far; the first is that of the picture
+    int current_window = 0;                    // its number; 0 before the first
+    bool is_in_other_window() const { return current_window > 1; }
+    std::size_t commands_of_picture = 0;  // before another window became current
+    std::optional<std::array<double, 4>> viewport_of_picture{};
     bool asks_for_samples = false;  // a window with several samples per pixel
     bool reached_main_loop = false;
+    std::optional<std::size_t> kept_locals{};  // of main, once it waits in GLUT's loop and the callbacks run
 
-    std::optional<Token> display{}, reshape{};  // the functions that GLUT calls
-    std::optional<Token> idle{}, timer{}, keyboard{};
+    std::optional<Callback> display{}, reshape{}, idle{}, timer{}, keyboard{};
     Value timer_value{};                             // what the timer function gets
     WindowSize window{.width = 300, .height = 300};  // GLUT's own size
 };

@@ -57,6 +57,7 @@ CommandList Reader::run(const std::string& name) {
     run_function(main->second, arguments_of_main(main->second), place);
     if (!std::exchange(p.reached_main_loop, false))
         fail(place, "main ends before it calls glutMainLoop, so nothing is drawn");
+    p.kept_locals = p.locals.size();
     if (!p.display) fail(place, "this program has no display function; register it: glutDisplayFunc(display);");
     if (p.reshape) call_from_glut(*p.reshape, {integer(p.window.width), integer(p.window.height)});
     call_from_glut(*p.display, {});
@@ -65,6 +66,9 @@ CommandList Reader::run(const std::string& name) {
     list.window = p.window;
     if (std::vector<LaterPicture> later = later_pictures(); !later.empty())
         list.later = std::make_shared<const std::vector<LaterPicture>>(std::move(later));
+    if (p.windows > 1)
+        list.own_notes.push_back(
+            fmt::format("this program has {} windows; the picture is that of the first", p.windows));
     if (p.asks_for_samples) list.own_notes.emplace_back(kOneSampleNote);
     return list;
 }
@@ -92,24 +96,25 @@ std::vector<Value> Reader::arguments_of_main(const Function& main) {
     return given;
 }
 
-// Ends all functions, after an error.
+// Ends all functions but main, after an error.
 void Reader::leave_functions() {
     Program& p = *program_;
     forget_literals();
-    forget_locals(0);
+    forget_locals(p.kept_locals.value_or(0));
     p.frame = p.block = p.depth = 0;
     p.in_function = dry_ = false;
     nesting_ = 0;
 }
 
 // Calls a function of the program; false, and without its commands, where it uses what cannot be read.
-bool Reader::calls_from_glut(const Token& name, const std::vector<Value>& given) {
+bool Reader::calls_from_glut(const Callback& callback, const std::vector<Value>& given) {
     const std::size_t kept = commands_.size();
     try {
-        call_from_glut(name, given);
+        call_from_glut(callback, given);
         return true;
     } catch (const SceneError&) {
         leave_functions();
+        go_to_window(1);
         commands_.resize(kept);
         return false;
     }
@@ -137,7 +142,7 @@ std::vector<std::string_view> Reader::keys_of(const Function& function) const {
 std::optional<LaterPicture> Reader::picture_after_key() {
     Program& p = *program_;
     if (!p.keyboard) return std::nullopt;
-    const auto function = p.functions.find(p.keyboard->text);
+    const auto function = p.functions.find(p.keyboard->function.text);
     if (function == p.functions.end()) return std::nullopt;
     const auto same = [](const Command& a, const Command& b) { return a.id == b.id && a.arguments == b.arguments; };
     commands_.clear();
@@ -177,15 +182,19 @@ std::vector<LaterPicture> Reader::later_pictures() {
             later.push_back({.when = "after 1 s", .commands = std::exchange(commands_, {}), .start = {}});
         if (auto picture = picture_after_key()) later.push_back(std::move(*picture));
     }
-    const auto function = p.functions.find(p.display->text);
+    const auto function = p.functions.find(p.display->function.text);
     for (LaterPicture& picture : later) picture.start = p.tokens[function->second.body + 1].place;
     return later;
 }
 
-void Reader::call_from_glut(const Token& name, const std::vector<Value>& given) {
+void Reader::call_from_glut(const Callback& callback, std::vector<Value> given) {
+    const Token& name = callback.function;
     const auto function = program_->functions.find(name.text);
     if (function == program_->functions.end()) fail(name.place, "the program has no function {}", in_quotes(name.text));
+    if (callback.data) given.push_back(pointer_from(*callback.data, nullptr));
+    go_to_window(1);
     run_function(function->second, given, name.place);
+    go_to_window(1);
 }
 
 void Reader::read_functions() {

@@ -82,7 +82,7 @@ bool is_program(const std::vector<Token>& tokens) {
         if (tokens[i].is("{")) ++depth;
         if (tokens[i].is("}") && depth > 0) --depth;
         has_main |= depth == 0 && tokens[i].is("main") && tokens[i + 1].is("(");
-        has_loop |= tokens[i].is("glutMainLoop");
+        has_loop |= tokens[i].is("glutMainLoop") || tokens[i].is("glutMainLoopEvent");
     }
     return has_main && has_loop;
 }

@@ -71,6 +71,7 @@ struct Value {
 };
 
 struct Program;
+struct Callback;
 struct Function;
 struct FormalParameter;
 struct Declarator;
@@ -241,8 +242,8 @@ class Reader {
     void parameters_of(Function& function);
     FormalParameter parameter(const DataType* type);
     bool skip_extern();
-    void call_from_glut(const Token& name, const std::vector<Value>& given);
-    bool calls_from_glut(const Token& name, const std::vector<Value>& given);
+    void call_from_glut(const Callback& callback, std::vector<Value> given);
+    bool calls_from_glut(const Callback& callback, const std::vector<Value>& given);
     bool tick();
     std::optional<LaterPicture> picture_after_key();
     std::vector<std::string_view> keys_of(const Function& function) const;
@@ -322,8 +323,9 @@ class Reader {
     std::optional<Value> call_of_chance_and_time(const Token& name);
     std::optional<Value> call_of_mathematics(const Token& name);
     std::optional<Value> call_of_glut(const Token& name);
+    void go_to_window(int window);
     Value answer_of_get_string(const Command& command);
-    std::optional<Token> function_argument(const Token& name);
+    std::optional<Callback> callback_argument(const Token& name);
     void later_function(const Token& name);
 
     // -- a whole program: GLUT's texts (run_fonts.cpp) --

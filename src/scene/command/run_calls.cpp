@@ -1,4 +1,4 @@
-// Calls in a whole program: of its own functions, of GL, of C's mathematics and of GLUT.
+// Calls in a whole program: of its own functions, of GL and of C's mathematics.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,25 +13,6 @@
 #include "scene/command/text.h"
 
 namespace twinlight {
-
-// The names of GLUT and GLEW that can decide what main and its functions call.
-std::optional<int> glut_constant(std::string_view name) {
-    constexpr std::pair<std::string_view, int> kAll[] = {{"GLUT_RGB", 0},          {"GLUT_RGBA", 0},
-                                                         {"GLUT_INDEX", 1},        {"GLUT_SINGLE", 0},
-                                                         {"GLUT_DOUBLE", 2},       {"GLUT_ACCUM", 4},
-                                                         {"GLUT_ALPHA", 8},        {"GLUT_DEPTH", 16},
-                                                         {"GLUT_STENCIL", 32},     {"GLUT_MULTISAMPLE", 128},
-                                                         {"GLUT_STEREO", 256},     {"GLUT_LUMINANCE", 512},
-                                                         {"GLUT_LEFT_BUTTON", 0},  {"GLUT_MIDDLE_BUTTON", 1},
-                                                         {"GLUT_RIGHT_BUTTON", 2}, {"GLUT_DOWN", 0},
-                                                         {"GLUT_UP", 1},           {"GLEW_OK", 0}};
-    for (const auto& [known, value] : kAll)
-        if (name == known) return value;
-    return std::nullopt;
-}
-
-// Of the screen that GLUT reports.
-constexpr WindowSize kScreen{.width = 1920, .height = 1080};
 
 // Numbers of C's headers.
 std::optional<Value> constant_of_c(std::string_view name) {
@@ -64,16 +45,6 @@ std::vector<Value> Reader::values_in_parentheses() {
     }
     expect(")", "after the arguments");
     return values;
-}
-
-// The arguments of glutInitWindowSize, whose name was just read.
-WindowSize Reader::window_size(const Token& name) {
-    const std::vector<Value> size = values_in_parentheses();
-    if (size.size() != 2) fail(name.place, "glutInitWindowSize takes 2 arguments: width and height");
-    const double width = size[0].number(), height = size[1].number();
-    if (!(width >= 1 && width <= kMaxWindow && height >= 1 && height <= kMaxWindow))
-        fail(name.place, "a window must be from 1 x 1 to {} x {} pixels", kMaxWindow, kMaxWindow);
-    return {static_cast<int>(width), static_cast<int>(height)};
 }
 
 // The call of a function; its name was just read.
@@ -113,9 +84,14 @@ Value Reader::call_in_program(const Token& name) {
     if (const std::optional<Value> result = call_of_texts(name)) return *result;
     if (name.is("exit") || name.is("abort"))
         fail(name.place, "the program ends itself here, before its first picture is complete");
-    constexpr std::string_view kOutOfReach[] = {"gettimeofday", "fopen",  "va_arg", "va_copy",   "fclose",
-                                                "fread",        "fscanf", "sscanf", "scanf",     "getchar",
-                                                "fgets",        "getenv", "system", "localtime", "qsort"};
+    // The program's input is empty, so waiting for Enter ends at once.
+    if (name.is("getchar") || (name.is("fgets") && p.tokens[p.partners[p.at] - 1].is("stdin"))) {
+        jump(p.partners[p.at] + 1);
+        return integer(name.is("fgets") ? 0 : -1);
+    }
+    constexpr std::string_view kOutOfReach[] = {"gettimeofday", "fopen",  "va_arg",    "va_copy", "fclose",
+                                                "fread",        "fscanf", "sscanf",    "scanf",   "fgets",
+                                                "getenv",       "system", "localtime", "qsort"};
     if (std::ranges::find(kOutOfReach, name.text) != std::end(kOutOfReach))
         out_of_reach(name.place, fmt::format("the function {}", name.text));
     std::vector<std::string_view> names;
@@ -235,253 +211,6 @@ std::optional<Value> Reader::call_of_mathematics(const Token& name) {
         return real(static_cast<double>(row.of_float(static_cast<float>(x), static_cast<float>(y))), true);
     }
     return std::nullopt;
-}
-
-namespace {
-
-// Whether all renderers have this extension, given in quotes: the versions up to 2.1 took it over, or it is that of framebuffer
-// objects.
-bool is_known_extension(std::string_view quoted) {
-    constexpr std::string_view kAll[] = {"GL_ARB_depth_texture",
-                                         "GL_ARB_multisample",
-                                         "GL_ARB_multitexture",
-                                         "GL_ARB_point_parameters",
-                                         "GL_ARB_shadow",
-                                         "GL_ARB_texture_border_clamp",
-                                         "GL_ARB_texture_compression",
-                                         "GL_ARB_texture_cube_map",
-                                         "GL_ARB_texture_env_add",
-                                         "GL_ARB_texture_env_combine",
-                                         "GL_ARB_texture_env_crossbar",
-                                         "GL_ARB_texture_env_dot3",
-                                         "GL_ARB_texture_mirrored_repeat",
-                                         "GL_ARB_texture_non_power_of_two",
-                                         "GL_ARB_transpose_matrix",
-                                         "GL_ARB_vertex_buffer_object",
-                                         "GL_ARB_window_pos",
-                                         "GL_EXT_bgra",
-                                         "GL_EXT_blend_color",
-                                         "GL_EXT_blend_equation_separate",
-                                         "GL_EXT_blend_func_separate",
-                                         "GL_EXT_blend_minmax",
-                                         "GL_EXT_blend_subtract",
-                                         "GL_EXT_draw_range_elements",
-                                         "GL_EXT_fog_coord",
-                                         "GL_EXT_framebuffer_object",
-                                         "GL_EXT_multi_draw_arrays",
-                                         "GL_EXT_packed_pixels",
-                                         "GL_EXT_polygon_offset",
-                                         "GL_EXT_rescale_normal",
-                                         "GL_EXT_secondary_color",
-                                         "GL_EXT_separate_specular_color",
-                                         "GL_EXT_shadow_funcs",
-                                         "GL_EXT_stencil_wrap",
-                                         "GL_EXT_subtexture",
-                                         "GL_EXT_texture",
-                                         "GL_EXT_texture3D",
-                                         "GL_EXT_texture_edge_clamp",
-                                         "GL_EXT_texture_env_add",
-                                         "GL_EXT_texture_lod_bias",
-                                         "GL_EXT_texture_object",
-                                         "GL_EXT_vertex_array",
-                                         "GL_SGIS_generate_mipmap",
-                                         "GL_SGIS_texture_edge_clamp",
-                                         "GL_SGIS_texture_lod"};
-    if (quoted.size() < 2) return false;
-    const std::string_view name = quoted.substr(1, quoted.size() - 2);
-    return std::find(std::begin(kAll), std::end(kAll), name) != std::end(kAll);
-}
-
-}  // namespace
-
-// The function that GLUT is given; nullopt for NULL.
-std::optional<Token> Reader::function_argument(const Token& name) {
-    const Place place = ahead_.place;
-    const std::vector<Value> given = values_in_parentheses();
-    if (given.size() != 1) fail(name.place, "{} takes 1 argument", name.text);
-    if (given[0].is_null()) return std::nullopt;
-    Token function = function_behind(given[0], place).name;
-    function.place = place;
-    return function;
-}
-
-// glutIdleFunc(f), glutKeyboardFunc(f) or glutTimerFunc(milliseconds, f, value): what runs before later pictures. Other forms
-// are passed over.
-void Reader::later_function(const Token& name) {
-    Program& p = *program_;
-    const std::size_t last = p.partners[p.at];
-    std::optional<Token>& function = name.is("glutIdleFunc")       ? p.idle
-                                     : name.is("glutKeyboardFunc") ? p.keyboard
-                                                                   : p.timer;
-    function.reset();
-    const std::vector<Token>& tokens = p.tokens;
-    for (std::size_t i = p.at + 1; i < last; ++i) {
-        if (tokens[i].is("(")) i = p.partners[i];
-        const bool is_argument = (tokens[i - 1].is("(") || tokens[i - 1].is(",") || tokens[i - 1].is("&")) &&
-                                 (tokens[i + 1].is(")") || tokens[i + 1].is(","));
-        if (!is_argument || !p.functions.contains(tokens[i].text)) continue;
-        function = tokens[i];
-        if (!name.is("glutTimerFunc")) return;
-        const bool has_value = i + 3 == last && tokens[i + 2].kind == TokenKind::kNumber;
-        p.timer_value = has_value ? literal(tokens[i + 2]) : integer(0);
-        return;
-    }
-}
-
-// GLUT's functions and C's output: nullopt for another name.
-std::optional<Value> Reader::call_of_glut(const Token& name) {
-    Program& p = *program_;
-    const std::size_t after = p.partners[p.at] + 1;
-    const bool is_display = name.is("glutDisplayFunc");
-    if (is_display || name.is("glutReshapeFunc")) {
-        (is_display ? p.display : p.reshape) = function_argument(name);
-        return integer(0);
-    }
-    if (name.is("glutIdleFunc") || name.is("glutTimerFunc") || name.is("glutKeyboardFunc")) {
-        later_function(name);
-        jump(after);
-        return integer(0);
-    }
-    if (name.is("glutInitWindowSize")) {
-        const WindowSize size = window_size(name);
-        if (!p.options.window) p.window = size;
-        return integer(0);
-    }
-    if (name.is("glutExtensionSupported")) {
-        advance();
-        const Token extension = token_;
-        jump(after);
-        if (is_known_extension(extension.text)) return integer(1);
-        out_of_reach(name.place, fmt::format("glutExtensionSupported({})", extension.text));
-    }
-    if (name.is("glutGet")) {
-        advance();
-        const Token asked = token_;
-        jump(after);
-        if (asked.is("GLUT_WINDOW_WIDTH")) return integer(p.window.width);
-        if (asked.is("GLUT_WINDOW_HEIGHT")) return integer(p.window.height);
-        if (asked.is("GLUT_ELAPSED_TIME")) return integer(p.elapsed_ms);
-        if (asked.is("GLUT_SCREEN_WIDTH")) return integer(kScreen.width);
-        if (asked.is("GLUT_SCREEN_HEIGHT")) return integer(kScreen.height);
-        if (asked.is("GLUT_WINDOW_X") || asked.is("GLUT_WINDOW_Y")) return integer(0);
-        out_of_reach(name.place, fmt::format("glutGet({})", asked.text));
-    }
-    if (name.is("glutInitDisplayMode")) {
-        for (const Value& mode : values_in_parentheses()) {
-            const auto has = [&](std::string_view bit) {
-                return mode.is_integer() && (mode.integer & *glut_constant(bit)) != 0;
-            };
-            if (has("GLUT_INDEX")) out_of_reach(name.place, "a window with colour indices");
-            p.asks_for_samples = has("GLUT_MULTISAMPLE");
-        }
-        return integer(0);
-    }
-    if (name.is("glutCreateWindow")) {
-        if (std::exchange(p.has_window, true)) out_of_reach(name.place, "a second window");
-        viewport_ = {0, 0, static_cast<double>(p.window.width), static_cast<double>(p.window.height)};
-    }
-    if (name.is("glutMainLoop")) {
-        p.reached_main_loop = true;
-        jump(after);
-        return integer(0);
-    }
-    // Functions that change no picture, and those whose callbacks come after the first picture.
-    constexpr std::string_view kPassedOver[] = {"glutInit",
-                                                "glutInitDisplayString",
-                                                "glutInitWindowPosition",
-                                                "glutCreateWindow",
-                                                "glutDestroyWindow",
-                                                "glutGetWindow",
-                                                "glutSetWindow",
-                                                "glutGetModifiers",
-                                                "glutInitErrorFunc",
-                                                "glutInitWarningFunc",
-                                                "glutRemoveMenuItem",
-                                                "glutDestroyMenu",
-                                                "glutHideWindow",
-                                                "glutPostRedisplay",
-                                                "glutSwapBuffers",
-                                                "glutPositionWindow",
-                                                "glutReshapeWindow",
-                                                "glutFullScreen",
-                                                "glutSetWindowTitle",
-                                                "glutSetIconTitle",
-                                                "glutSetCursor",
-                                                "glutKeyboardUpFunc",
-                                                "glutSpecialFunc",
-                                                "glutSpecialUpFunc",
-                                                "glutMouseFunc",
-                                                "glutMouseWheelFunc",
-                                                "glutMotionFunc",
-                                                "glutPassiveMotionFunc",
-                                                "glutEntryFunc",
-                                                "glutVisibilityFunc",
-                                                "glutWindowStatusFunc",
-                                                "glutCloseFunc",
-                                                "glutWMCloseFunc",
-                                                "glutCreateMenu",
-                                                "glutAddMenuEntry",
-                                                "glutAddSubMenu",
-                                                "glutAttachMenu",
-                                                "glutSetMenu",
-                                                "glutIgnoreKeyRepeat",
-                                                "glutSetKeyRepeat",
-                                                "glutSetOption",
-                                                "glutInitContextVersion",
-                                                "glutInitContextProfile",
-                                                "glutIconifyWindow",
-                                                "glutPopWindow",
-                                                "glutWarpPointer",
-                                                "glutJoystickFunc",
-                                                "glutMenuStateFunc",
-                                                "glutMenuStatusFunc",
-                                                "glutDetachMenu",
-                                                "glutChangeToMenuEntry",
-                                                "glutReportErrors",
-                                                "glutSpaceballMotionFunc",
-                                                "glutSpaceballRotateFunc",
-                                                "glutSpaceballButtonFunc",
-                                                "glutPositionFunc",
-                                                "glutMultiEntryFunc",
-                                                "glutMultiButtonFunc",
-                                                "glutMultiMotionFunc",
-                                                "glutMultiPassiveFunc",
-                                                "glutMenuDestroyFunc",
-                                                "glutAppStatusFunc",
-                                                "glutButtonBoxFunc",
-                                                "glutDialsFunc",
-                                                "glutTabletMotionFunc",
-                                                "glutTabletButtonFunc",
-                                                "glutForceJoystickFunc",
-                                                "glutPushWindow",
-                                                "glutOverlayDisplayFunc",
-                                                "glewInit",
-                                                "gladLoadGL",
-                                                "glutShowWindow",
-                                                "gluQuadricCallback",
-                                                "printf",
-                                                "fprintf",
-                                                "va_start",
-                                                "va_end",
-                                                "vprintf",
-                                                "vfprintf",
-                                                "puts",
-                                                "fputs",
-                                                "putchar",
-                                                "sleep",
-                                                "usleep",
-                                                "fflush",
-                                                "perror",
-                                                "assert",
-                                                "atexit",
-                                                "setbuf"};
-    if (std::find(std::begin(kPassedOver), std::end(kPassedOver), name.text) == std::end(kPassedOver))
-        return std::nullopt;
-    jump(after);
-    return integer(name.is("glutGetWindow") || name.is("glutCreateWindow") || name.is("glutCreateMenu") ||
-                           name.is("gladLoadGL")
-                       ? 1
-                       : 0);
 }
 
 }  // namespace twinlight

@@ -366,6 +366,7 @@ bool Reader::declare_static(const Declarator& made) {
 
 void Reader::forget_locals(std::size_t count) {
     std::vector<Local>& locals = program_->locals;
+    if (program_->reached_main_loop) return;  // main waits in it, and never ends
     for (; locals.size() > count; locals.pop_back())
         if (locals.back().owned) forget(*locals.back().owned);
 }

@@ -42,13 +42,10 @@ bool is_c_program(std::string_view text) {
     return text.find("main(") != std::string_view::npos || text.find("main (") != std::string_view::npos;
 }
 
-// A program of GLFW or SDL, or one that calls glutMainLoopEvent.
+// A program of GLFW or SDL.
 bool is_program_without_loop(std::string_view text) {
     const auto has = [&](std::string_view words) { return text.find(words) != text.npos; };
-    constexpr std::string_view kLoop = "glutMainLoop";
-    for (std::size_t at = text.find(kLoop); at != text.npos; at = text.find(kLoop, at + 1))
-        if (!text.substr(at + kLoop.size()).starts_with("Event")) return false;
-    return has("#include") && (has("int main") || has("void main") || has("\nmain"));
+    return !has("glutMainLoop") && has("#include") && (has("int main") || has("void main") || has("\nmain"));
 }
 
 // The text of a file that a program beside it includes; nullopt if there is none, or if it is a copy of a library's header.

@@ -84,8 +84,14 @@ Frame frame_of(const CommandList& commands, const StateOptions& options, bool th
     if (!errors.texts().empty() && is_refused) throw SceneError(std::move(errors.texts()), commands.text);
     Frame frame = state.take_frame();
     if (frame.draws().empty())
-        throw SceneError(fmt::format("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);",
-                                     commands.name));
+        throw SceneError(
+            commands.is_program
+                ? fmt::format(
+                      "{0}: this program's first picture is empty; if it draws after a key: twinlight record {0} "
+                      "--keys TEXT",
+                      commands.name)
+                : fmt::format("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);",
+                              commands.name));
     return frame;
 }
 

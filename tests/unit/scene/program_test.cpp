@@ -102,6 +102,66 @@ TEST(Programs, SayThatTheirWindowHasSeveralSamples) {
     EXPECT_NE(read_file(folder / "report/index.html").find(kOneSampleNote), std::string::npos);
 }
 
+TEST(Programs, ShowTheirFirstWindow) {
+    const CommandList scene = read_program(
+        "void big(void) { glLineWidth(glutGetWindow()); glutSetWindow(2); glLineWidth(9); glutSetWindow(1); "
+        "glLineWidth(3); "
+        "glutSetWindow(7); glLineWidth(4); }\n"
+        "void small(void) { glLineWidth(8); }\n"
+        "void shape(int w, int h) { glViewport(0, 0, w, h); }\n"
+        "int main() { glutInitWindowSize(200, 100); int one = glutCreateWindow(\"one\"); glutDisplayFunc(big);\n"
+        "glutReshapeFunc(shape); glLineWidth(2); glutInitWindowSize(50, 50); int two = glutCreateWindow(\"two\");\n"
+        "glutDisplayFunc(small); glutReshapeFunc(NULL); glLineWidth(7); glutCreateSubWindow(one, 0, 0, 9, 9);\n"
+        "glutDisplayFunc(small); glLineWidth(6); glutSetWindow(one); glLineWidth(two + 3); glutMainLoop(); }\n");
+    std::string printed;
+    for (const Command& command : scene.commands) printed += print_command(command);
+    EXPECT_EQ(printed,
+              "glLineWidth(2);glLineWidth(5);glViewport(0, 0, 200, 100);glLineWidth(1);glLineWidth(3);glLineWidth(4);");
+    EXPECT_EQ(scene.window, (WindowSize{200, 100}));
+    EXPECT_EQ(scene.notes(), std::vector<std::string>{"this program has 3 windows; the picture is that of the first"});
+}
+
+TEST(Programs, GiveTheirUserDataToTheDisplayFunction) {
+    EXPECT_EQ(homework::arguments_of(read_program(
+                  "struct S { int width; };\n"
+                  "void draw(void *data) { struct S *s = (struct S *)data; glLineWidth(s->width); }\n"
+                  "void tick(int value, void *data) { ((struct S *)data)->width = value; }\n"
+                  "int main() { struct S s = {5}; glutCreateWindow(\"w\"); glutDisplayFuncUcall(draw, &s);\n"
+                  "glutTimerFuncUcall(10, tick, 7, &s); glutMainLoop(); }\n")),
+              (Values{5}));
+    EXPECT_NE(error_of("void draw(void *data) { glLineWidth(*(int *)data); }\n"
+                       "void init() { int gone = 1; glutDisplayFuncUcall(draw, &gone); }\n"
+                       "int main() { glutCreateWindow(\"w\"); init(); glutMainLoop(); }\n")
+                  .find("what this pointer pointed at is not there any more"),
+              std::string::npos);
+}
+
+// main() never ends while GLUT's loop runs.
+TEST(Programs, KeepTheVariablesOfMain) {
+    EXPECT_EQ(homework::arguments_of(read_program(
+                  "int *width;\nvoid draw(void) { int main_has_another = 1; glLineWidth(*width); *width = 9; }\n"
+                  "void loop() { glutMainLoop(); }\n"
+                  "int main() { int local = 4; width = &local; glutCreateWindow(\"w\");\n"
+                  "glutDisplayFunc(draw); loop(); local = 8; }\n")),
+              (Values{4}));
+}
+
+TEST(Programs, MayRunGlutsLoopThemselves) {
+    EXPECT_EQ(homework::arguments_of(read_program(
+                  "int goes_on = 1; void draw(void) { glLineWidth(2); glutMainLoopEvent(); glLineWidth(3); }\n"
+                  "int main() { glutCreateWindow(\"w\"); glutDisplayFunc(draw);\n"
+                  "while (goes_on) { glutMainLoopEvent(); glLineWidth(9); } }\n")),
+              (Values{2, 3}));
+}
+
+TEST(Programs, HaveNoInput) {
+    EXPECT_EQ(values_of("char line[9]; glScaled(fgets(line, 9, stdin) == NULL, getchar(), 0);"), (Values{1, -1, 0}));
+    EXPECT_EQ(
+        values_of(
+            "glScaled(glutGet(GLUT_WINDOW_DEPTH_SIZE), glutGet(GLUT_HAS_JOYSTICK), glutDeviceGet(GLUT_NUM_DIALS));"),
+        (Values{24, -1, 0}));
+}
+
 TEST(Programs, HaveLoopsAndConditions) {
     EXPECT_EQ(values_of("int i; for (i = 0; i < 3; i++) glLineWidth(i + 1);"), (Values{1, 2, 3}));
     EXPECT_EQ(values_of("for (int i = 3, j = 0; i; --i, j += 2) glScaled(i, j, 0);"),
@@ -319,7 +379,7 @@ TEST(Programs, DrawTheirNextPictureAfterIdleOrTimer) {
     EXPECT_EQ(scene.later->front().start.str(), "homework.c:2:22");
     EXPECT_EQ(scene.commands.size(), 1u);
     // The second call of the display function cannot be followed.
-    EXPECT_EQ(read_program(program("static int n = 0; glLineWidth(++n > 1 ? getchar() : 1);")).later, nullptr);
+    EXPECT_EQ(read_program(program("static int n = 0; glLineWidth(++n > 1 ? system(0) : 1);")).later, nullptr);
     EXPECT_EQ(read_scene("glLineWidth(2);", "scene.gl", "scene.gl").later, nullptr);
 }
 
@@ -328,9 +388,8 @@ TEST(Programs, DrawLaterPicturesAfterASecondAndAfterAKey) {
         const CommandList scene = read_program(
             "int ticks = 0, is_on = 0;\nvoid display(void) { glLineWidth(1 + ticks); if (is_on) glPointSize(2); }\n"
             "void turn(void) { ++ticks; }\nvoid key(unsigned char k, int x, int y) {\n" +
-            key +
-            "\n}\nint main(int argc, char **argv) { glutCreateWindow(\"w\"); glutDisplayFunc(display); " + registers +
-            " glutMainLoop(); return 0; }");
+            key + "\n}\nint main(int argc, char **argv) { glutCreateWindow(\"w\"); glutDisplayFunc(display); " +
+            registers + " glutMainLoop(); return 0; }");
         std::vector<std::string> pictures;
         for (const LaterPicture& picture : *scene.later) {
             std::string text = picture.when + ":";
@@ -347,7 +406,7 @@ TEST(Programs, DrawLaterPicturesAfterASecondAndAfterAKey) {
     EXPECT_EQ(later(on, "glutKeyboardFunc(key);"),
               (Pictures{second + "1);", "after the key 'o': glLineWidth(1); glPointSize(2);"}));
     // Keys that cannot be read, and those that change nothing, are left out.
-    EXPECT_EQ(later("if (k == 'o') is_on = getchar();", "glutKeyboardFunc(key);"), (Pictures{second + "1);"}));
+    EXPECT_EQ(later("if (k == 'o') is_on = system(0);", "glutKeyboardFunc(key);"), (Pictures{second + "1);"}));
     EXPECT_EQ(later("if (k == 'o') ticks = 0;", "glutKeyboardFunc(key);"), (Pictures{second + "1);"}));
 }
 
@@ -503,18 +562,17 @@ INSTANTIATE_TEST_SUITE_P(
         OutOfReach{"glLineWidth(jitter);", "unknown name 'jitter'; if another file defines it"},
         OutOfReach{"init_map();", "the function 'init_map', which this file does not define"},
         OutOfReach{"gluPickMatrix(1, 1, 5, 5, 0);", "the function 'gluPickMatrix', which Twinlight does not know"},
-        OutOfReach{"glutCreateSubWindow(1, 0, 0, 9, 9);",
-                   "the function 'glutCreateSubWindow', which Twinlight does not know"},
+        OutOfReach{"glutUseLayer(1);", "the function 'glutUseLayer', which Twinlight does not know"},
         OutOfReach{"glMultiDrawElements(GL_POINTS, 0, 0, 0, 2);",
                    "the function 'glMultiDrawElements', which Twinlight does not know"},
         OutOfReach{"GLUtesselator *t;", "the name 'GLUtesselator', which Twinlight does not know"},
         OutOfReach{"float g[1]; glGetFloatv(GL_LINE_WIDTH_GRANULARITY, g);",
                    "the name 'GL_LINE_WIDTH_GRANULARITY', which Twinlight does not know"},
-        OutOfReach{"glutCreateWindow(\"one\");", "a second window"},
+        OutOfReach{"char s[9]; fgets(s, 9, file);", "the function fgets"},
         OutOfReach{"glutInitDisplayMode(GLUT_INDEX);", "a window with colour indices"},
         OutOfReach{"float m[16]; glGetFloatv(GL_MODELVIEW_MATRIX, m); glMultMatrixf(m);", "the value of 'm'"},
         OutOfReach{"float m[16]; glGetFloatv(GL_MODELVIEW_MATRIX, m); glLineWidth(m[0]);", "the value of 'm'"},
-        OutOfReach{"int t = glutGet(GLUT_HAS_JOYSTICK);", "glutGet(GLUT_HAS_JOYSTICK)"},
+        OutOfReach{"int t = glutGet(GLUT_INIT_STATE);", "glutGet(GLUT_INIT_STATE)"},
         OutOfReach{"if (glIsEnabled(GL_FOG)) return;", "the result of glIsEnabled"},
         OutOfReach{"std::cout << 1;", "this is C++: std::"},
         OutOfReach{"load_model(1, 2);", "the function 'load_model'"}));
