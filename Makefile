@@ -55,6 +55,7 @@ libcli11-dev        pkg-config --exists CLI11
 nlohmann-json3-dev  pkg-config --exists nlohmann_json
 libfmt-dev          pkg-config --exists fmt
 libstb-dev          pkg-config --exists stb
+libdeflate-dev      pkg-config --exists libdeflate
 libxsimd-dev        pkg-config --exists xsimd
 libboost-dev        ls /usr/include/boost/multiprecision/cpp_bin_float.hpp
 libtinyobjloader-dev pkg-config --exists tinyobjloader
@@ -88,7 +89,7 @@ export DEPENDENCIES
 
 # ---- Flags ------------------------------------------------------------------------------------------------------
 
-MODULES := glm fmt CLI11 nlohmann_json stb tinyobjloader imgui
+MODULES := glm fmt CLI11 nlohmann_json stb libdeflate tinyobjloader imgui
 GCC := $(shell $(CXX) -dumpversion 2>/dev/null)
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow $(if $(CI),-Werror)
 # False alarms of g++ 13 and 14 about the standard library's own copies.
@@ -122,12 +123,12 @@ CXXFLAGS_all := $(CXXFLAGS_all)
 # A large room takes g++ a fifth longer if it stops to collect its memory. Without that it needs 1.3 GB at most instead of 1.
 compile := $(CXX) $(if $(findstring clang,$(CXX)),,--param ggc-min-heapsize=1000000)
 LDFLAGS_all := $(LDFLAGS_$(config)) $(LDFLAGS)
-LIBS := $(shell pkg-config --libs fmt stb 2>/dev/null)
+LIBS := $(shell pkg-config --libs fmt stb libdeflate 2>/dev/null)
 # OSMesa comes before GLU, so that GLU's own GL calls reach OSMesa and not libGL.
 LIBS_osmesa := $(shell pkg-config --libs osmesa glu 2>/dev/null)
 LIBS_egl := $(shell pkg-config --libs egl glu gl 2>/dev/null)
 LIBS_offscreen := $(LIBS_$(GL))
-LIBS_fuzz := $(shell pkg-config --libs fmt 2>/dev/null)
+LIBS_fuzz := $(shell pkg-config --libs fmt libdeflate 2>/dev/null)
 LIBS_window := $(shell pkg-config --libs glut imgui glu gl x11 2>/dev/null)
 LIBS_gtest := $(shell pkg-config --libs gtest_main 2>/dev/null)
 

@@ -24,7 +24,7 @@ std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height,
                                                          ColorBuffer color_buffer = ColorBuffer::kUnorm8);
 
 // Drivers allocate and free megabytes for each frame, which the C library gives back to the system each time: a small frame
-// then takes three times as long (docs/performance.md). After this call it keeps up to 64 MB for the next frame.
+// then takes three times as long (docs/performance.md). After this call it keeps up to 256 MB for the next frame.
 void keep_freed_memory();
 
 std::string_view context_provider();  // what made the context: "OSMesa", "EGL", "GLUT"; each program links one

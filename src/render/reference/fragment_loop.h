@@ -66,7 +66,8 @@ class FragmentLoop {
         for (const Step& step : stages_.steps) {
             if (step.clear < 0) clear(step.clear);
             if (step.accumulate) accumulate(*step.accumulate);
-            for (std::size_t i = step.first_piece; i < step.end_piece; ++i) piece(static_cast<StepId>(i), watch);
+            for (std::size_t i = step.first_piece; i < step.end_piece; ++i)
+                if (stages_.rows[i].meets(window_)) piece(static_cast<StepId>(i), watch);
         }
     }
     void draw() {

@@ -63,6 +63,8 @@ StagedFrame run_stages(const Frame& frame, const Options& options, const CopyRan
         last = &draw;
         stages.steps.push_back({.first_piece = first, .end_piece = stages.pieces.size()});
     }
+    stages.rows.reserve(stages.pieces.size());
+    for (const Piece& piece : stages.pieces) stages.rows.push_back(rows_of(piece, stages.border));
     return stages;
 }
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "render/reference/geometry/coverage.h"
 #include "render/reference/geometry/piece.h"
 #include "render/reference/shading.h"
 
@@ -24,7 +25,8 @@ struct Step {
 struct StagedFrame {
     std::vector<StagedDraw> draws;
     std::vector<Piece> pieces;
-    std::vector<Clear> clears;  // clear `id` is clears[-1 - id]; the first clears to black and depth 1
+    std::vector<PixelRows> rows;  // of each piece
+    std::vector<Clear> clears;    // clear `id` is clears[-1 - id]; the first clears to black and depth 1
     std::vector<Step> steps;
     double border = kSnap;  // Options::border
     const CopyRanges* ranges = nullptr;

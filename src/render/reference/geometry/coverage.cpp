@@ -58,6 +58,34 @@ PixelRect reach_of(const Piece& piece, const PixelRect& within) {
     return within;
 }
 
+PixelRows rows_of(const Piece& piece, double border) {
+    constexpr int kEverywhere = 1'000'000'000;
+    constexpr double kBeside = 4;  // lines and points open up to three neighbours
+    double low = 0, high = 0, margin = 0;
+    switch (piece.shape) {
+        case Shape::kPoint:
+        case Shape::kLine: {
+            const double from = piece.ends().from.position_window.y;
+            const double to = piece.shape == Shape::kLine ? piece.ends().to.position_window.y : from;
+            low = std::min(from, to);
+            high = std::max(from, to);
+            margin = std::max<double>(piece.size, piece.sprite_size) + kBeside;
+            break;
+        }
+        case Shape::kTriangle:
+            if (piece.corners.size() == 0) return {-kEverywhere, kEverywhere};
+            low = high = piece.corners.position_window(0).y;
+            for (std::size_t i = 1; i < piece.corners.size(); ++i) {
+                low = std::min(low, piece.corners.position_window(i).y);
+                high = std::max(high, piece.corners.position_window(i).y);
+            }
+            margin = border + 1;
+            break;
+        case Shape::kSurface: return {-kEverywhere, kEverywhere};
+    }
+    return {floor_to_pixel(low - margin), floor_to_pixel(high + margin) + 1};
+}
+
 Edge::Edge(const Corner& from, const Corner& to) : origin_(from.edge_to_next) {
     const glm::dvec2 a = from.position_window, b = to.position_window;
     const bool forward = a.x < b.x || (a.x == b.x && a.y < b.y);

@@ -36,6 +36,15 @@ PixelRect bounds(const SurfaceRays& rays, const PixelRect& within);
 // A rectangle around the pixels that the piece may touch in any correct picture.
 PixelRect reach_of(const Piece& piece, const PixelRect& within);
 
+// Rows of pixels; the upper bound is excluded.
+struct PixelRows {
+    int y0 = 0, y1 = 0;
+    bool meets(const PixelRect& rect) const { return y0 < rect.y1 && rect.y0 < y1; }
+};
+// Rows outside which a piece has no fragment and opens no pixel (allowed_difference.cpp). `border`: Options::border. Cheaper to
+// compare than the piece's corners, once for each band of rows.
+PixelRows rows_of(const Piece& piece, double border);
+
 // One edge of a counter-clockwise polygon.
 class Edge {
   public:
