@@ -20,6 +20,8 @@ std::string encode_png(const Image& image);
 struct PngPixels {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgba;
+
+    bool operator==(const PngPixels&) const = default;
 };
 
 // Reads any PNG and rounds it to 8 bits; alpha is 255 if the file has none. Throws std::runtime_error if the file is

@@ -89,8 +89,9 @@ TEST(Lint, PageAndPicturesMatchTheTable) {
             const std::string text = is_mended ? lint::mended_scene(rule) : lint::wrong_scene(rule);
             const std::string file = std::string(rule.name) + (is_mended ? "-mended.png" : "-wrong.png");
             expected.insert(file);
-            EXPECT_EQ(read_file("docs/lint/" + file),
-                      encode_png(reference::render(lint::shown_frame(scene_of(text)), {})))
+            const auto pixels = [](const std::string& png) { return decode_png_pixels(png, 2000); };
+            const Image shown = reference::render(lint::shown_frame(scene_of(text)), {});
+            EXPECT_TRUE(pixels(read_file("docs/lint/" + file)) == pixels(encode_png(shown)))
                 << file << ": build/twinlight lint --rules -o docs writes it again";
         }
     }
