@@ -256,7 +256,7 @@ bench: deps  ## measure speed: print medians, write ratios to build/bench.json (
 # (warnings are errors) is not passed on.
 TIME ?= 60
 fuzz_targets := $(patsubst tests/fuzz/%_fuzzer.cpp,%,$(SOURCES_fuzzers))
-fuzz: deps  ## look for crashes on random input (TIME=seconds per target; TARGET=scene|dump|png|obj|state|picture for one)
+fuzz: deps  ## look for crashes on random input (TIME=seconds per target; TARGET=scene|dump|trace|png|obj|state|picture for one)
 	@if ! { $(try_fuzzer); } 2>/dev/null; then \
 	    echo "fuzz: skipped, because clang++ or its fuzzer runtime is not installed (Debian packages clang and libclang-rt-dev)"; exit 0; fi; \
 	$(MAKE) config=fuzz CXX=clang++ CI= $(patsubst %,build/fuzz/%-fuzzer,$(or $(TARGET),$(fuzz_targets))) build/fuzz/write-seeds && \

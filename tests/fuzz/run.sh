@@ -13,6 +13,9 @@ if [ -d "tests/fuzz/seeds/$target" ]; then cp tests/fuzz/seeds/"$target"/* "$see
 case $target in
 scene) for scene in src/scene/scenes/*.gl; do split -l 8 "$scene" "$seeds/$(basename "$scene")-"; done ;;
 state | picture) "$build/write-seeds" "$seeds" src/scene/scenes/*.gl tests/fuzz/seeds/scene/*.gl ;;
+trace) grep -a -v '^#' tests/bad_input/traces.txt | cut -f 2- | while IFS= read -r row; do
+    printf '%b' "$row" >"$seeds/$(printf '%s' "$row" | cksum | cut -d ' ' -f 1)"
+    done ;;
 dump) for dump in tests/traces/*/dump.txt; do
     head -n 200 "$dump" | split -l 8 - "$seeds/$(basename "$(dirname "$dump")")-"
     done ;;

@@ -117,7 +117,7 @@ TEST(BadInput, Pictures) {
     });
 }
 
-// apitrace dumps them. What it says differs between its versions.
+// apitrace dumps those of old versions. What it says differs between its versions.
 TEST(BadInput, Traces) {
     if (run_shell("", "command -v apitrace").status != 0) GTEST_SKIP() << "apitrace is not installed";
     const TemporaryFolder folder;

@@ -157,7 +157,7 @@ RecordingMade record_program(const RunArguments& run, const std::string& file) {
     if (!run.keys.empty() && busiest && made.frame.number == busiest->number) made.frame.number = busiest->frames - 1;
     if (recorded.has_failed) print_message("twinlight: note: {} {}\n", given, one_line(recorded.ended));
     if (!recorded.not_cut.empty())
-        print_message("twinlight: note: the recording is {}; keeps the whole of it, whose end may be damaged\n",
+        print_message("twinlight: note: {}; keeps the whole recording, whose end may be damaged\n",
                       one_line(recorded.not_cut));
     return made;
 }

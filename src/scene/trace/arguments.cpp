@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -16,8 +17,6 @@ namespace {
 
 using Form = Argument::Form;
 
-constexpr std::size_t kMostArguments = 64;
-constexpr std::size_t kMostBlobs = 4096;
 constexpr std::size_t kLongestNameShown = 80;
 constexpr std::size_t kLongestFileName = 255;
 constexpr int kDeepest = 8;  // arrays in arrays, pointers to pointers, members of structures
@@ -117,12 +116,7 @@ class Reading {
         return true;
     }
 
-    // The value of a name. An unknown name is noted and gives 0.
-    double enumerant(std::string_view name) {
-        const std::optional<Enum> known = name.starts_with("GL_") ? find_dumped_name(name) : sample_attribute(name);
-        if (!known && arguments_.unknown_name.empty()) arguments_.unknown_name = name.substr(0, kLongestNameShown);
-        return known.value_or(0);
-    }
+    double enumerant(std::string_view name) { return arguments_.value_of(name, known_value(name)); }
 
     bool word_value(std::string_view word, Argument& argument, int depth) {
         if (word.starts_with("GL_")) return number_value(enumerant(word), argument);
@@ -156,7 +150,7 @@ class Reading {
             argument.form = Form::kBlob;
             argument.first = arguments_.blobs.size();
             argument.count = 1;
-            arguments_.blobs.emplace_back(lexer_.string(kLongestFileName + 1));
+            arguments_.blobs.push_back({std::string(lexer_.string(kLongestFileName + 1))});
         } else {
             double size = 0;
             if (!lexer_.number(size)) return wrong_character("a blob's file or size");
@@ -204,6 +198,19 @@ void Arguments::clear() {
     numbers.clear();
     blobs.clear();
     unknown_name.clear();
+}
+
+bool Arguments::are_complete() const {
+    return std::ranges::none_of(list, [](const Argument& argument) { return argument.form == Form::kMissing; });
+}
+
+std::optional<Enum> known_value(std::string_view name) {
+    return name.starts_with("GL_") ? find_dumped_name(name) : sample_attribute(name);
+}
+
+double Arguments::value_of(std::string_view name, std::optional<Enum> known) {
+    if (!known && unknown_name.empty()) unknown_name = name.substr(0, kLongestNameShown);
+    return known.value_or(0);
 }
 
 std::string read_arguments(DumpLexer& lexer, Arguments& arguments) {

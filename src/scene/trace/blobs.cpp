@@ -13,19 +13,27 @@
 
 namespace twinlight::trace {
 
+std::shared_ptr<Memory> BlobBudget::allocate(std::size_t size) const {
+    const std::shared_ptr<Memory> memory(new Memory, [held = held_, size](const Memory* gone) {
+        *held -= size;
+        delete gone;
+    });
+    *held_ += size;
+    memory->bytes.resize(size);
+    return memory;
+}
+
 namespace {
 
 class BlobFolder {
   public:
-    BlobFolder(std::string path, std::size_t most_held) : path_(std::move(path)), most_held_(most_held) {}
+    BlobFolder(std::string path, std::size_t most_held) : path_(std::move(path)), budget_(most_held) {}
 
     std::shared_ptr<const Memory> operator()(const std::string& name, const Place& place) const;
 
   private:
     std::string path_;
-    std::size_t most_held_;
-    // Bytes of all blobs in memory. A blob subtracts its size when it is deleted, which may be after this object.
-    std::shared_ptr<std::size_t> held_ = std::make_shared<std::size_t>(0);
+    BlobBudget budget_;
 };
 
 std::shared_ptr<const Memory> BlobFolder::operator()(const std::string& name, const Place& place) const {
@@ -45,16 +53,11 @@ std::shared_ptr<const Memory> BlobFolder::operator()(const std::string& name, co
     const auto size = static_cast<std::size_t>(status.st_size);
     if (size > kMaxBlobBytes)
         fail(place, "the blob {} has {} bytes; the limit is {}", in_quotes(name), size, kMaxBlobBytes);
-    if (size > most_held_ - *held_) {
+    if (!budget_.allows(size)) {
         fail(place, "the blob {} has {} bytes; with {} bytes of other blobs in use this is above the limit of {}",
-             in_quotes(name), size, *held_, most_held_);
+             in_quotes(name), size, budget_.held(), budget_.most());
     }
-    const std::shared_ptr<Memory> memory(new Memory, [held = held_, size](const Memory* gone) {
-        *held -= size;
-        delete gone;
-    });
-    *held_ += size;
-    memory->bytes.resize(size);
+    const std::shared_ptr<Memory> memory = budget_.allocate(size);
     std::size_t filled = 0;
     while (filled < size) {
         const ssize_t count = ::read(file.get(), memory->bytes.data() + filled, size - filled);
@@ -70,6 +73,11 @@ std::shared_ptr<const Memory> BlobFolder::operator()(const std::string& name, co
 }  // namespace
 
 BlobLoader blobs_in_folder(std::string path, std::size_t most_held) { return BlobFolder(std::move(path), most_held); }
+
+std::shared_ptr<const Memory> blobs_too_large(const std::string& name, const Place& place) {
+    fail(place, "a blob {} is too large; the limit is {}, and {} for all that are in use", name, kMaxBlobBytes,
+         kMaxHeldBlobBytes);
+}
 
 BlobLoader blobs_in_memory(BlobFiles files) {
     return [files = std::move(files)](const std::string& name, const Place& place) {

@@ -23,18 +23,13 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostStacks = 1 << 16, kMostSource = 4u << 20;
 
-struct CallFrame {
-    std::string_view module, function, file;
-    int line = 0;
-
-    // The program's, and not those of a library of the system or of a header of the compiler's.
-    bool is_own() const { return line > 0 && !is_of_system(module) && !is_of_system(file); }
-
-  private:
-    static bool is_of_system(std::string_view path) {
+// The program's, and not those of a library of the system or of a header of the compiler's.
+bool is_own(const CallFrame& frame) {
+    const auto is_of_system = [](std::string_view path) {
         return path.starts_with("/usr/") || path.starts_with("/lib/") || path.starts_with("/lib64/");
-    }
-};
+    };
+    return frame.line > 0 && !is_of_system(frame.module) && !is_of_system(frame.file);
+}
 
 // "MODULE: FUNCTION+0xOFFSET: FILE:LINE", where all but the module may be missing.
 CallFrame read_frame(std::string_view text) {
@@ -131,6 +126,15 @@ bool is_source_name(const std::string& file) {
 
 }  // namespace
 
+std::vector<CallFrame> frames_of(std::string_view stack) {
+    std::vector<CallFrame> frames;
+    while (!stack.empty()) {
+        frames.push_back(read_frame(stack.substr(0, stack.find('\n'))));
+        stack.remove_prefix(std::min(stack.find('\n'), stack.size() - 1) + 1);
+    }
+    return frames;
+}
+
 std::shared_ptr<const std::string> SourceTexts::find(const std::string& file) {
     const auto [found, is_new] = texts_.try_emplace(file);
     if (!is_new) return found->second;
@@ -149,23 +153,22 @@ std::shared_ptr<const std::string> CallStacks::shared(std::string text) {
     return found->second;
 }
 
-const Place& CallStacks::place(std::string_view stack, std::string_view function) {
+const Place& CallStacks::place(std::string_view stack, std::string_view function,
+                               const std::function<std::vector<CallFrame>(std::string_view)>& frames) {
     std::string key(stack);
     key += function;
     if (places_.size() >= kMostStacks) places_.clear();
     const auto [found, is_new] = places_.try_emplace(std::move(key));
-    if (is_new) found->second = read(stack, function);
+    if (is_new) found->second = read(frames(stack), function);
     return found->second;
 }
 
-Place CallStacks::read(std::string_view stack, std::string_view function) {
+Place CallStacks::read(const std::vector<CallFrame>& stack, std::string_view function) {
     std::optional<CallFrame> innermost;
     std::string_view of_library;  // the function that the innermost own frame calls
     std::vector<std::string> chain;
-    while (!stack.empty()) {
-        const CallFrame frame = read_frame(stack.substr(0, stack.find('\n')));
-        stack.remove_prefix(std::min(stack.find('\n'), stack.size() - 1) + 1);
-        if (frame.is_own()) {
+    for (const CallFrame& frame : stack) {
+        if (is_own(frame)) {
             if (!innermost) innermost = frame;
             chain.push_back(without_parameters(frame.function));
         } else if (!innermost) {

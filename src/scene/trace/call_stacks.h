@@ -10,15 +10,27 @@
 // The place of the call is the innermost frame in the program's own sources, lamp.cpp:25 here.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "scene/command/place.h"
 
 namespace twinlight::trace {
+
+inline constexpr std::size_t kLongestStack = 1 << 16;  // as text
+
+// One line of a stack. What is not known is empty or 0.
+struct CallFrame {
+    std::string_view module, function, file;
+    int line = 0;
+};
+// The frames of a stack as text, which must exist as long as they do.
+std::vector<CallFrame> frames_of(std::string_view stack);
 
 // The program's files, read once each.
 class SourceTexts {
@@ -33,12 +45,14 @@ class SourceTexts {
 // Many calls share few stacks, so each is read only once.
 class CallStacks {
   public:
-    // The place of a call of `function` with this stack, the lines of the dump; with null `file` if no frame is in the program's
-    // sources. Its column is that of the function in the text of the line, or else of the library's function that called it.
-    const Place& place(std::string_view stack, std::string_view function);
+    // The place of a call of `function` with this stack, whose frames are read where it is a new one; with null `file` if no frame is
+    // in the program's sources. Its column is that of the function in the text of the line, or else of the library's function that
+    // called it.
+    const Place& place(std::string_view stack, std::string_view function,
+                       const std::function<std::vector<CallFrame>(std::string_view)>& frames = frames_of);
 
   private:
-    Place read(std::string_view stack, std::string_view function);
+    Place read(const std::vector<CallFrame>& stack, std::string_view function);
     std::shared_ptr<const std::string> shared(std::string text);
 
     SourceTexts sources_;

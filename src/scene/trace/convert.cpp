@@ -68,10 +68,12 @@ void add_pointer(const Argument& argument, const Arguments& arguments, const Par
         case Form::kNumber:  // an offset into a buffer object
             command.arguments.push_back(typed(command, parameter, arguments.numbers[argument.first]));
             return;
-        case Form::kBlob:
-            command.memory = blobs(arguments.blobs[argument.first], command.place);
+        case Form::kBlob: {
+            const Blob& blob = arguments.blobs[argument.first];
+            command.memory = blob.memory ? blob.memory : blobs(blob.name, command.place);
             command.arguments.push_back(0);
             return;
+        }
         case Form::kBlobSize:
             if (!blobs) {
                 command.arguments.push_back(0);

@@ -118,6 +118,7 @@ Function classify(std::string_view name) {
                       .names_format = WindowFormats::is_needed(name),
                       .makes_objects = makes_objects(name),
                       .names_shared = names_shared(name),
+                      .is_mark = name == "glStringMarkerGREMEDY",
                       .sets_units = sets_units(name)};
     const std::optional<CommandId> command = find_command_or_extension(name);
     if (ends_frame(name)) {

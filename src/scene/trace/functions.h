@@ -33,6 +33,7 @@ struct Function {
     bool names_format = false;   // WindowFormats::is_needed()
     bool makes_objects = false;  // creates objects that contexts may share: textures, lists, buffer objects
     bool names_shared = false;   // names such objects: binds a texture or a buffer, makes or calls lists
+    bool is_mark = false;        // glStringMarkerGREMEDY, which may hold a stack of Python
     bool sets_units = false;     // chooses a texture unit, or may set the state of one
 };
 

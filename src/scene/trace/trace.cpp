@@ -15,10 +15,12 @@
 
 #include "scene/command/text.h"
 #include "scene/trace/apitrace.h"
+#include "scene/trace/call_reader.h"
 #include "scene/trace/call_stacks.h"
-#include "scene/trace/dump_reader.h"
+#include "scene/trace/dump_calls.h"
 #include "scene/trace/dump_text.h"
 #include "scene/trace/temporary_folder.h"
+#include "scene/trace/trace_calls.h"
 
 namespace twinlight::trace {
 
@@ -34,8 +36,8 @@ void write_all(const Descriptor& file, std::string_view bytes, const std::string
     }
 }
 
-// A dump, whose text is read again for each visit.
-class DumpRecording : public Recording {
+// Its file is read again for each visit.
+class CallRecording : public Recording {
   public:
     void for_each(const std::function<bool(const Step&)>& visit) const override { visit_all(visit); }
     std::vector<std::string> notes() const override { return notes_; }
@@ -44,15 +46,15 @@ class DumpRecording : public Recording {
     }
 
   protected:
-    DumpRecording(std::string given_name, std::string place)
+    CallRecording(std::string given_name, std::string place)
         : Recording(std::move(given_name)), place_(std::move(place)) {}
 
-    virtual std::unique_ptr<ByteSource> start() const = 0;
+    virtual std::unique_ptr<CallSource> start() const = 0;
     virtual BlobLoader blobs() const = 0;
-    // Returns true if the dump ended.
+    // Returns true if the recording ended.
     bool visit_all(const std::function<bool(const Step&)>& visit) const {
-        const std::unique_ptr<ByteSource> text = start();
-        DumpReader reader(*text, place_, blobs());
+        const std::unique_ptr<CallSource> calls = start();
+        CallReader reader(*calls, place_, blobs());
         if (context_) reader.follow(*context_, shown_objects_);
         return reader.for_each(visit);
     }
@@ -67,9 +69,9 @@ class DumpRecording : public Recording {
     mutable SourceTexts sources_;
 };
 
-void DumpRecording::choose_context(std::optional<int> wanted) {
-    const std::unique_ptr<ByteSource> text = start();
-    DumpReader reader(*text, place_, blobs());
+void CallRecording::choose_context(std::optional<int> wanted) {
+    const std::unique_ptr<CallSource> calls = start();
+    CallReader reader(*calls, place_, blobs());
     ContextCounts counts;
     try {
         reader.count_contexts(wanted.has_value(), counts);
@@ -104,19 +106,37 @@ void DumpRecording::choose_context(std::optional<int> wanted) {
                                  list_of_contexts(contexts), *chosen));
 }
 
-class TraceRecording final : public DumpRecording {
+// A .trace.
+class TraceRecording final : public CallRecording {
+  public:
+    TraceRecording(std::string given_name, std::string place, Descriptor file, std::optional<int> context, Blobs blobs)
+        : CallRecording(std::move(given_name), std::move(place)), file_(std::move(file)), wanted_(blobs) {
+        choose_context(context);
+    }
+
+  private:
+    std::unique_ptr<CallSource> start() const override {
+        return std::make_unique<TraceCalls>(file_.get(), place_, wanted_);
+    }
+    BlobLoader blobs() const override { return wanted_ == Blobs::kAreRead ? blobs_too_large : BlobLoader(); }
+    Descriptor file_;
+    Blobs wanted_;
+};
+
+// A dump in a file or a pipe.
+class DumpRecording final : public CallRecording {
   public:
     // A dump in a file.
-    TraceRecording(std::string given_name, std::string place, Descriptor file, std::string blobs,
-                   std::optional<int> context)
-        : DumpRecording(std::move(given_name), std::move(place)), folder_(std::move(blobs)) {
+    DumpRecording(std::string given_name, std::string place, Descriptor file, std::string blobs,
+                  std::optional<int> context)
+        : CallRecording(std::move(given_name), std::move(place)), folder_(std::move(blobs)) {
         text_.emplace(place_, std::move(file));
         choose_context(context);
     }
     // The dump of a .trace: of the file `trace`, or of `input`.
-    TraceRecording(std::string given_name, std::string place, const std::string& trace, const Descriptor& input,
-                   std::optional<int> context, Blobs blobs = Blobs::kAreRead)
-        : DumpRecording(std::move(given_name), std::move(place)),
+    DumpRecording(std::string given_name, std::string place, const std::string& trace, const Descriptor& input,
+                  std::optional<int> context, Blobs blobs = Blobs::kAreRead)
+        : CallRecording(std::move(given_name), std::move(place)),
           leaves_blobs_out_(blobs == Blobs::kAreLeftOut),
           apitrace_(std::in_place, place_, trace, input, blobs) {
         folder_ = apitrace_->folder();
@@ -125,9 +145,9 @@ class TraceRecording final : public DumpRecording {
         choose_context(context);
     }
     // A dump from a pipe, of which `front` has already been read.
-    TraceRecording(std::string given_name, std::string place, Descriptor pipe, std::string_view front,
-                   std::optional<int> context)
-        : DumpRecording(std::move(given_name), std::move(place)), folder_(".") {
+    DumpRecording(std::string given_name, std::string place, Descriptor pipe, std::string_view front,
+                  std::optional<int> context)
+        : CallRecording(std::move(given_name), std::move(place)), folder_(".") {
         text_.emplace(place_, nameless_file(), std::move(pipe), std::function<void()>());
         text_->put_in_front(front);
         choose_context(context);
@@ -147,7 +167,9 @@ class TraceRecording final : public DumpRecording {
     }
 
   private:
-    std::unique_ptr<ByteSource> start() const override { return std::make_unique<DumpTextReading>(*text_); }
+    std::unique_ptr<CallSource> start() const override {
+        return std::make_unique<DumpCalls>(std::make_unique<DumpTextReading>(*text_), place_);
+    }
     BlobLoader blobs() const override { return leaves_blobs_out_ ? BlobLoader() : blobs_in_folder(folder_); }
 
     std::string folder_;  // of the blobs
@@ -171,15 +193,17 @@ class TextSource final : public ByteSource {
     std::string_view rest_;
 };
 
-class TextRecording final : public DumpRecording {
+class TextRecording final : public CallRecording {
   public:
     TextRecording(std::string_view text, const std::string& given_name, BlobFiles blobs)
-        : DumpRecording(given_name, given_name), text_(text), blobs_(std::move(blobs)) {
+        : CallRecording(given_name, given_name), text_(text), blobs_(std::move(blobs)) {
         choose_context(std::nullopt);
     }
 
   private:
-    std::unique_ptr<ByteSource> start() const override { return std::make_unique<TextSource>(text_); }
+    std::unique_ptr<CallSource> start() const override {
+        return std::make_unique<DumpCalls>(std::make_unique<TextSource>(text_), place_);
+    }
     BlobLoader blobs() const override { return blobs_in_memory(blobs_); }
 
     std::string_view text_;
@@ -236,9 +260,12 @@ bool is_dump(std::string_view front) {
 }
 
 std::shared_ptr<const Recording> open_trace(const std::string& path, std::optional<int> context, Blobs blobs) {
-    const std::filesystem::path file = path;
-    return std::make_shared<TraceRecording>(one_line(file.filename().string()), one_line(path), path, Descriptor(),
-                                            context, blobs);
+    const std::string name = one_line(std::filesystem::path(path).filename().string()), place = one_line(path);
+    Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!file.valid()) refuse(path);
+    if (TraceCalls::can_read(file.get()))
+        return std::make_shared<TraceRecording>(name, place, std::move(file), context, blobs);
+    return std::make_shared<DumpRecording>(name, place, path, Descriptor(), context, blobs);
 }
 
 std::shared_ptr<const Recording> open_dump(const std::string& path, std::optional<int> context) {
@@ -246,8 +273,8 @@ std::shared_ptr<const Recording> open_dump(const std::string& path, std::optiona
     Descriptor text(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (!text.valid()) refuse(path);
     const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
-    return std::make_shared<TraceRecording>(one_line(file.filename().string()), one_line(path), std::move(text), folder,
-                                            context);
+    return std::make_shared<DumpRecording>(one_line(file.filename().string()), one_line(path), std::move(text), folder,
+                                           context);
 }
 
 std::shared_ptr<const Recording> read_dump(std::string_view text, const std::string& name, BlobFiles blobs) {
@@ -258,8 +285,8 @@ std::shared_ptr<const Recording> open_standard_input(std::string_view front, std
     const std::string place = "<stdin>";
     Descriptor pipe(::dup(STDIN_FILENO));
     if (!pipe.valid()) refuse(place);
-    if (!is_trace(front)) return std::make_shared<TraceRecording>("stdin", place, std::move(pipe), front, context);
-    const Descriptor file = nameless_file();
+    if (!is_trace(front)) return std::make_shared<DumpRecording>("stdin", place, std::move(pipe), front, context);
+    Descriptor file = nameless_file();
     std::string block(front);
     while (!block.empty()) {
         write_all(file, block, place);
@@ -271,7 +298,9 @@ std::shared_ptr<const Recording> open_standard_input(std::string_view front, std
         if (count < 0) refuse(place);
         block.resize(static_cast<std::size_t>(count));
     }
-    return std::make_shared<TraceRecording>("stdin", place, "", file, context);
+    if (TraceCalls::can_read(file.get()))
+        return std::make_shared<TraceRecording>("stdin", place, std::move(file), context, Blobs::kAreRead);
+    return std::make_shared<DumpRecording>("stdin", place, "", file, context);
 }
 
 }  // namespace twinlight::trace

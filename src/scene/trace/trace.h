@@ -20,8 +20,8 @@ bool is_trace(std::string_view front);  // the front of a .trace
 bool is_trace(std::string_view front, const std::filesystem::path& path);
 bool is_dump(std::string_view front);  // the front of the output of `apitrace dump`
 
-// A recording can be visited any number of times. apitrace runs only once; its dump stays in a temporary file as long
-// as the recording exists. Only one GL context is visited: `context`, counted from 0 in the order in which they became
+// A recording can be visited any number of times. A .trace of a version that TraceCalls lacks is read by `apitrace dump`, which runs
+// only once; its dump stays in a temporary file as long as the recording exists. Only one GL context is visited: `context`, counted from 0 in the order in which they became
 // current, or the one that draws most. All of them throw SceneError.
 std::shared_ptr<const Recording> open_trace(const std::string& path, std::optional<int> context = std::nullopt,
                                             Blobs blobs = Blobs::kAreRead);

@@ -700,10 +700,12 @@ TEST_F(Traces, CountWhatNoRendererDoes) {
     EXPECT_EQ(found.scene.frame.unsupported[0].missing_from, MissingFrom::kEverything);
 }
 
+// The start of a .trace of an old version, which only apitrace reads.
+const std::string kOldTrace = "\x1f\x8b" + std::string(64, 'x');
+
 TEST(Apitrace, IsAskedForWhereItIsMissing) {
     const TemporaryFolder folder;
-    // The start of a .trace file.
-    write_file_atomically(folder / "game.trace", std::string("at\x10\0\0\0", 6) + std::string(64, 'x'));
+    write_file_atomically(folder / "game.trace", kOldTrace);
     const ProgramResult result =
         run_shell("twinlight", "PATH=/nowhere \"$PROGRAM\" compare " + quoted(folder / "game.trace") + " -o " +
                                    quoted(folder / "report"));
@@ -716,7 +718,7 @@ TEST(Apitrace, IsAskedForWhereItIsMissing) {
 
 TEST(Apitrace, LeavesNothingBehindHoweverTheProgramEnds) {
     const TemporaryFolder folder, temporary;
-    write_file_atomically(folder / "game.trace", std::string("at\x10\0\0\0", 6) + std::string(64, 'x'));
+    write_file_atomically(folder / "game.trace", kOldTrace);
     // A replacement for apitrace that writes a blob and a dump without end.
     write_file_atomically(folder / "apitrace",
                           "#!/bin/sh\necho x >blob.bin; echo '1 glFlush()'; while sleep 0.05; do echo; done\n");
