@@ -226,8 +226,9 @@ const ParameterInfo* find_parameter(Owner owner, Enum pname) {
     return nullptr;
 }
 
-std::optional<Owner> owner_of(CommandId id) {
-    const std::string_view name = signature(id).name;
+namespace {
+
+std::optional<Owner> owner_by_name(std::string_view name) {
     if (name.starts_with("glLightModel")) return Owner::kLightModel;
     if (name.starts_with("glLight") || name.starts_with("glGetLight")) return Owner::kLight;
     if (name.starts_with("glMaterial") || name.starts_with("glGetMaterial")) return Owner::kMaterial;
@@ -238,6 +239,17 @@ std::optional<Owner> owner_of(CommandId id) {
     if (name.starts_with("glPixelStore")) return Owner::kPixelStore;
     if (name.starts_with("glPointParameter")) return Owner::kPoint;
     return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Owner> owner_of(CommandId id) {
+    static const std::vector<std::optional<Owner>> owners = [] {
+        std::vector<std::optional<Owner>> found;
+        for (const Signature& signature : signatures()) found.push_back(owner_by_name(signature.name));
+        return found;
+    }();
+    return owners[static_cast<std::size_t>(id)];
 }
 
 namespace {
