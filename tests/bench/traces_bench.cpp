@@ -121,7 +121,36 @@ void compare_readers(bench::Results& results) {
     results.ratio("read_glxgears_over_apitrace_dump_glxgears", bench::times_faster(two[1], two[0]));
 }
 
-const bool added = bench::add_part("traces", compare_readers);
+// A recording of 1.6 million calls with their call stacks: as a .trace, and as what `apitrace dump` prints of it.
+void compare_recordings(bench::Results& results) {
+    const TemporaryFolder folder;
+    const std::string trace = folder / "many.trace", dump = folder / "dump.txt";
+    const ProgramResult recorded = run_shell(
+        "twinlight",
+        fmt::format("env -u DISPLAY \"$PROGRAM\" record --seconds {} --frames {} -o {} tests/bench/many_vertices.c",
+                    results.is_quick() ? 2 : 30, results.is_quick() ? 1 : 4, quoted(trace)));
+    if (!std::filesystem::exists(trace))
+        return results.remark("left out, needs apitrace, Xvfb, cc and freeglut: " + recorded.err);
+    const std::string print = "cd " + quoted(folder.str()) +
+                              " && apitrace dump --color=never --thread-ids=yes "
+                              "--arg-names=no --blobs many.trace >dump.txt";
+    run_shell("", print);
+    const auto binary = load_recording(trace), text = load_recording(dump);
+    const auto commands = static_cast<double>(commands_of(*binary));
+    results.remark(fmt::format("{} commands, {} MB", commands, std::filesystem::file_size(trace) >> 20));
+    const auto times =
+        results.compare("a recording of many vertices, a command",
+                        {{"apitrace dump", [&] { run_shell("", print); }, commands},
+                         {"its text read", [&] { commands_of(*text); }, commands},
+                         {".trace read", [&] { commands_of(*binary); }, commands},
+                         {".trace carried out by the state machine", [&] { into_state(*binary); }, commands}},
+                        {.count = 5, .clock = bench::Clock::kWall});
+    results.ratio("read_trace_over_apitrace_dump", bench::times_faster(times[2], times[0]));
+    results.ratio("read_trace_over_read_dump", bench::times_faster(times[2], times[1]));
+}
+
+const bool added = bench::add_part("traces", compare_readers),
+           added_recordings = bench::add_part("recordings", compare_recordings);
 
 }  // namespace
 
