@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <limits>
 
@@ -163,7 +162,9 @@ void TraceFile::copy(const std::string& to, std::optional<std::uint64_t> size) c
     if (!size || chunks_.empty()) {
         copy_bytes(0, std::numeric_limits<std::uint64_t>::max());
     } else {
-        const auto last = std::prev(std::ranges::upper_bound(chunks_, *size, std::ranges::less_equal(), &Chunk::start));
+        // The last one that starts before the end.
+        const auto last = std::prev(
+            std::find_if(chunks_.begin() + 1, chunks_.end(), [&](const Chunk& chunk) { return chunk.start >= *size; }));
         copy_bytes(0, last->at);
         std::string kept;
         uncompress(read_at(last->at + kSizeBytes, little_endian(read_at(last->at, kSizeBytes))), kept);
