@@ -84,6 +84,16 @@ TEST_F(TraceAndDump, AreTheSameOfOurPrograms) {
     expect_same_of("tests/traces/monitor.c", 50);
 }
 
+// A file that is not in Snappy's chunks is read by apitrace.
+TEST_F(TraceAndDump, AreTheSameOfAFileThatOnlyApitraceReads) {
+    expect_same_of("tests/recorded/headers.c", 10);
+    const ProgramResult packed =
+        run_shell("", "apitrace repack --zlib " + quoted(in_ / "a.trace") + " " + quoted(in_ / "b.trace"));
+    if (packed.status != 0) GTEST_SKIP() << "this apitrace cannot repack: " << packed.err;
+    EXPECT_NE(read_file(in_ / "b.trace").substr(0, 2), "at");
+    EXPECT_EQ(lines_of(*trace::open_trace(in_ / "b.trace")), lines_of(*trace::open_trace(in_ / "a.trace")));
+}
+
 TEST_F(TraceAndDump, AreTheSameOfPython) {
     if (run_shell("", "PATH=/usr/bin:\"$PATH\" python3 -c 'import OpenGL.GLUT'").status != 0)
         GTEST_SKIP() << "PyOpenGL is not installed";
