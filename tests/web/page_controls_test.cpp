@@ -50,9 +50,9 @@ TEST(WebControls, MoveTheCamera) {
     PageScene scene;
     scene.open(kScene, "scene", "", {64, 64});
     scene.controls().start_drag(false);
-    EXPECT_NE(text_after(scene, scene.controls().drag(false, 180, 0)).find("gluLookAt(-5, 0, 0, 0, 0, 0, 0, 1, 0);"),
+    EXPECT_NE(text_after(scene, scene.controls().drag(false, 180, 0)).find("gluLookAt(-5, 0, 0,  0, 0, 0,  0, 1, 0);"),
               std::string::npos);
-    EXPECT_NE(text_after(scene, scene.controls().zoom(1)).find("gluLookAt(-4.54545, 0, 0, 0, 0, 0, 0, 1, 0);"),
+    EXPECT_NE(text_after(scene, scene.controls().zoom(1)).find("gluLookAt(-4.54545, 0, 0,  0, 0, 0,  0, 1, 0);"),
               std::string::npos);
 }
 

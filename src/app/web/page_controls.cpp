@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/web/edited_text.h"
+#include "app/session/edited_text.h"
 #include "base/text/json.h"
 #include "scene/command/text.h"
 
@@ -55,7 +55,7 @@ void PageControls::follow() {
     if (text_of_ == session_.history.revision()) return;
     text_of_ = session_.history.revision();
     const CommandList& now = commands(session_);
-    if (auto edited = edited_text(opened_text_, *session_.opened, now, read_)) {
+    if (auto edited = session::edited_text(opened_text_, *session_.opened, now, read_)) {
         text_ = std::move(*edited);
         return;
     }

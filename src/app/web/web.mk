@@ -14,7 +14,7 @@ ROOMS_web := $(addprefix src/,base/image base/math base/text base/threads scene/
     $(addprefix render/programmable/,numbers text export) $(addprefix render/reference/,vertices textures geometry) render/reference render/webgl judge/compare \
     judge/explain judge/lesson judge/lint judge/study app/session app/web)
 # The files of app/session that the page needs.
-SESSION_web := axes camera edits history keys lesson_state scaled session world world_handles
+SESSION_web := alignment axes camera edited_text edits history keys lesson_state scaled session world world_handles
 WITHOUT_web := $(wildcard src/lighting/points_avx*.cpp) $(filter-out %/tolerance.cpp,$(wildcard src/judge/compare/*.cpp)) \
     $(filter-out %/scene_of_choice.cpp,$(wildcard src/judge/study/*.cpp)) \
     $(filter-out $(patsubst %,src/app/session/%.cpp,$(SESSION_web)),$(wildcard src/app/session/*.cpp))
