@@ -10,9 +10,7 @@ constexpr std::size_t kMostSteps = 200;  // the oldest are forgotten
 
 }  // namespace
 
-History::History(std::shared_ptr<const CommandList> opened, int revision) : revision_(revision) {
-    steps_.push_back({std::move(opened), "", ""});
-}
+History::History(std::shared_ptr<const CommandList> opened) { steps_.push_back({std::move(opened), "", ""}); }
 
 void History::edit(CommandList commands, std::string what, std::string group) {
     if (commands.commands == now()->commands && commands.step == now()->step) return;

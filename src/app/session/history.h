@@ -11,12 +11,14 @@ namespace twinlight::session {
 
 class History {
   public:
-    explicit History(std::shared_ptr<const CommandList> opened, int revision = 0);
+    explicit History(std::shared_ptr<const CommandList> opened);
 
     // The commands as they are now.
     const std::shared_ptr<const CommandList>& now() const { return steps_[at_].commands; }
     // Counts every change, undo and redo, so that equal numbers mean equal commands.
     int revision() const { return revision_; }
+    // Counts on from another history, so that this holds for both.
+    void count_from(int revision) { revision_ = revision; }
 
     // Replaces the commands. `what` names the edit for the user ("glLightfv, value 2"). Edits of the same non-empty `group`
     // that follow each other are one step: a drag. A list that equals the present one is no edit.

@@ -2,17 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "app/session/edited_text.h"
+#include "app/session/merge.h"
 #include "base/image/file.h"
 #include "render/programmable/export/kept_code.h"
 #include "render/programmable/export/kept_files.h"
 #include "render/webgl/exported_page.h"
 #include "scene/command/text.h"
+#include "scene/scenes/load.h"
 #include "scene/shape/written_out.h"
 
 namespace twinlight::session {
@@ -20,13 +23,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A scene names its pictures and meshes relative to its own folder.
-std::string folder_of_scene(const Session& session, const std::string& folder) {
-    const bool names_files = std::ranges::any_of(commands(session).commands, [](const Command& command) {
-        return command.id == CommandId::pragma_texture || command.id == CommandId::pragma_mesh;
-    });
-    if (!names_files || !session.file) return folder;
-    return fs::path(*session.file).parent_path().string();
+std::string step_of(const CommandList& list) { return list.step == 0 ? "" : std::to_string(list.step); }
+
+CommandList read_as(const OpenScene& scene, const std::string& text, const std::string& step) {
+    return read_text_of(scene.file.value_or(""), scene.opened->name, text, step);
+}
+
+// The file has this text from now on. Its other steps are other commands then.
+void set_saved(OpenScene& scene, const std::string& text) {
+    scene.file_text = text;
+    scene.saved = scene.history.now();
+    for (auto& [number, step] : scene.opened_steps)
+        if (number != scene.opened->step)
+            step = std::make_shared<const CommandList>(read_as(scene, text, std::to_string(number)));
 }
 
 // why_not: why the scene cannot be saved so; empty if it can.
@@ -53,14 +62,106 @@ std::string free_path(const std::string& folder, const std::string& stem, const 
     }
 }
 
+std::optional<std::string> text_now(const OpenScene& scene) {
+    const CommandList &opened = *scene.opened, &now = commands(scene);
+    if (!opened.text) return {};
+    // An undone step may be one of another text.
+    return edited_text(*opened.text, opened, now.text == opened.text ? now : with_places_of(opened, now),
+                       [&](std::string_view text) { return read_as(scene, std::string(text), step_of(opened)); });
+}
+
+std::string text_to_save(const OpenScene& scene) {
+    auto text = text_now(scene);
+    return text ? std::move(*text) : print_scene(commands(scene));
+}
+
+void save(OpenScene& scene) {
+    const std::optional<std::string> text = text_now(scene);
+    if (!text)
+        throw std::runtime_error(
+            fmt::format("the changes do not fit into the text of {}, for example because they are in a loop; save the "
+                        "scene as another file (Ctrl+Shift+S)",
+                        *scene.file));
+    write_file_atomically(*scene.file, *text);
+    set_saved(scene, *text);
+}
+
+void save_as(Session& session, const std::string& path) {
+    if (path.empty()) throw std::runtime_error("type a file's name");
+    const std::string text = text_to_save(session);
+    // Its pictures and meshes must be there, too.
+    auto list =
+        std::make_shared<const CommandList>(read_text_of(path, session.opened->name, text, step_of(commands(session))));
+    const bool fits = text_now(session).has_value();
+    write_file_atomically(path, text);
+    session.others.erase(path);
+    if (!fits) {
+        open(session, std::move(list), path);
+        return;
+    }
+    session.file = path;
+    set_saved(session, text);
+}
+
+std::string save_all(Session& session, const std::string& folder) {
+    std::string said;
+    const auto save_one = [&](OpenScene& scene) {
+        if (!is_edited(scene)) return;
+        std::string path = scene.file.value_or("");
+        if (!path.empty() && text_now(scene)) {
+            save(scene);
+        } else {
+            // A scene names its pictures and meshes relative to its own folder.
+            path =
+                free_path(path.empty() ? folder : fs::path(path).parent_path().string(), stem_of(key_of(scene)), ".gl");
+            const std::string text = text_to_save(scene);
+            write_file_atomically(path, text);
+            scene.saved = scene.history.now();
+        }
+        said += (said.empty() ? "saved " : ", ") + path;
+    };
+    save_one(session);
+    for (auto& [key, scene] : session.others) save_one(scene);
+    return said;
+}
+
+void take_file_text(Session& session, const std::string& theirs) {
+    if (theirs == session.file_text) return;
+    auto list = std::make_shared<const CommandList>(read_as(session, theirs, ""));
+    const std::size_t step = commands(session).step;
+    if (step > 1 && step <= list->steps.size())
+        list = std::make_shared<const CommandList>(read_as(session, theirs, std::to_string(step)));
+    OpenScene changed(list, session.file);
+    if (!is_edited(session)) {
+        open(session, std::move(changed));
+        say(session, "read again: " + *session.file);
+        return;
+    }
+    CommandList mine = commands(session);
+    bool is_merged = false;
+    if (const auto my_text = text_now(session)) {
+        if (const auto text = merged(session.file_text, *my_text, theirs)) {
+            try {
+                mine = read_as(session, *text, step_of(*list));
+                is_merged = true;
+            } catch (const SceneError&) {  // each change by itself was right
+            }
+        }
+    }
+    changed.history.edit(with_places_of(*list, std::move(mine)), "your changes");
+    open(session, std::move(changed));
+    if (is_merged)
+        say(session, "read again: " + *session.file + "; your changes are kept, z shows the file without them");
+    else
+        session.dialog = Dialog::kFileChanged;
+}
+
 std::string save(const Session& session, Form form, const Look& look, const std::string& folder) {
     const CommandList& list = commands(session);
     const Frame& frame = session.scene.frame;
     const std::string ending = kForms[static_cast<std::size_t>(form)].ending;
-    const std::string path =
-        free_path(form == Form::kScene ? folder_of_scene(session, folder) : folder, stem_of(list.name), ending);
+    const std::string path = free_path(folder, stem_of(key_of(session)), ending);
     switch (form) {
-        case Form::kScene: write_file_atomically(path, print_scene(list)); break;
         case Form::kC: write_file_atomically(path, print_c_program(with_pragmas_written_out(list))); break;
         case Form::kHtml:
             check_can_be_kept(programmable::why_not_kept(frame), look);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <utility>
 
@@ -13,10 +14,18 @@
 
 namespace twinlight::session {
 
-Session::Session(std::shared_ptr<const CommandList> scene_opened)
-    : history(scene_opened), opened(std::move(scene_opened)), opened_steps{{opened->step, opened}} {}
+OpenScene::OpenScene(std::shared_ptr<const CommandList> scene_opened, std::optional<std::string> scene_file)
+    : history(scene_opened),
+      opened(std::move(scene_opened)),
+      opened_steps{{opened->step, opened}},
+      file(std::move(scene_file)),
+      saved(opened),
+      file_text(opened->text ? *opened->text : "") {}
 
-const CommandList& commands(const Session& session) { return *session.history.now(); }
+Session::Session(std::shared_ptr<const CommandList> scene_opened, std::optional<std::string> scene_file)
+    : OpenScene(std::move(scene_opened), std::move(scene_file)) {}
+
+const CommandList& commands(const OpenScene& scene) { return *scene.history.now(); }
 
 void say(Session& session, std::string message) {
     session.message = std::move(message);
@@ -27,15 +36,54 @@ void edit(Session& session, CommandList commands, std::string what, std::string 
     session.history.edit(std::move(commands), std::move(what), std::move(group));
 }
 
-void open(Session& session, std::shared_ptr<const CommandList> scene, std::optional<std::string> file) {
-    session.history = History(scene, session.history.revision() + 1);
-    session.opened_steps = {{scene->step, scene}};
-    session.opened = std::move(scene);
-    session.file = std::move(file);
+std::string key_of(const OpenScene& scene) { return scene.file.value_or(scene.opened->name); }
+
+std::string title_of(const OpenScene& scene) {
+    return scene.file ? one_line(std::filesystem::path(*scene.file).filename().string()) : scene.opened->name;
+}
+
+bool is_edited(const OpenScene& scene) {
+    const CommandList& now = commands(scene);
+    // Another step of the scene has the camera of the one before; its other commands are the file's.
+    return now.commands != (now.step == scene.saved->step ? scene.saved : scene.opened)->commands;
+}
+
+std::vector<const OpenScene*> edited_scenes(const Session& session) {
+    std::vector<const OpenScene*> scenes;
+    if (is_edited(session)) scenes.push_back(&session);
+    for (const auto& [key, scene] : session.others)
+        if (is_edited(scene)) scenes.push_back(&scene);
+    return scenes;
+}
+
+void open(Session& session, OpenScene scene) {
+    const int revision = session.history.revision();
+    session.others.insert_or_assign(key_of(session), static_cast<const OpenScene&>(session));
+    session.others.erase(key_of(scene));
+    static_cast<OpenScene&>(session) = std::move(scene);
+    session.history.count_from(revision + 1);
     session.error.clear();
     session.probe.reset();
     session.selected_light.reset();
     session.selected_command.reset();
+}
+
+void open(Session& session, std::shared_ptr<const CommandList> scene, std::optional<std::string> file) {
+    open(session, OpenScene(std::move(scene), std::move(file)));
+}
+
+bool reopen(Session& session, const std::string& key) {
+    const auto found = session.others.find(key);
+    if (found == session.others.end()) return false;
+    open(session, OpenScene(std::move(found->second)));
+    return true;
+}
+
+void request_end(Session& session) {
+    if (edited_scenes(session).empty())
+        session.quit_requested = true;
+    else
+        session.dialog = Dialog::kEnd;
 }
 
 WindowSize natural_size(const CommandList& commands) { return commands.window.value_or(WindowSize{}); }

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/session/history.h"
 #include "render/look.h"
@@ -85,13 +86,25 @@ struct Probe {
 
 struct LessonState;
 
-struct Session {
-    explicit Session(std::shared_ptr<const CommandList> scene_opened);
+// A scene with its own history and file. `opened` and its text stay as they were read, so that edits have places in them.
+struct OpenScene {
+    explicit OpenScene(std::shared_ptr<const CommandList> scene_opened, std::optional<std::string> scene_file = {});
 
     History history;
-    std::shared_ptr<const CommandList> opened;  // as the file has it; of a scene with steps, the step that is shown
+    std::shared_ptr<const CommandList> opened;  // as it was read; of a scene with steps, the step that is shown
     std::map<std::size_t, std::shared_ptr<const CommandList>> opened_steps{};  // the steps shown so far, by number
-    std::optional<std::string> file{};  // the scene's file; empty for a built-in scene and standard input
+    std::optional<std::string> file{};         // empty for a built-in scene and standard input
+    std::shared_ptr<const CommandList> saved;  // as the file has it now
+    std::string file_text{};                   // the file's text when it was last read or written
+};
+
+// What is shown over the pictures, one at a time.
+enum class Dialog : std::uint8_t { kNone, kMenu, kOpen, kSaveAs, kFind, kEnd, kFileChanged, kRecovered };
+
+struct Session : OpenScene {
+    explicit Session(std::shared_ptr<const CommandList> scene_opened, std::optional<std::string> scene_file = {});
+
+    std::map<std::string, OpenScene> others{};  // the scenes shown before, by key_of()
 
     // The commands as the panes draw them: those of history, with viewports for this size. Made by refresh().
     Scene scene{};
@@ -113,6 +126,7 @@ struct Session {
     std::optional<std::size_t> selected_command{};  // index into the commands
 
     bool keys_shown = false;
+    Dialog dialog = Dialog::kNone;
     bool panel_shown = true;
     Panel panel = Panel::kCommands;
     bool animating = false;
@@ -126,7 +140,9 @@ struct Session {
     std::shared_ptr<LessonState> lesson{};  // null outside lessons (lesson_state.h)
     bool quit_requested = false;
     // Requests that the window carries out and clears.
-    bool export_requested = false, screenshot_requested = false;
+    bool export_requested = false, screenshot_requested = false, save_requested = false, full_screen_requested = false;
+    bool copy_requested = false, paste_requested = false;  // of the selected call
+    std::optional<int> letters_requested{};                // 1: larger, -1: smaller, 0: as at the start
     int scene_requested = 0;  // -1: the built-in scene before this one, 1: the one after it
     int step_requested = 0;   // -1: the scene's step before this one, 1: the one after it
 
@@ -134,13 +150,26 @@ struct Session {
     int messages = 0;       // counts them
 };
 
-const CommandList& commands(const Session& session);
+const CommandList& commands(const OpenScene& scene);
 // Says something in the window's status line.
 void say(Session& session, std::string message);
 // Replaces the commands as one step of undo; see History::edit.
 void edit(Session& session, CommandList commands, std::string what, std::string group = {});
-// Replaces everything that belongs to a scene. The views and panes stay.
+// The file of a scene, or its name.
+std::string key_of(const OpenScene& scene);
+// For people: the file's name without its folder.
+std::string title_of(const OpenScene& scene);
+// Whether the scene has changes that its file lacks.
+bool is_edited(const OpenScene& scene);
+// The scenes with such changes; the one on show is the first.
+std::vector<const OpenScene*> edited_scenes(const Session& session);
+// Shows another scene. The views and panes stay, and `others` keeps the scene that was on show.
+void open(Session& session, OpenScene scene);
 void open(Session& session, std::shared_ptr<const CommandList> scene, std::optional<std::string> file);
+// Shows one of `others` again, with its history. False if there is none with this key.
+bool reopen(Session& session, const std::string& key);
+// Ends the program, or asks first if that would lose changes.
+void request_end(Session& session);
 
 // The size in which the scene's own numbers are meant: a program's window, or 640 x 480.
 WindowSize natural_size(const CommandList& commands);

@@ -67,9 +67,18 @@ void check_no_step(const std::string& scene, const std::string& step) {
 }
 
 // Standard input has no folder, so it can use only the files of the built-in scenes.
-CommandList read_from_nowhere(const std::string& text, ReadOptions options) {
+CommandList read_from_nowhere(const std::string& text, ReadOptions options, const std::string& file = "<stdin>",
+                              const std::string& name = "stdin") {
     options.load_mesh = meshes_built_in;
-    return read_limited(text, "<stdin>", "stdin", options, images_built_in);
+    return read_limited(text, file, name, options, images_built_in);
+}
+
+// With the files beside it. Both names are printed and written into pages, so control characters are escaped.
+CommandList read_in_its_folder(const std::filesystem::path& path, const std::string& text, ReadOptions options) {
+    options.load_mesh = meshes_beside(path);
+    options.load_text = [&path](const std::string& file) { return included_text(path, file); };
+    return read_limited(text, one_line(path.string()), one_line(path.filename().string()), options,
+                        images_beside(path));
 }
 
 std::shared_ptr<const Recording> load_standard_input(const ReadOptions& options, std::optional<int> context) {
@@ -125,15 +134,10 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
         throw SceneError(scene + ": this is a program, not a scene; " + how_to_record(scene));
     const std::string text = again ? read_file(scene, kReadAtMost) : front;
     try {
-        // Both names are printed and written into pages, so control characters are escaped.
         if (!again)
             return std::make_shared<CommandList>(
                 read_limited(text, one_line(scene), one_line(path.filename().string()), options));
-        ReadOptions with_meshes = options;
-        with_meshes.load_mesh = meshes_beside(path);
-        with_meshes.load_text = [&path](const std::string& file) { return included_text(path, file); };
-        return std::make_shared<CommandList>(
-            read_limited(text, one_line(scene), one_line(path.filename().string()), with_meshes, images_beside(path)));
+        return std::make_shared<CommandList>(read_in_its_folder(path, text, options));
     } catch (SceneError& error) {
         const bool names_record = std::string_view(error.what()).find("twinlight record") != std::string_view::npos;
         if (is_c_program(text) && !names_record) {
@@ -159,6 +163,12 @@ std::shared_ptr<const CommandList> load_commands(const std::string& scene, const
                          ": a recorded program cannot be used here; use 'twinlight render', 'compare' or 'export'");
     }
     return {recording, recording->command_list()};
+}
+
+CommandList read_text_of(const std::string& file, const std::string& name, const std::string& text,
+                         const std::string& step) {
+    return file.empty() ? read_from_nowhere(text, {.step = step}, name, name)
+                        : read_in_its_folder(file, text, {.step = step});
 }
 
 std::shared_ptr<const CommandList> load_step(const std::string& scene, const CommandList& loaded,

@@ -32,6 +32,10 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene,
                                                 std::function<bool(Enum mode, std::size_t vertices)> fits = {});
 // The same, but refuses recorded programs.
 std::shared_ptr<const CommandList> load_commands(const std::string& scene, const std::string& step = {});
+// Reads a text as if the file had it: its pictures, meshes and headers are those beside the file. Without a file (empty), they are
+// the built-in ones. Throws SceneError.
+CommandList read_text_of(const std::string& file, const std::string& name, const std::string& text,
+                         const std::string& step = {});
 // Another step of a scene that was loaded under this name. Standard input is not read again.
 std::shared_ptr<const CommandList> load_step(const std::string& scene, const CommandList& loaded,
                                              const std::string& step);
