@@ -12,6 +12,7 @@
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
 #include "app/session/edits.h"
+#include "app/session/keys.h"
 #include "scene/command/text.h"
 
 namespace twinlight::demo {
@@ -257,6 +258,8 @@ void CommandsPanel::show_tools(Session& session) {
     const std::size_t index = session.selected_command.value_or(list->commands.size());
     const bool has_selected = index < list->commands.size();
     const auto button = [](const char* label, bool is_enabled, const char* tip) {
+        const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+        if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
         ImGui::BeginDisabled(!is_enabled);
         const bool pressed = ImGui::Button(label);
         ImGui::EndDisabled();
@@ -264,10 +267,8 @@ void CommandsPanel::show_tools(Session& session) {
         ImGui::SameLine();
         return pressed;
     };
-    if (button("Undo", session.history.can_undo(), "undo the last edit (z)"))
-        say(session, "undone: " + session.history.undo());
-    if (button("Redo", session.history.can_redo(), "do it again (y)"))
-        say(session, "done again: " + session.history.redo());
+    if (button("Undo", session.history.can_undo(), "undo the last edit (z)")) session::press(session, 'z');
+    if (button("Redo", session.history.can_redo(), "do it again (y)")) session::press(session, 'y');
     const std::size_t count = has_selected ? session::end_of_group(*list, index) - index + 1 : 0;
     const std::string name = has_selected ? std::string(list->commands[index].name()) : "";
     if (button("Up", has_selected && index > 0, "move the selected call up")) move_call(session, index, false);

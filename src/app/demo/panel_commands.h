@@ -17,6 +17,8 @@ namespace twinlight::demo {
 class CommandsPanel {
   public:
     void show(session::Session& session);
+    // Whether a number is being typed.
+    bool is_typing() const { return typed_.has_value(); }
 
   private:
     // One call in the list, or a folded glBegin with all up to its glEnd.
@@ -78,6 +80,7 @@ class CommandsPanel {
     std::optional<std::size_t> last_selected_;
     bool scroll_to_selected_ = false;
     char inserted_text_[512] = "";
+    bool insert_takes_focus_ = false;
     std::string insert_error_;
     std::optional<std::size_t> replaced_;  // the call that the typed one replaces
 };

@@ -121,15 +121,24 @@ void CommandsPanel::show_input(Session& session) {
     if (focus) ImGui::SetKeyboardFocusHere();
     const bool entered = ImGui::InputText("##number", typed_text_, sizeof typed_text_,
                                           ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    const bool is_left = !focus && ImGui::IsItemDeactivated();
+    const bool is_left = !focus && ImGui::IsItemDeactivated(), is_changed = ImGui::IsItemDeactivatedAfterEdit();
     ImGui::PopStyleVar();
     if (!entered && !is_left) return;
-    typed_.reset();
-    if (!entered && !ImGui::IsItemDeactivatedAfterEdit()) return;
+    if (!entered && !is_changed) {
+        typed_.reset();
+        return;
+    }
     try {
-        set_argument(session, at.command, at.argument, number_of(typed_text_));
+        const double number = number_of(typed_text_);
+        typed_.reset();
+        set_argument(session, at.command, at.argument, number);
     } catch (const std::exception& error) {
         say(session, reason_of(error));
+        // After Enter, the next letters correct the number. After a click elsewhere, they are shortcuts.
+        if (entered)
+            typed_needs_focus_ = true;
+        else
+            typed_.reset();
     }
 }
 

@@ -13,8 +13,8 @@
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
 #include "app/session/edits.h"
+#include "app/session/typed_calls.h"
 #include "base/text/reason.h"
-#include "scene/command/text.h"
 
 namespace twinlight::demo {
 namespace {
@@ -66,14 +66,6 @@ constexpr const char* kTemplates[] = {
     "glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);",
     "glFrontFace(GL_CW);",
 };
-
-// Whether the pattern occurs in the text, in upper or lower case. An empty pattern occurs in every text.
-// (With g++ 12's library, clang 14 cannot compile std::ranges::search().)
-bool has_text(std::string_view text, std::string_view pattern) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    const auto is_same = [&](char a, char b) { return lower(a) == lower(b); };
-    return std::search(text.begin(), text.end(), pattern.begin(), pattern.end(), is_same) != text.end();
-}
 
 }  // namespace
 
@@ -162,16 +154,15 @@ void CommandsPanel::show_choices(Session& session) {
 void CommandsPanel::show_insert(Session& session) {
     ImGui::SetNextWindowSize({at_scale(560), 0});
     if (!ImGui::BeginPopup("type a call")) return;
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    if (ImGui::IsWindowAppearing()) insert_takes_focus_ = true;
     ImGui::PushFont(fonts().code);
     ImGui::SetNextItemWidth(-1);
-    bool done = ImGui::InputTextWithHint("##call", "type a call, such as glEnable(GL_FOG);", inserted_text_,
-                                         sizeof inserted_text_, ImGuiInputTextFlags_EnterReturnsTrue);
+    bool done = text_field("##call", "type a call, such as glEnable(GL_FOG);", inserted_text_, insert_takes_focus_);
     if (!insert_error_.empty()) colored_text(kBad, insert_error_);
     if (!replaced_) {
         ImGui::BeginChild("templates", {0, at_scale(260)}, false);
         for (const char* text : kTemplates) {
-            if (!has_text(text, inserted_text_)) continue;
+            if (!session::has_text(text, inserted_text_)) continue;
             if (ImGui::Selectable(text)) {
                 std::snprintf(inserted_text_, sizeof inserted_text_, "%s", text);
                 done = true;
@@ -182,27 +173,12 @@ void CommandsPanel::show_insert(Session& session) {
     ImGui::PopFont();
     if (done) {
         try {
-            const CommandList typed = read_scene(inserted_text_, "the typed call", "the typed call");
-            CommandList edited = commands(session);
-            std::size_t at = edited.commands.size();
-            if (session.selected_command && *session.selected_command < at)
-                at = session::end_of_group(edited, *session.selected_command) + 1;
-            if (replaced_) {
-                at = *replaced_;
-                edited = session::without_command(edited, at);
-            }
-            at = std::min(at, edited.commands.size());
-            for (std::size_t i = 0; i < typed.commands.size(); ++i) {
-                Command command = typed.commands[i];
-                if (replaced_ && i == 0) command.place = commands(session).commands[*replaced_].place;
-                edited = session::with_inserted(edited, at + i, std::move(command));
-            }
-            edit(session, std::move(edited), replaced_ ? "change a call" : "insert a call");
-            session.selected_command = at;
+            session::insert_calls(session, inserted_text_, replaced_);
             insert_error_.clear();
             ImGui::CloseCurrentPopup();
         } catch (const std::exception& error) {
             insert_error_ = reason_of(error);
+            insert_takes_focus_ = true;
         }
     }
     ImGui::EndPopup();

@@ -26,6 +26,7 @@ class Panels {
                (session.panel == session::Panel::kProbe && probe_.is_waiting()) ||
                (session.panel == session::Panel::kShaders && shaders_.is_waiting());
     }
+    bool is_typing() const { return commands_.is_typing(); }
     SavePanel& saving() { return save_; }
 
   private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace twinlight::demo {
 
@@ -38,6 +39,21 @@ void draw_code(ImVec2 at, ImU32 color, const std::string& text, bool is_bold) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImFont* const font = is_bold ? fonts().code_bold : fonts().code;
     list.AddText(font, ImGui::GetFontSize(), at, color, text.c_str());
+}
+
+bool text_field(const char* label, const char* hint, std::span<char> text, bool& takes_focus) {
+    if (takes_focus) ImGui::SetKeyboardFocusHere();
+    // Called once the field has the keys.
+    const auto took_focus = [](ImGuiInputTextCallbackData* field) {
+        if (std::exchange(*static_cast<bool*>(field->UserData), false)) {
+            field->ClearSelection();
+            field->CursorPos = field->BufTextLen;
+        }
+        return 0;
+    };
+    return ImGui::InputTextWithHint(label, hint, text.data(), text.size(),
+                                    ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways,
+                                    took_focus, &takes_focus);
 }
 
 void heading(const std::string& text) {

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <glm/vec3.hpp>
+#include <span>
 #include <string>
 
 #include "app/demo/theme.h"
@@ -41,6 +42,9 @@ void colored_text(ImU32 color, const std::string& text);       // wrapped
 void colored_text_line(ImU32 color, const std::string& text);  // as wide as it is
 // Draws a line of code into the window, at a place on the screen. Emits no widget.
 void draw_code(ImVec2 at, ImU32 color, const std::string& text, bool is_bold);
+// A field for one line. Returns whether Enter was pressed. If `takes_focus`, it gets the keys, with the cursor at the end, and then
+// clears that.
+bool text_field(const char* label, const char* hint, std::span<char> text, bool& takes_focus);
 // The title of a part of a panel.
 void heading(const std::string& text);
 
