@@ -103,7 +103,7 @@ void AccuracyPanel::start(const session::Session& session) {
 
 void AccuracyPanel::show_rows(double target) const {
     const std::vector<session::AccuracyRow> rows = session::accuracy_rows(study_, target);
-    if (!ImGui::BeginTable("rows", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg)) return;
+    if (!ImGui::BeginTable("rows", 4, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) return;
     ImGui::TableNextRow();
     for (const char* head : {"shading", "slices", "error", "time"}) {
         ImGui::TableNextColumn();
