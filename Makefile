@@ -65,6 +65,7 @@ libjs-chart.js      ls /usr/share/javascript/chart.js
 libgtest-dev        pkg-config --exists gtest_main
 xvfb                command -v Xvfb
 xdotool             command -v xdotool
+xclip               command -v xclip
 apitrace            command -v apitrace
 mesa-utils          command -v glxgears
 $(if $(CI),python3-opengl      /usr/bin/python3 -c 'import OpenGL.GLUT')

@@ -367,7 +367,9 @@ TEST(WebPage, DrawsEveryScene) {
     }
     EXPECT_EQ(page["keys"][0], true);
     for (const session::Key& key : session::keys())
-        EXPECT_EQ(page["keys"][1].get<std::string>().find(key.what) != std::string::npos, key.in_page) << key.what;
+        EXPECT_TRUE(key.what.empty() ||
+                    (page["keys"][1].get<std::string>().find(key.what) != std::string::npos) == key.in_page)
+            << key.what;
     EXPECT_EQ(page["letter"], true) << "a key in the editor is a letter";
     EXPECT_EQ(page["undoneInEditor"], true) << "a drag is one step of undo";
     EXPECT_EQ(page["leaves"], true) << "Tab leaves the editor";

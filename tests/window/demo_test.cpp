@@ -27,6 +27,7 @@
 #include "base/image/difference.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
+#include "demo_window.h"
 #include "render/context/context.h"
 #include "render/fixed/fixed.h"
 #include "render/programmable/programmable.h"
@@ -39,6 +40,9 @@
 
 namespace twinlight::session::demo_test {
 namespace {
+
+using demo_window::folder, demo_window::program, demo_window::Ran, demo_window::run, demo_window::RunningDemo,
+    demo_window::wait_for;
 
 // Two lights, one of them the camera's, a flat and a smooth object with highlights, so that every key changes something.
 constexpr const char* kScene = R"(
@@ -73,16 +77,6 @@ glutSolidCube(1);
 // The window of most tests: 800 x 600 is the smallest that the layout is made for.
 constexpr int kWidth = 800, kHeight = 600;
 
-std::string program() { return build_folder() + "/twinlight-demo"; }
-
-const std::filesystem::path& folder() {
-    static const std::filesystem::path kFolder = [] {
-        std::string name = (std::filesystem::temp_directory_path() / "twinlight-demo-test-XXXXXX").string();
-        return std::filesystem::path(::mkdtemp(name.data()));
-    }();
-    return kFolder;
-}
-
 // Pictures of failures stay here.
 std::filesystem::path kept_folder() {
     std::filesystem::path kept = build_folder() + "/failed";
@@ -90,82 +84,10 @@ std::filesystem::path kept_folder() {
     return kept;
 }
 
-// For a sanitized program: what the driver and GLX leak is not ours.
-constexpr const char* kSanitizer = "detect_leaks=0";
-
-struct Ran {
-    int status = -1;
-    std::string output;  // stdout and stderr
-};
-
-Ran run(const std::string& command) {
-    Ran ran;
-    FILE* pipe =
-        ::popen(("{ export ASAN_OPTIONS=" + std::string(kSanitizer) + "; " + command + "; } 2>&1").c_str(), "r");
-    if (pipe == nullptr) return ran;
-    char piece[4096];
-    while (const std::size_t n = std::fread(piece, 1, sizeof piece, pipe)) ran.output.append(piece, n);
-    const int waited = ::pclose(pipe);
-    ran.status = WIFEXITED(waited) ? WEXITSTATUS(waited) : -1;
-    return ran;
-}
-
-bool wait_for(const std::function<bool()>& condition) {
-    using Clock = std::chrono::steady_clock;
-    const auto deadline = Clock::now() + std::chrono::seconds(20);  // only a broken program waits that long
-    while (Clock::now() < deadline) {
-        if (condition()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
-}
-
-// The demo, running with a window.
-class RunningDemo {
-  public:
-    RunningDemo(const std::string& display, const std::vector<std::string>& options) {
-        pid_ = ::fork();
-        if (pid_ != 0) return;
-        ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-        ::setenv("DISPLAY", display.c_str(), 1);
-        ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);  // Xvfb has no GPU; the host may
-        ::setenv("ASAN_OPTIONS", kSanitizer, 1);
-        const std::string path = std::filesystem::absolute(program()).string();
-        std::filesystem::current_path(folder());  // where it saves files
-        std::vector<char*> arguments{const_cast<char*>(path.c_str())};
-        for (const std::string& option : options) arguments.push_back(const_cast<char*>(option.c_str()));
-        arguments.push_back(nullptr);
-        const int log = ::open((folder() / "demo.log").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        ::dup2(log, STDOUT_FILENO);
-        ::dup2(log, STDERR_FILENO);
-        ::execv(path.c_str(), arguments.data());
-        ::_exit(127);
-    }
-    ~RunningDemo() {
-        if (pid_ <= 0) return;
-        ::kill(pid_, SIGKILL);
-        ::waitpid(pid_, nullptr, 0);
-    }
-    RunningDemo(const RunningDemo&) = delete;
-    RunningDemo& operator=(const RunningDemo&) = delete;
-
-    // The exit status once it has ended by itself; -1 if it does not.
-    int ended() {
-        int waited = 0;
-        if (!wait_for([&] { return ::waitpid(pid_, &waited, WNOHANG) == pid_; })) return -1;
-        pid_ = -1;
-        return WIFEXITED(waited) ? WEXITSTATUS(waited) : -1;
-    }
-
-    pid_t pid() const { return pid_; }
-
-  private:
-    pid_t pid_ = -1;
-};
-
 class DemoWindow : public testing::Test {
   protected:
     static void SetUpTestSuite() {
+        std::filesystem::create_directories(folder());
         server_ = std::make_unique<Xvfb>();
         if (server_->running()) is_other_release_ = has_another_release(server_->display());
     }
@@ -180,6 +102,7 @@ class DemoWindow : public testing::Test {
         write_file_atomically(scene_file_, kScene);
         scene_ = read_scene(kScene, scene_file_, "scene.gl");
         std::filesystem::remove(picture_file_);
+        std::filesystem::remove_all(folder() / "state");  // what a test before left that ended its window
     }
 
     std::string on_display(const std::string& command) {
@@ -633,22 +556,7 @@ TEST_F(DemoWindow, FreesEverythingWhenItCloses) {
 // When nothing moves, the window waits for events. Measured: 0 of the system's ticks (1/100 s) in 4 s.
 TEST_F(DemoWindow, UsesNoProcessorTimeWhenNothingMoves) {
     RunningDemo demo(server_->display(), {"report", "--view", "grid", "--scale", "1"});
-    const auto ticks = [&] {
-        const std::string stat = read_file("/proc/" + std::to_string(demo.pid()) + "/stat");
-        std::istringstream fields(stat.substr(stat.rfind(')') + 2));
-        std::string skipped;
-        for (int i = 0; i < 11; ++i) fields >> skipped;
-        long user = 0, system = 0;
-        fields >> user >> system;
-        return user + system;
-    };
-    // At first it draws, and the reference works.
-    long before = -1;
-    EXPECT_TRUE(wait_for([&] {
-        std::this_thread::sleep_for(std::chrono::seconds(1));
-        const long now = ticks();
-        return std::exchange(before, now) == now && now > 0;
-    })) << "it never comes to rest";
+    EXPECT_TRUE(demo.comes_to_rest());
 }
 
 // ---- Bad input: one line that says what to do, and exit status 2 ----

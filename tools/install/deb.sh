@@ -31,7 +31,7 @@ Architecture: $architecture
 Maintainer: $maintainer
 Installed-Size: $(du -sk --exclude=DEBIAN "$root" | cut -f 1)
 Depends: $libraries
-Recommends: fonts-dejavu-core
+Recommends: fonts-dejavu-core, xclip
 Suggests: apitrace, xvfb
 Section: graphics
 Priority: optional

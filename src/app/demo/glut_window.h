@@ -13,13 +13,14 @@
 #include <string>
 #include <vector>
 
+#include "app/demo/dialogs.h"
 #include "app/demo/panels.h"
 #include "app/demo/panes.h"
 #include "app/demo/status_line.h"
 #include "app/demo/window.h"
-#include "app/demo/window_menu.h"
 #include "app/session/keys.h"
 #include "app/session/layout.h"
+#include "app/session/recovery.h"
 #include "app/session/session.h"
 #include "base/text/reason.h"
 
@@ -38,6 +39,7 @@ class Window {
 
     void start_imgui();
     void end_imgui();
+    void end();
     void reshape(int width, int height);
     void display();
     void frame();
@@ -46,18 +48,27 @@ class Window {
     void motion(int x, int y);
     void passive_motion(int x, int y);
     void carry_out_requests();
-    void open_neighbour(int step);
+    void show_neighbour(int away);
     void open_step(int away);
     void reload_if_saved();
+    void take_file();
+    void save();
+    void copy();
+    void paste();
+    void set_letters(int larger);
+    void keep_for_recovery();
+    bool is_busy_with_input() const;
     void save_screenshot();
     void write_times() const;
     void register_callbacks();
     void press(int button, int x, int y);
     void release(int x, int y);
     void settle();
+    void settle_input();
     void wake(int frames = kFramesAfterEvent);  // draws so many frames
     void set_timers();
     void quit();
+    static double screen_scale();  // 1 for 96 dots per inch, in steps of a half
 
     // An exception must not pass through GLUT's C code, so this ends the main loop.
     template <class Action>
@@ -89,7 +100,11 @@ class Window {
     int frames_shown_ = 0, frames_wanted_ = 0;
     bool imgui_runs_ = false;
     Timer busy_timer_{[](Window&self) { self.wake(1); }}, animation_timer_{[](Window&self) { self.wake(1); }},
-        message_timer_{[](Window&self) { self.wake(1); }}, file_timer_{[](Window&self) {
+        message_timer_{[](Window&self) {
+            // What a panel shows when its work is done must settle, too.
+            self.wake(self.panels_->is_busy(self.session_) ? kFramesAfterEvent : 1);
+        }},
+        recovery_timer_{[](Window&self) { self.keep_for_recovery(); }}, file_timer_{[](Window&self) {
             self.reload_if_saved();
             self.set_timers();
         }};
@@ -97,13 +112,20 @@ class Window {
     session::DragStart drag_start_;
     int shown_x_ = -1, shown_y_ = -1;  // the mouse in the last frame
     int pressed_x_ = 0, pressed_y_ = 0;
-    bool moved_ = false;  // since the button was pressed
+    bool moved_ = false;          // since the button was pressed
+    bool input_changed_ = false;  // a button, or a key in a field, since the last frame
+    bool leaves_field_ = false;   // the button that is down was pressed while something was typed or open
+    bool close_pressed_ = false;  // the window's button
+    double scale_ = 1;            // of letters and lines
+    std::string file_read_;       // the file that file_time_ is of
     StatusLine status_line_;
     Clock::time_point animated_since_{};
     std::optional<std::filesystem::file_time_type> file_time_;
     std::vector<double> frame_ms_;  // for options_.times
     std::array<std::vector<double>, session::kPanes> pane_ms_;
-    WindowMenu menu_;
+    Dialogs dialogs_;
+    session::RecoveryFile recovery_;
+    int recovery_revision_ = 0;  // of the history, that the recovery file has
     std::string title_;
     int status_ = EXIT_SUCCESS;
 };

@@ -24,7 +24,7 @@ double SavePanel::seconds() const {
 }
 
 std::string SavePanel::screenshot_path(const Session& session) const {
-    return session::free_path(folder_.data(), session::stem_of(commands(session).name), ".png");
+    return session::free_path(folder_.data(), session::stem_of(key_of(session)), ".png");
 }
 
 void SavePanel::save(Session& session, session::Form form) {
@@ -46,7 +46,7 @@ void SavePanel::toggle_clip(Session& session) {
     last_failed_ = false;
     try {
         clip_ = std::make_unique<session::Clip>(
-            session::free_path(folder_.data(), session::stem_of(commands(session).name), "-clip"));
+            session::free_path(folder_.data(), session::stem_of(key_of(session)), "-clip"));
         started_ = std::chrono::steady_clock::now();
         last_.clear();
     } catch (const std::runtime_error& error) {
@@ -71,15 +71,8 @@ void SavePanel::update(Session& session) {
 }
 
 void SavePanel::show(Session& session) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Folder");
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(-1);
-    ImGui::InputText("##folder", folder_.data(), folder_.size());
-    dim_text("No file is replaced: a number is added to a name that exists.");
-
     const float width = 9 * ImGui::GetFontSize();
-    const auto row = [width](const char* name, const char* what) {
+    const auto row = [width](const char* name, const std::string& what) {
         ImGui::Dummy({0, 2});
         const bool pressed = ImGui::Button(name, {width, 0});
         ImGui::SameLine();
@@ -88,9 +81,18 @@ void SavePanel::show(Session& session) {
         return pressed;
     };
     heading("The scene");
+    if (row("Save", session.file ? "to " + *session.file + " (Ctrl+S)" : "to a new file (Ctrl+S)"))
+        session.save_requested = true;
+    if (row("Save as ...", "to another file (Ctrl+Shift+S)")) session.dialog = session::Dialog::kSaveAs;
+    heading("New files");
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Folder");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputText("##folder", folder_.data(), folder_.size());
+    dim_text("No file is replaced: a number is added to a name that exists.");
     for (const session::FormName& form : session::kForms)
         if (row(form.words, form.what)) save(session, form.value);
-    heading("The window");
     if (row("Screenshot", "the whole window: NAME.png (key p)")) session.screenshot_requested = true;
     const char* words = !clip_ ? "Record a clip" : clip_->is_ending() ? "Writing ..." : "Stop";
     if (row(words, "the pictures: NAME-clip/frame-00001.png and so on, 30 a second; with ffmpeg also NAME-clip.mp4"))

@@ -1,4 +1,4 @@
-// The panel "Save": the scene, programs and pages made from it, screenshots and clips. No file is replaced.
+// The panel "Save": the scene, programs and pages made from it, screenshots and clips.
 #pragma once
 
 #include <array>

@@ -28,7 +28,7 @@ void StatusLine::show(session::Session& session, const Rectangle& bar, bool keep
     const ImVec2 from = corner(bar), to = far_corner(bar);
     draw.AddRectFilled(from, to, session.error.empty() ? kBar : IM_COL32(96, 34, 28, 255));
     const float y = text_y(bar);
-    std::string scene = commands(session).name;
+    std::string scene = title_of(session);
     if (const std::string step = session::step_caption(commands(session)); !step.empty()) scene += ", " + step;
     draw.AddText(fonts().bold, height_of(*fonts().bold), {12, y}, kText, scene.c_str());
     const float after_name = 12 + fonts().bold->CalcTextSizeA(height_of(*fonts().bold), 1e4F, 0, scene.c_str()).x + 18;

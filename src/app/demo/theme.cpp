@@ -92,6 +92,9 @@ void set_theme(double scale, lesson::Language language) {
     set(ImGuiCol_WindowBg, 30, 33, 39);
     set(ImGuiCol_ChildBg, 0, 0, 0, 0);
     set(ImGuiCol_PopupBg, 38, 41, 48, 250);
+    set(ImGuiCol_TitleBg, 52, 57, 68);
+    set(ImGuiCol_TitleBgActive, 52, 57, 68);
+    set(ImGuiCol_ModalWindowDimBg, 0, 0, 0, 110);
     set(ImGuiCol_Border, 58, 63, 73);
     set(ImGuiCol_FrameBg, 44, 48, 57);
     set(ImGuiCol_FrameBgHovered, 56, 61, 72);

@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "app/demo/clipboard.h"
 #include "app/demo/glut_window.h"
 #include "app/demo/theme.h"
 #include "app/session/clip.h"
@@ -36,10 +37,11 @@
 namespace twinlight::demo {
 namespace {
 
-constexpr unsigned kFrameMs = 16;     // between frames while something moves
-constexpr unsigned kBusyMs = 30;      // between looks at the reference's work
-constexpr unsigned kMessageMs = 200;  // between looks at a message's age
-constexpr unsigned kFileMs = 500;     // between looks at the scene's file
+constexpr unsigned kFrameMs = 16;      // between frames while something moves
+constexpr unsigned kBusyMs = 30;       // between looks at the reference's work
+constexpr unsigned kMessageMs = 200;   // between looks at a message's age
+constexpr unsigned kFileMs = 500;      // between looks at the scene's file
+constexpr unsigned kRecoveryMs = 250;  // from a change to the recovery file
 
 [[noreturn]] void refuse(const char* format, va_list arguments, void*) {
     char reason[512];
@@ -52,19 +54,20 @@ constexpr unsigned kFileMs = 500;     // between looks at the scene's file
     std::_Exit(2);  // without freeglut's last words to a display that refused it
 }
 
-// 1 for 96 dots per inch, in steps of a half.
-double screen_scale() {
+}  // namespace
+
+double Window::screen_scale() {
     const int millimetres = glutGet(GLUT_SCREEN_WIDTH_MM), pixels = glutGet(GLUT_SCREEN_WIDTH);
     if (millimetres <= 0 || pixels <= 0) return 1;
     const double dots_per_inch = pixels / (millimetres / 25.4);
     return std::clamp(std::floor(2 * dots_per_inch / 96) / 2, 1.0, 3.0);
 }
 
-}  // namespace
-
 Window::Window(std::shared_ptr<const CommandList> scene, const WindowOptions& options)
-    : options_(options), session_(std::move(scene)) {
-    session_.file = options.file;
+    // A script is not asked, and leaves nothing.
+    : options_(options),
+      session_(std::move(scene), options.file),
+      recovery_(options.quit_after > 0 ? "" : session::recovery_folder()) {
     session_.view = options.view;
     session_.panel = options.panel;
     session_.probe = options.probe;
@@ -94,13 +97,12 @@ void Window::start_imgui() {
     ImGui::GetIO().IniFilename = nullptr;  // writes no files
     ImGui_ImplGLUT_Init();
     ImGui_ImplOpenGL2_Init();
-    set_theme(options_.scale.value_or(screen_scale()), options_.language);
+    give_imgui_the_clipboard();
+    set_theme(scale_, options_.language);
     imgui_runs_ = true;
 }
 
 void Window::end_imgui() {
-    panels_.reset();
-    panes_.reset();
     if (!imgui_runs_) return;
     imgui_runs_ = false;
     ImGui_ImplOpenGL2_Shutdown();
@@ -120,12 +122,12 @@ int Window::run() {
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
     glutInitWindowSize(options_.width, options_.height);
     glutCreateWindow("twinlight-demo");
+    scale_ = options_.scale.value_or(screen_scale());
     start_imgui();
     panes_ = std::make_unique<Panes>();
     panels_ = std::make_unique<Panels>();
 
     register_callbacks();
-    menu_.make([](int code, void* w) { guarded(w, [=](Window& self) { self.key(code); }); }, this);
 
     guarded(this, [](Window& self) {
         for (const char code : self.options_.keys) {
@@ -135,10 +137,12 @@ int Window::run() {
         }
     });
     if (status_ == EXIT_SUCCESS && !session_.quit_requested) {
+        auto lost = options_.quit_after > 0 ? std::nullopt : session::find_lost_scenes(session::recovery_folder());
+        if (lost) dialogs_.offer(session_, std::move(*lost));
         set_timers();
         glutMainLoop();
     }
-    end_imgui();
+    end();
     write_times();
     return status_;
 }
@@ -152,6 +156,7 @@ void Window::set_timers() {
     if (panes_ && panes_->is_busy(session_)) after(kBusyMs, busy_timer_);
     if (session_.animating) after(kFrameMs, animation_timer_);
     if (session_.file) after(kFileMs, file_timer_);
+    if (session_.history.revision() != recovery_revision_) after(kRecoveryMs, recovery_timer_);
     // A cursor that blinks in a field, a message that goes, and a panel's own work.
     const bool wants_frames =
         ImGui::GetIO().WantTextInput || !session_.message.empty() || (panels_ && panels_->is_busy(session_));
@@ -160,6 +165,7 @@ void Window::set_timers() {
 
 void Window::display() {
     const Clock::time_point start = Clock::now();
+    if (std::exchange(close_pressed_, false)) session::request_end(session_);
     if (session_.animating) {
         const double seconds = std::chrono::duration<double>(start - animated_since_).count();
         animated_since_ = start;
@@ -201,13 +207,14 @@ void Window::display() {
 
 void Window::frame() {
     layout_ = session::layout(session_, width_, height_, scale());
-    if (const std::string title = commands(session_).name + " - twinlight"; title != title_) {
+    if (const std::string title = title_of(session_) + " - twinlight"; title != title_) {
         title_ = title;
         glutSetWindowTitle(title.c_str());
     }
     session::refresh(session_, layout_.picture.width, layout_.picture.height);
     panes_->update(session_, layout_);
 
+    input_changed_ = false;
     shown_x_ = static_cast<int>(ImGui::GetIO().MousePos.x);
     shown_y_ = static_cast<int>(ImGui::GetIO().MousePos.y);
     const fixed::InitialState initial(width_, height_);
@@ -219,6 +226,7 @@ void Window::frame() {
     if (layout_.panel.width > 0) panels_->show(session_, layout_.panel, *panes_);
     status_line_.show(session_, layout_.status, options_.quit_after > 0);
     if (session_.keys_shown) show_keys(width_, height_);
+    dialogs_.show(session_);
     ImGui::Render();
     const ImVec4 background = ImGui::ColorConvertU32ToFloat4(kBackground);
     glClearColor(background.x, background.y, background.z, 1);
@@ -250,8 +258,15 @@ void Window::write_times() const {
     write_file_atomically(options_.times, nlohmann::json{{"frame_ms", frame_ms_}, {"pane_ms", pane_ms_}}.dump() + "\n");
 }
 
-void Window::quit() {
+// Textures and programs are deleted while their context is current.
+void Window::end() {
+    panels_.reset();
+    panes_.reset();
     end_imgui();
+}
+
+void Window::quit() {
+    end();
     glutLeaveMainLoop();
 }
 

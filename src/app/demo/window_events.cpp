@@ -5,15 +5,22 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <iterator>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
+#include "app/demo/clipboard.h"
 #include "app/demo/glut_window.h"
+#include "app/demo/window_close_button.h"
+#include "app/session/saving.h"
+#include "app/session/scenes.h"
 #include "app/session/steps.h"
+#include "app/session/typed_calls.h"
+#include "base/image/file.h"
 #include "base/text/reason.h"
 #include "render/context/gl.h"
+#include "scene/command/text.h"
 #include "scene/scenes/load.h"
 
 // freeglut's headers come after render/context/gl.h, which declares GL.
@@ -35,6 +42,32 @@ constexpr int kWheelUp = 3, kWheelDown = 4;  // how freeglut reports the wheel a
 constexpr int kClickPixels = 4;              // a drag that is shorter is a click
 constexpr int kLinePixels = 14;              // how near to the slider's line a drag takes it
 
+// The session's code of a key. With Ctrl, a letter comes as its number in the alphabet, in which Tab, Enter and Backspace are too.
+int key_code(int code, int modifiers) {
+    const bool shift = (modifiers & GLUT_ACTIVE_SHIFT) != 0;
+    if (code == '\t' && shift) return session::kShiftTab;
+    if ((modifiers & GLUT_ACTIVE_CTRL) == 0 || code == session::kEscape) return code;
+    if (code >= 1 && code <= 26) return (shift ? session::kCtrlShift : session::kCtrl) + 'a' + code - 1;
+    return session::kCtrl + code;
+}
+
+// The letter that is pressed with Ctrl, for ImGui. Enter, Tab and Backspace stay what they are.
+unsigned char imgui_code(unsigned char code, int modifiers) {
+    const bool is_letter = code >= 1 && code <= 26 && code != '\r' && code != '\t' && code != '\b';
+    if (!is_letter || (modifiers & GLUT_ACTIVE_CTRL) == 0) return code;
+    return static_cast<unsigned char>('a' + code - 1);
+}
+
+bool is_any_popup_open() { return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup); }
+
+void release_ctrl() {
+#if IMGUI_VERSION_NUM >= 18900
+    ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, false);
+#else
+    ImGui::GetIO().KeyCtrl = false;
+#endif
+}
+
 }  // namespace
 
 void Window::register_callbacks() {
@@ -46,23 +79,31 @@ void Window::register_callbacks() {
     glutKeyboardFuncUcall(
         [](unsigned char code, int x, int y, void* w) {
             guarded(w, [=](Window& self) {
-                ImGui_ImplGLUT_KeyboardFunc(code, x, y);
-                const bool shift = (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0;
-                self.key(code == '\t' && shift ? session::kShiftTab : code);
+                const int modifiers = glutGetModifiers();
+                self.settle_input();
+                if (!self.imgui_runs_) return;
+                ImGui_ImplGLUT_KeyboardFunc(imgui_code(code, modifiers), x, y);
+                self.key(key_code(code, modifiers));
             });
         },
         this);
     glutKeyboardUpFuncUcall(
         [](unsigned char code, int x, int y, void* w) {
             guarded(w, [=](Window& self) {
+                const int modifiers = glutGetModifiers();
                 self.settle();
-                if (self.imgui_runs_) ImGui_ImplGLUT_KeyboardUpFunc(code, x, y);
+                if (!self.imgui_runs_) return;
+                ImGui_ImplGLUT_KeyboardUpFunc(imgui_code(code, modifiers), x, y);
+                // Otherwise the same key, pressed again at once, would be lost.
+                self.input_changed_ = self.is_busy_with_input();
             });
         },
         this);
     glutSpecialFuncUcall(
         [](int code, int x, int y, void* w) {
             guarded(w, [=](Window& self) {
+                self.settle_input();
+                if (!self.imgui_runs_) return;
                 ImGui_ImplGLUT_SpecialFunc(code, x, y);
                 self.key(session::kSpecialKey + code);
             });
@@ -72,7 +113,10 @@ void Window::register_callbacks() {
         [](int code, int x, int y, void* w) {
             guarded(w, [=](Window& self) {
                 self.settle();
-                if (self.imgui_runs_) ImGui_ImplGLUT_SpecialUpFunc(code, x, y);
+                if (!self.imgui_runs_) return;
+                ImGui_ImplGLUT_SpecialUpFunc(code, x, y);
+                // X counts a modifier that is released as still held.
+                if (code == GLUT_KEY_CTRL_L || code == GLUT_KEY_CTRL_R) release_ctrl();
             });
         },
         this);
@@ -80,15 +124,16 @@ void Window::register_callbacks() {
                           void* w) { guarded(w, [=](Window& self) { self.mouse(button, state, x, y); }); },
                        this);
     glutMotionFuncUcall([](int x, int y, void* w) { guarded(w, [=](Window& self) { self.motion(x, y); }); }, this);
-    glutMenuStatusFuncUcall(
-        [](int status, int, int, void* w) {
-            if (status == GLUT_MENU_NOT_IN_USE) guarded(w, [](Window&) { glutDetachMenu(GLUT_RIGHT_BUTTON); });
-        },
-        this);
     glutPassiveMotionFuncUcall(
         [](int x, int y, void* w) { guarded(w, [=](Window& self) { self.passive_motion(x, y); }); }, this);
-    // Textures and programs must be deleted while their context is current.
-    glutCloseFuncUcall([](void* w) { static_cast<Window*>(w)->end_imgui(); }, this);
+    // Another program can destroy the window without asking.
+    glutCloseFuncUcall([](void* w) { static_cast<Window*>(w)->end(); }, this);
+    take_close_button(
+        [](void* w) {
+            static_cast<Window*>(w)->close_pressed_ = true;
+            glutPostRedisplay();
+        },
+        this);
 }
 
 void Window::reshape(int width, int height) {
@@ -98,15 +143,22 @@ void Window::reshape(int width, int height) {
     wake();
 }
 
+// Whether something is typed, dragged or chosen in a panel or a popup.
+bool Window::is_busy_with_input() const {
+    return ImGui::GetIO().WantTextInput || ImGui::IsAnyItemActive() || panels_->is_typing() || is_any_popup_open();
+}
+
+// Letters that are typed are no shortcuts, nor are those that come while a click leaves a field.
 void Window::key(int code) {
-    const ImGuiIO& io = ImGui::GetIO();
-    constexpr int kEscape = 27;
-    if (code == kEscape && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+    constexpr int kEnter = 13;
+    if (session_.dialog != session::Dialog::kNone) {
+        if (code == session::kEscape) session::press(session_, code);
+        if (code == kEnter) dialogs_.press_enter();
+    } else if (code == session::kEscape && is_any_popup_open()) {
         ImGui::SetWindowFocus(nullptr);  // closes the popups
-        wake();
-        return;
+    } else if (!is_busy_with_input() && !leaves_field_) {
+        session::press(session_, code);
     }
-    if (!(io.WantCaptureKeyboard && io.WantTextInput)) session::press(session_, code);
     if (session_.animating) animated_since_ = Clock::now();
     carry_out_requests();
     wake();
@@ -114,26 +166,74 @@ void Window::key(int code) {
 
 void Window::carry_out_requests() {
     if (session_.quit_requested) {
+        recovery_.remove();
         quit();
         return;
     }
-    if (session_.scene_requested != 0) open_neighbour(std::exchange(session_.scene_requested, 0));
+    if (session_.scene_requested != 0) show_neighbour(std::exchange(session_.scene_requested, 0));
     if (session_.step_requested != 0) open_step(std::exchange(session_.step_requested, 0));
     if (std::exchange(session_.export_requested, false)) panels_->saving().save(session_, session::Form::kC);
+    if (std::exchange(session_.save_requested, false)) save();
+    if (std::exchange(session_.full_screen_requested, false)) glutFullScreenToggle();
+    if (std::exchange(session_.copy_requested, false)) copy();
+    if (std::exchange(session_.paste_requested, false)) paste();
+    if (session_.letters_requested) set_letters(*std::exchange(session_.letters_requested, std::nullopt));
     if (session_.screenshot_requested) wake();
 }
 
-void Window::open_neighbour(int step) {
-    std::vector<std::string> names;
-    for (const EmbeddedFile& file : kSceneFiles) names.emplace_back(file.name.substr(0, file.name.rfind(".gl")));
-    const auto here = std::ranges::find(names, commands(session_).name);
-    const auto count = std::ssize(names);
-    // A scene that is not built in is before the first and after the last.
-    const auto index = here != names.end() ? here - names.begin() : step > 0 ? count - 1 : 0;
-    const std::string& name = names[static_cast<std::size_t>((index + step + count) % count)];
-    session::open(session_, load_commands(name), {});
-    say(session_, "scene " + name);
+void Window::show_neighbour(int away) {
+    session::show_scene(session_, session::neighbour_scene(session_, away));
     wake();
+}
+
+void Window::save() {
+    try {
+        if (session_.file) take_file();
+        if (session_.dialog != session::Dialog::kNone) return;
+        if (!session_.file) {
+            session_.dialog = session::Dialog::kSaveAs;
+            return;
+        }
+        session::save(session_);
+        say(session_, "saved " + *session_.file);
+        keep_for_recovery();
+    } catch (const std::exception& problem) {
+        say(session_, reason_of(problem));
+    }
+}
+
+void Window::copy() {
+    const std::string text = session::selected_calls(session_);
+    if (!text.empty()) copy_text(text);
+    say(session_, text.empty()         ? "click a call in the tab Commands first; Ctrl+C copies it"
+                  : shares_clipboard() ? "copied"
+                                       : "copied within this window; other programs get it if xclip is installed");
+}
+
+void Window::paste() {
+    try {
+        const std::string text = copied_text();
+        if (text.empty()) throw std::runtime_error("the clipboard has no text");
+        session::insert_calls(session_, text);
+        say(session_, "inserted what was copied");
+    } catch (const std::exception& problem) {
+        say(session_, reason_of(problem));
+    }
+}
+
+// ImGui's fonts have one size, so it starts again with others.
+void Window::set_letters(int larger) {
+    constexpr double kStep = 1.1, kSmallest = 0.5, kLargest = 4;
+    const double first = options_.scale.value_or(screen_scale());
+    scale_ = larger == 0 ? first : std::clamp(larger > 0 ? scale_ * kStep : scale_ / kStep, kSmallest, kLargest);
+    end_imgui();
+    start_imgui();
+    ImGui_ImplGLUT_ReshapeFunc(width_, height_);
+}
+
+void Window::keep_for_recovery() {
+    recovery_revision_ = session_.history.revision();
+    recovery_.keep(session_);
 }
 
 void Window::open_step(int away) {
@@ -152,28 +252,36 @@ void Window::open_step(int away) {
     wake();
 }
 
+// The time of a file tells cheaply that it may have changed.
 void Window::reload_if_saved() {
+    if (!session_.file) return;
     std::error_code error;
     const auto time = std::filesystem::last_write_time(*session_.file, error);
-    if (error) return;
-    if (!file_time_) file_time_ = time;
-    if (*file_time_ == time) return;
+    if (error || (file_time_ == time && file_read_ == *session_.file)) return;
     file_time_ = time;
+    file_read_ = *session_.file;
     try {
-        auto scene = load_commands(*session_.file);
-        const std::size_t step = commands(session_).step;
-        if (step > 1 && step <= scene->steps.size()) scene = load_commands(*session_.file, std::to_string(step));
-        session::open(session_, std::move(scene), session_.file);
-        say(session_, "read again: " + *session_.file);
+        take_file();
     } catch (const std::exception& problem) {
         session_.error = reason_of(problem);
     }
     wake();
 }
 
+void Window::take_file() {
+    std::error_code ignored;
+    if (std::filesystem::exists(*session_.file, ignored))
+        session::take_file_text(session_, read_file(*session_.file, kMaxSceneBytes + 1));
+}
+
 // ImGui looks at the mouse and the keys once a frame. A press and a release without a frame between them, or a press where
 // the mouse has only just arrived, would be lost.
 void Window::settle() { display(); }
+
+// What the next key does depends on the events before it: a click may open or leave a field.
+void Window::settle_input() {
+    while (imgui_runs_ && frames_wanted_ > 0 && (input_changed_ || is_busy_with_input())) settle();
+}
 
 void Window::mouse(int button, int state, int x, int y) {
     const bool down = state == GLUT_DOWN;
@@ -181,6 +289,10 @@ void Window::mouse(int button, int state, int x, int y) {
     ImGui_ImplGLUT_MotionFunc(x, y);
     if (!wheel || x != shown_x_ || y != shown_y_) settle();
     if (!imgui_runs_) return;
+    if (down) leaves_field_ = is_busy_with_input();
+    const bool only_leaves = leaves_field_;
+    if (!wheel && !down) leaves_field_ = false;
+    input_changed_ = true;
     if (wheel) {
         if (down) ImGui_ImplGLUT_MouseWheelFunc(button, button == kWheelUp ? 1 : -1, x, y);
     } else {
@@ -188,6 +300,7 @@ void Window::mouse(int button, int state, int x, int y) {
     }
     wake();
     // The world view has its own drags and wheel; the right button opens the menu.
+    if (only_leaves) return;
     const bool in_world = session_.view == session::View::kWorld && hit(layout_, x, y);
     if (in_world ? button != GLUT_RIGHT_BUTTON : down && ImGui::GetIO().WantCaptureMouse) return;
     if (wheel) {
@@ -223,7 +336,7 @@ void Window::release(int x, int y) {
     session_.history.end_group();
     const Drag ended = std::exchange(drag_, Drag::kNone);
     if (moved_) return;
-    if (ended == Drag::kLook) menu_.open(x, y);
+    if (ended == Drag::kLook) session_.dialog = session::Dialog::kMenu;
     if (ended != Drag::kOrbit) return;
     if (const auto where = hit(layout_, x, y)) {
         const Rectangle& box = layout_.cells.front().picture;

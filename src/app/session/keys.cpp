@@ -18,7 +18,6 @@ constexpr double kDegreesPerArrow = 5;
 constexpr double kStep = 0.05;  // of the distance to the pivot, for W, A, S and D
 constexpr double kCameraZoomPerStep = 1.1;
 constexpr double kDegreesPerSecond = 30;
-constexpr int kEscape = 27;
 
 void move_camera(Session& session, const DragStart& start, const CameraMove& move, const char* what) {
     edit(session, with_camera_moved(*start.commands, move, start.pivot_eye), what, "camera");
@@ -117,16 +116,30 @@ void redo(Session& session, int) {
     say(session, what.empty() ? "nothing to redo" : "done again: " + what);
 }
 
+template <Dialog dialog>
+void opens(Session& session, int) {
+    session.dialog = dialog;
+}
+
+void escape(Session& session, int) {
+    if (session.dialog != Dialog::kNone)
+        session.dialog = Dialog::kNone;
+    else if (session.keys_shown)
+        session.keys_shown = false;
+    else
+        request_end(session);
+}
+
 // GLUT's numbers (freeglut_std.h; src/app/demo/window_events.cpp checks them).
-constexpr int kF1 = kSpecialKey + 1, kLeft = kSpecialKey + 100;
+constexpr int kF1 = kSpecialKey + 1, kF11 = kSpecialKey + 11, kLeft = kSpecialKey + 100;
 
 constexpr Key kKeys[] = {
-    {'1', '8', "1 .. 8", "GL_LIGHT0 .. GL_LIGHT7 on or off", press_light},
-    {'f', 'f', "f", "GL_FLAT or GL_SMOOTH", press_shade_model},
-    {'\t', '\t', "Tab", "next renderer: fixed function, shaders, reference", next_renderer, true, false},
-    {kShiftTab, kShiftTab, "Shift+Tab", "next view: slider, grid, single, world", next_view, true, false},
-    {'g', 'g', "g", "shading: flat, Gouraud, Phong, exact surfaces", next_shading, true, false},
-    {'w', 'w', "w a s d", "move the camera", [](Session& s, int) { walk(s, 1, 0); }, false},
+    {'1', '8', "1 .. 8", "GL_LIGHT0 .. GL_LIGHT7 on or off", press_light, Menu::kLighting},
+    {'f', 'f', "f", "GL_FLAT or GL_SMOOTH", press_shade_model, Menu::kLighting},
+    {'\t', '\t', "Tab", "next renderer: fixed function, shaders, reference", next_renderer, Menu::kView, false},
+    {kShiftTab, kShiftTab, "Shift+Tab", "next view: slider, grid, single, world", next_view, Menu::kView, false},
+    {'g', 'g', "g", "shading: flat, Gouraud, Phong, exact surfaces", next_shading, Menu::kView, false},
+    {'w', 'w', "w a s d", "move the camera", [](Session& s, int) { walk(s, 1, 0); }},
     {'a', 'a', "", "", [](Session& s, int) { walk(s, 0, -1); }},
     {'s', 's', "", "", [](Session& s, int) { walk(s, -1, 0); }},
     {'d', 'd', "", "", [](Session& s, int) { walk(s, 0, 1); }},
@@ -137,37 +150,61 @@ constexpr Key kKeys[] = {
          const auto [x, y] = kDirections[static_cast<std::size_t>(nth)];
          constexpr double kPixels = kDegreesPerArrow / kOrbitDegreesPerPixel;
          orbit(s, start_drag(s), static_cast<int>(x * kPixels), static_cast<int>(y * kPixels));
-     },
-     false},
-    {'+', '+', "+ -", "finer or coarser meshes", [](Session& s, int) { tessellate(s, 1); }},
+     }},
+    {'+', '+', "+ -", "finer or coarser meshes", [](Session& s, int) { tessellate(s, 1); }, Menu::kView},
     {'=', '=', "", "", [](Session& s, int) { tessellate(s, 1); }},
     {'-', '-', "", "", [](Session& s, int) { tessellate(s, -1); }},
-    {'m', 'm', "m", "wireframe: over the surface, only lines, off", next_wireframe, true, false},
-    {'n', 'n', "n", "normals", [](Session& s, int) { s.overlays.normals = !s.overlays.normals; }, true, false},
-    {'l', 'l', "l", "GL_LIGHTING on or off", [](Session& s, int) { press_capability(s, kGL_LIGHTING, "GL_LIGHTING"); }},
+    {'m', 'm', "m", "wireframe: over the surface, only lines, off", next_wireframe, Menu::kView, false},
+    {'n', 'n', "n", "normals", [](Session& s, int) { s.overlays.normals = !s.overlays.normals; }, Menu::kView, false},
+    {'l', 'l', "l", "GL_LIGHTING on or off", [](Session& s, int) { press_capability(s, kGL_LIGHTING, "GL_LIGHTING"); },
+     Menu::kLighting},
     {'v', 'v', "v", "local viewer: the eye's own direction at each vertex",
-     [](Session& s, int) { press_light_model(s, kGL_LIGHT_MODEL_LOCAL_VIEWER, "GL_LIGHT_MODEL_LOCAL_VIEWER"); }},
+     [](Session& s, int) { press_light_model(s, kGL_LIGHT_MODEL_LOCAL_VIEWER, "GL_LIGHT_MODEL_LOCAL_VIEWER"); },
+     Menu::kLighting},
     {'t', 't', "t", "two-sided lighting",
-     [](Session& s, int) { press_light_model(s, kGL_LIGHT_MODEL_TWO_SIDE, "GL_LIGHT_MODEL_TWO_SIDE"); }},
+     [](Session& s, int) { press_light_model(s, kGL_LIGHT_MODEL_TWO_SIDE, "GL_LIGHT_MODEL_TWO_SIDE"); },
+     Menu::kLighting},
     {'x', 'x', "x", "GL_NORMALIZE on or off",
-     [](Session& s, int) { press_capability(s, kGL_NORMALIZE, "GL_NORMALIZE"); }},
+     [](Session& s, int) { press_capability(s, kGL_NORMALIZE, "GL_NORMALIZE"); }, Menu::kLighting},
     {' ', ' ', "Space", "animate the selected light, or the camera",
-     [](Session& s, int) { s.animating = !s.animating; }, true, false},
-    {'[', '[', "[ ]", "the scene before or after this one", [](Session& s, int) { s.scene_requested = -1; }},
+     [](Session& s, int) { s.animating = !s.animating; }, Menu::kView, false},
+    {'[', '[', "[ ]", "the scene before or after this one", [](Session& s, int) { s.scene_requested = -1; },
+     Menu::kScene},
     {']', ']', "", "", [](Session& s, int) { s.scene_requested = 1; }},
     {',', ',', ", .", "the step before or after this one, in a scene with steps",
-     [](Session& s, int) { s.step_requested = -1; }},
+     [](Session& s, int) { s.step_requested = -1; }, Menu::kScene},
     {'.', '.', "", "", [](Session& s, int) { s.step_requested = 1; }},
-    {'r', 'r', "r", "reset the scene to its file", reset},
-    {'z', 'z', "z", "undo", undo},
-    {'y', 'y', "y", "redo", redo},
-    {'e', 'e', "e", "export the scene as a C program", [](Session& s, int) { s.export_requested = true; }},
-    {'p', 'p', "p", "save a picture of the window", [](Session& s, int) { s.screenshot_requested = true; }, true,
+    {'r', 'r', "r", "reset the scene to its file", reset, Menu::kTop},
+    {'z', 'z', "z", "undo", undo, Menu::kTop},
+    {'y', 'y', "y", "redo", redo, Menu::kTop},
+    {kCtrl + 'z', kCtrl + 'z', "Ctrl+Z, Ctrl+Y", "undo, redo", undo, Menu::kNone, false},
+    {kCtrl + 'y', kCtrl + 'y', "", "", redo, Menu::kNone, false},
+    {kCtrlShift + 'z', kCtrlShift + 'z', "", "", redo, Menu::kNone, false},
+    {kCtrl + 'c', kCtrl + 'c', "Ctrl+C, Ctrl+V", "copy the selected call; insert the copied calls after it",
+     [](Session& s, int) { s.copy_requested = true; }, Menu::kNone, false},
+    {kCtrl + 'v', kCtrl + 'v', "", "", [](Session& s, int) { s.paste_requested = true; }, Menu::kNone, false},
+    {kCtrl + 'f', kCtrl + 'f', "Ctrl+F", "find a call", opens<Dialog::kFind>, Menu::kTop, false},
+    {kCtrl + 'o', kCtrl + 'o', "Ctrl+O", "open a scene", opens<Dialog::kOpen>, Menu::kScene, false},
+    {kCtrl + 's', kCtrl + 's', "Ctrl+S", "save to the opened file", [](Session& s, int) { s.save_requested = true; },
+     Menu::kScene, false},
+    {kCtrlShift + 's', kCtrlShift + 's', "Ctrl+Shift+S", "save to another file", opens<Dialog::kSaveAs>, Menu::kScene,
      false},
-    {'h', 'h', "h", "hide or show the panel", [](Session& s, int) { s.panel_shown = !s.panel_shown; }, true, false},
-    {kF1, kF1, "F1, ?", "show or hide these keys", [](Session& s, int) { s.keys_shown = !s.keys_shown; }},
+    {'e', 'e', "e", "export the scene as a C program", [](Session& s, int) { s.export_requested = true; },
+     Menu::kScene},
+    {'p', 'p', "p", "save a picture of the window", [](Session& s, int) { s.screenshot_requested = true; },
+     Menu::kWindow, false},
+    {'h', 'h', "h", "hide or show the panel", [](Session& s, int) { s.panel_shown = !s.panel_shown; }, Menu::kWindow,
+     false},
+    {kF11, kF11, "F11", "full screen", [](Session& s, int) { s.full_screen_requested = true; }, Menu::kWindow, false},
+    {kCtrl + '+', kCtrl + '+', "Ctrl and + - 0", "larger or smaller letters, or their first size",
+     [](Session& s, int) { s.letters_requested = 1; }, Menu::kNone, false},
+    {kCtrl + '=', kCtrl + '=', "", "", [](Session& s, int) { s.letters_requested = 1; }, Menu::kNone, false},
+    {kCtrl + '-', kCtrl + '-', "", "", [](Session& s, int) { s.letters_requested = -1; }, Menu::kNone, false},
+    {kCtrl + '0', kCtrl + '0', "", "", [](Session& s, int) { s.letters_requested = 0; }, Menu::kNone, false},
+    {kF1, kF1, "F1, ?", "show or hide these keys", [](Session& s, int) { s.keys_shown = !s.keys_shown; },
+     Menu::kWindow},
     {'?', '?', "", "", [](Session& s, int) { s.keys_shown = !s.keys_shown; }},
-    {kEscape, kEscape, "Esc", "quit", [](Session& s, int) { s.quit_requested = true; }, true, false},
+    {kEscape, kEscape, "Esc", "close what is on top; with nothing open, end the program", escape, Menu::kWindow, false},
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Keys: the one table of the window's keys. The help, the menu, --help and the page's keys are made from it.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <span>
@@ -14,13 +15,19 @@ namespace twinlight::session {
 // A key's code is its character; keys without one (F1, arrows) have GLUT's number plus kSpecialKey. Shift+Tab is kShiftTab.
 inline constexpr int kSpecialKey = 0x100;
 inline constexpr int kShiftTab = 0x1000;
+inline constexpr int kEscape = 27;
+// With the key Ctrl: the small letter or the character plus kCtrl; with Shift as well, plus kCtrlShift.
+inline constexpr int kCtrl = 0x2000, kCtrlShift = 0x6000;
+
+// Where the window's menu has a key: at its top, or in one of the menus within.
+enum class Menu : std::uint8_t { kNone, kTop, kLighting, kView, kScene, kWindow };
 
 struct Key {
     int first, last;                   // its codes: '1' to '8', or the same code twice
     std::string_view label;            // "1 .. 8"; empty: another key for the row above
     std::string_view what;             // "light GL_LIGHT0 .. GL_LIGHT7: on or off"
     void (*press)(Session&, int nth);  // nth: the code minus `first`
-    bool in_menu = true;
+    Menu menu = Menu::kNone;
     bool in_page = true;  // the page for browsers has it (app/web)
 };
 

@@ -1,0 +1,261 @@
+#include "app/demo/dialogs.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <utility>
+
+#include "app/demo/theme.h"
+#include "app/demo/widgets.h"
+#include "app/session/keys.h"
+#include "app/session/saving.h"
+#include "app/session/scenes.h"
+#include "app/session/typed_calls.h"
+#include "base/image/file.h"
+#include "base/text/reason.h"
+#include "scene/command/names.h"
+#include "scene/scenes/load.h"
+
+namespace twinlight::demo {
+
+namespace fs = std::filesystem;
+using session::Dialog;
+using session::Session;
+
+namespace {
+
+// By the values of Dialog.
+constexpr const char* kDialogTitles[] = {"",
+                                         "menu",
+                                         "Open a scene",
+                                         "Save as",
+                                         "find",
+                                         "Save the changes?",
+                                         "The file has changed",
+                                         "Changes were not saved"};
+static_assert(std::size(kDialogTitles) == static_cast<std::size_t>(Dialog::kRecovered) + 1);
+
+bool is_popup(Dialog dialog) { return dialog == Dialog::kMenu || dialog == Dialog::kFind; }
+
+bool begin_dialog(Dialog dialog) {
+    const char* const title = kDialogTitles[static_cast<std::size_t>(dialog)];
+    constexpr ImGuiWindowFlags kFlags =
+        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+    return is_popup(dialog) ? ImGui::BeginPopup(title, kFlags) : ImGui::BeginPopupModal(title, nullptr, kFlags);
+}
+
+std::string names_of(const std::vector<const session::OpenScene*>& scenes) {
+    std::string names;
+    for (const session::OpenScene* scene : scenes) names += (names.empty() ? "" : ", ") + session::title_of(*scene);
+    return names;
+}
+
+}  // namespace
+
+void Dialogs::offer(Session& session, session::LostScenes lost) {
+    lost_ = std::move(lost);
+    session.dialog = Dialog::kRecovered;
+}
+
+// What the dialog starts with.
+void Dialogs::begin(const Session& session) {
+    error_.clear();
+    replaced_.clear();
+    text_[0] = '\0';
+    takes_focus_ = true;
+    if (session.dialog == Dialog::kSaveAs) {
+        const std::string path =
+            session.file.value_or(session::free_path("", session::stem_of(key_of(session)), ".gl"));
+        path.copy(text_.data(), text_.size() - 1);
+        text_[std::min(path.size(), text_.size() - 1)] = '\0';
+    }
+    if (session.dialog == Dialog::kOpen) {
+        names_.clear();
+        std::error_code error;
+        for (const auto& entry : fs::directory_iterator(".", error))
+            if (entry.path().extension() == ".gl" || entry.path().extension() == ".c")
+                names_.push_back(entry.path().filename().string());
+        std::ranges::sort(names_);
+        for (const EmbeddedFile& file : kSceneFiles) names_.emplace_back(file.name.substr(0, file.name.rfind(".gl")));
+    }
+}
+
+void Dialogs::show(Session& session) {
+    if (shown_ != session.dialog) {
+        if (shown_ != Dialog::kNone && begin_dialog(shown_)) {
+            ImGui::CloseCurrentPopup();
+            ImGui::EndPopup();
+        }
+        shown_ = session.dialog;
+        if (shown_ != Dialog::kNone) {
+            begin(session);
+            ImGui::OpenPopup(kDialogTitles[static_cast<std::size_t>(shown_)]);
+        }
+    }
+    if (shown_ == Dialog::kNone) return;
+    if (shown_ != Dialog::kMenu) {
+        const ImVec2 size = ImGui::GetIO().DisplaySize;
+        // What is found should be in sight.
+        const float x = shown_ == Dialog::kFind ? size.x - at_scale(180) : size.x / 2;
+        ImGui::SetNextWindowPos({x, size.y / 3}, ImGuiCond_Always, {0.5F, 0.5F});
+    }
+    if (!begin_dialog(shown_)) {  // a click beside it
+        shown_ = session.dialog = Dialog::kNone;
+        return;
+    }
+    switch (shown_) {
+        case Dialog::kNone: break;
+        case Dialog::kMenu: menu(session); break;
+        case Dialog::kOpen: open_scene(session); break;
+        case Dialog::kSaveAs: save_as(session); break;
+        case Dialog::kFind: find(session); break;
+        case Dialog::kEnd: end(session); break;
+        case Dialog::kFileChanged: file_changed(session); break;
+        case Dialog::kRecovered: recovered(session); break;
+    }
+    if (!error_.empty()) colored_text(kBad, error_);
+    ImGui::EndPopup();
+    enter_ = false;
+}
+
+// Closes the dialog if the action succeeds; otherwise it shows why not.
+template <class Action>
+void Dialogs::attempt(Session& session, const Action& action) {
+    const Dialog before = session.dialog;
+    try {
+        action();
+        if (session.dialog == before) session.dialog = Dialog::kNone;
+    } catch (const std::exception& problem) {
+        error_ = reason_of(problem);
+        takes_focus_ = true;
+    }
+}
+
+bool Dialogs::first_button(const char* label) {
+    const bool pressed = ImGui::Button(label);
+    ImGui::SameLine();
+    return pressed || std::exchange(enter_, false);
+}
+
+void Dialogs::menu(Session& session) {
+    session.dialog = Dialog::kNone;  // until an item opens another
+    bool is_chosen = false;
+    const auto item = [&](const std::string& words, const std::string& key, int code) {
+        if (!ImGui::MenuItem(words.c_str(), key.c_str())) return;
+        is_chosen = true;
+        session::press(session, code);
+    };
+    const auto items = [&](session::Menu menu) {
+        for (const session::Key& row : session::keys()) {
+            if (row.label.empty() || row.menu != menu) continue;
+            if (row.first == row.last)
+                item(std::string(row.what), std::string(row.label), row.first);
+            else
+                for (int i = 0; i < kMaxLights; ++i) item(light_name(i), std::to_string(i + 1), row.first + i);
+        }
+    };
+    items(session::Menu::kTop);
+    ImGui::Separator();
+    constexpr std::pair<session::Menu, const char*> kMenus[] = {{session::Menu::kLighting, "Lighting"},
+                                                                {session::Menu::kView, "View"},
+                                                                {session::Menu::kScene, "Scene"},
+                                                                {session::Menu::kWindow, "Window"}};
+    for (const auto& [menu, title] : kMenus) {
+        if (!ImGui::BeginMenu(title)) continue;
+        items(menu);
+        ImGui::EndMenu();
+    }
+    if (!is_chosen) session.dialog = Dialog::kMenu;
+}
+
+void Dialogs::open_scene(Session& session) {
+    std::string chosen;
+    ImGui::SetNextItemWidth(at_scale(460));
+    if (text_field("##file", "a file, or the name of a built-in scene", text_, takes_focus_)) chosen = text_.data();
+    ImGui::BeginChild("names", {0, at_scale(260)}, false);
+    for (const std::string& name : names_)
+        if (session::has_text(name, text_.data()) && ImGui::Selectable(name.c_str())) chosen = name;
+    ImGui::EndChild();
+    if (!chosen.empty()) attempt(session, [&] { session::show_scene(session, chosen); });
+}
+
+void Dialogs::save_as(Session& session) {
+    ImGui::SetNextItemWidth(at_scale(460));
+    bool saves = text_field("##file", "a file: NAME.gl", text_, takes_focus_);
+    const std::string path = text_.data();
+    const bool is_asked = !replaced_.empty() && replaced_ == path;
+    if (is_asked) colored_text(kAccent, "This file exists. Enter replaces it.");
+    saves |= ImGui::Button(is_asked ? "Replace" : "Save");
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel")) session.dialog = Dialog::kNone;
+    if (!saves) return;
+    error_.clear();
+    std::error_code ignored;
+    if (!is_asked && path != session.file && fs::exists(path, ignored)) {
+        replaced_ = path;
+        takes_focus_ = true;
+        return;
+    }
+    attempt(session, [&] {
+        session::save_as(session, path);
+        say(session, "saved " + path);
+    });
+}
+
+void Dialogs::find(Session& session) {
+    ImGui::SetNextItemWidth(at_scale(300));
+    const std::string before = text_.data();
+    const bool next = text_field("##find", "find a call, such as GL_POSITION", text_, takes_focus_);
+    const std::string pattern = text_.data();
+    if (pattern.empty() || (pattern == before && !next)) return;
+    takes_focus_ |= next;
+    const std::size_t start = session.selected_command.value_or(0) + (next ? 1 : 0);
+    const auto found = session::find_call(session, pattern, start);
+    error_ = found ? "" : "no call has this text";
+    if (!found) return;
+    session.panel_shown = true;
+    session.panel = session::Panel::kCommands;
+    session.selected_command = found;
+}
+
+void Dialogs::end(Session& session) {
+    ImGui::TextUnformatted(fmt::format("Unsaved changes: {}.", names_of(edited_scenes(session))).c_str());
+    if (first_button("Save"))
+        attempt(session, [&] {
+            session::save_all(session, "");
+            session.quit_requested = true;
+        });
+    if (ImGui::Button("Discard")) session.quit_requested = true;
+    ImGui::SameLine();
+    if (ImGui::Button("Stay")) session.dialog = Dialog::kNone;
+}
+
+void Dialogs::file_changed(Session& session) {
+    ImGui::TextUnformatted(
+        fmt::format("{} was saved by another program, which changed a line that you changed here.", *session.file)
+            .c_str());
+    dim_text("Undo and redo switch between the two versions; Ctrl+S writes the one on show.");
+    if (first_button("Keep mine")) session.dialog = Dialog::kNone;
+    if (ImGui::Button("Use the file's")) {
+        session.history.undo();
+        session.dialog = Dialog::kNone;
+        say(session, "this is the file's version; y brings yours back");
+    }
+}
+
+void Dialogs::recovered(Session& session) {
+    ImGui::TextUnformatted(fmt::format("A window ended with unsaved changes: {}.", lost_->summary).c_str());
+    if (first_button("Bring the changes back")) attempt(session, [&] { session::restore(session, *lost_); });
+    if (ImGui::Button("Discard them")) {
+        session::forget(*lost_);
+        session.dialog = Dialog::kNone;
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Ask again later")) session.dialog = Dialog::kNone;
+}
+
+}  // namespace twinlight::demo

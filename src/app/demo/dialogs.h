@@ -1,0 +1,45 @@
+// What is shown over the pictures: the menu of a click with the right button, and the window's questions.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/recovery.h"
+#include "app/session/session.h"
+
+namespace twinlight::demo {
+
+class Dialogs {
+  public:
+    // Asks whether to bring these scenes back.
+    void offer(session::Session& session, session::LostScenes lost);
+    // To be called in every frame.
+    void show(session::Session& session);
+    // The key Enter: the first button.
+    void press_enter() { enter_ = true; }
+
+  private:
+    void begin(const session::Session& session);
+    void menu(session::Session& session);
+    void open_scene(session::Session& session);
+    void save_as(session::Session& session);
+    void find(session::Session& session);
+    void end(session::Session& session);
+    void file_changed(session::Session& session);
+    void recovered(session::Session& session);
+    bool first_button(const char* label);
+    template <class Action>
+    void attempt(session::Session& session, const Action& action);
+
+    session::Dialog shown_ = session::Dialog::kNone;
+    bool takes_focus_ = false, enter_ = false;
+    std::array<char, 4096> text_{};   // of the field; ends with 0
+    std::string error_;               // of the last attempt
+    std::string replaced_;            // the file that exists, whose replacement was asked
+    std::vector<std::string> names_;  // of the scenes to open
+    std::optional<session::LostScenes> lost_;
+};
+
+}  // namespace twinlight::demo

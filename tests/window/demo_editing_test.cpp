@@ -1,0 +1,277 @@
+// What the window does with a user's work: Esc, the questions before it ends, saving, fields that take letters, the clipboard. By real
+// keys and clicks under Xvfb; the results are the files that the window writes.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../unit/pictures.h"
+#include "base/image/file.h"
+#include "base/image/png.h"
+#include "demo_window.h"
+#include "xvfb.h"
+
+namespace twinlight::demo_editing_test {
+namespace {
+
+using demo_window::folder, demo_window::run, demo_window::RunningDemo, demo_window::wait_for;
+
+const std::string kLamp = R"(// A lamp and a ball.
+gluPerspective(45, 4.0 / 3.0, 0.1, 100);  // as in the lecture
+glTranslatef(0, 0, -5);
+glEnable(GL_LIGHTING);
+glEnable(GL_LIGHT0);  // the lamp
+GLfloat lamp[] = {2, 3, 4, 1};
+glLightfv(GL_LIGHT0, GL_POSITION, lamp);
+glutSolidSphere(0.8, 24, 12);
+)";
+// What the key f inserts at the start.
+const std::string kFlat = "glShadeModel(GL_FLAT);\n";
+
+std::string flat(const std::string& text) {
+    std::string result = text;
+    return result.insert(text.find("gluPersp"), kFlat);
+}
+
+class DemoEditing : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        std::filesystem::create_directories(folder());
+        server_ = std::make_unique<Xvfb>();
+    }
+    static void TearDownTestSuite() {
+        server_.reset();
+        std::filesystem::remove_all(folder());
+    }
+    void SetUp() override {
+        if (!server_->running()) GTEST_SKIP() << server_->reason();
+        if (run("command -v xdotool").status != 0) GTEST_SKIP() << "xdotool is missing (Debian's package xdotool)";
+        std::filesystem::remove_all(folder() / "state");
+        std::filesystem::remove(picture_);
+        write_file_atomically(scene_, kLamp);
+    }
+
+    void open(std::vector<std::string> options) {
+        options.insert(options.end(),
+                       {"--view", "single", "--scale", "1", "--size", "800x600", "--screenshot", picture_});
+        // A window that has just ended may still be there.
+        ASSERT_TRUE(wait_for([&] { return xdo("search --name twinlight").status != 0; }));
+        demo_.emplace(server_->display(), options);
+        ASSERT_TRUE(wait_for([&] { return xdo("search --onlyvisible --name twinlight").status == 0; }));
+        xdo("mousemove 600 300");  // without a window manager, the window under the pointer has the keys
+    }
+    demo_window::Ran xdo(const std::string& commands) {
+        return run("DISPLAY=" + server_->display() + " xdotool " + commands);
+    }
+    // Whether the program still answers: it writes a picture.
+    bool answers() {
+        std::filesystem::remove(picture_);
+        xdo("key p");
+        return wait_for([&] { return std::filesystem::exists(picture_); });
+    }
+    Image picture() {
+        EXPECT_TRUE(answers());
+        return read_png(picture_);
+    }
+    bool file_becomes(const std::string& text) {
+        return wait_for([&] { return read_file(scene_) == text; });
+    }
+    bool has_recovery_file() {
+        std::error_code missing;
+        return std::filesystem::directory_iterator(folder() / "state/twinlight", missing) !=
+               end(std::filesystem::directory_iterator());
+    }
+
+    static inline std::unique_ptr<Xvfb> server_;
+    const std::string scene_ = (folder() / "lamp.gl").string(), picture_ = (folder() / "picture.png").string();
+    std::optional<RunningDemo> demo_;
+};
+
+TEST_F(DemoEditing, EscClosesWhatIsOnTopAndThenEnds) {
+    open({scene_});
+    xdo("key question key Escape");
+    EXPECT_TRUE(answers()) << "the help";
+    xdo("click 3 key Escape");
+    EXPECT_TRUE(answers()) << "the menu";
+    for (const std::string dialog : {"f", "o", "shift+s"}) {
+        xdo("key ctrl+" + dialog + " key Escape");
+        EXPECT_TRUE(answers()) << dialog;
+    }
+    xdo("key Escape");
+    EXPECT_EQ(demo_->ended(), 0);
+    EXPECT_EQ(read_file(scene_), kLamp);
+}
+
+TEST_F(DemoEditing, AsksBeforeItEndsWithUnsavedChanges) {
+    open({scene_});
+    xdo("key f key Escape key Escape");  // asks; stays
+    EXPECT_TRUE(answers());
+    xdo("key Escape key Return");  // asks; saves
+    EXPECT_EQ(demo_->ended(), 0);
+    EXPECT_EQ(read_file(scene_), flat(kLamp));
+    EXPECT_FALSE(has_recovery_file());
+}
+
+TEST_F(DemoEditing, ForgetsTheChangesIfTheyAreUndone) {
+    open({scene_});
+    xdo("key f key ctrl+z key Escape");
+    EXPECT_EQ(demo_->ended(), 0);
+}
+
+TEST_F(DemoEditing, OffersWhatAKilledWindowHadNotSaved) {
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGKILL}) {
+        SCOPED_TRACE(signal);
+        open({scene_});
+        xdo("key f");
+        ASSERT_TRUE(wait_for([&] { return has_recovery_file(); }));
+        ::kill(demo_->pid(), signal);
+        demo_->ended();
+        EXPECT_EQ(read_file(scene_), kLamp);
+        open({scene_});
+        xdo("key Return");  // brings the changes back
+        EXPECT_TRUE(answers());
+        xdo("key ctrl+s");
+        EXPECT_TRUE(file_becomes(flat(kLamp)));
+        xdo("key Escape");
+        EXPECT_EQ(demo_->ended(), 0);
+        EXPECT_FALSE(has_recovery_file());
+        write_file_atomically(scene_, kLamp);
+    }
+}
+
+TEST_F(DemoEditing, SavesIntoTheOpenedFileAndKeepsItsText) {
+    open({scene_});
+    xdo("key f key ctrl+s");
+    EXPECT_TRUE(file_becomes(flat(kLamp)));
+    xdo("key ctrl+z key ctrl+s");
+    EXPECT_TRUE(file_becomes(kLamp));
+    xdo("key ctrl+y key ctrl+s");
+    EXPECT_TRUE(file_becomes(flat(kLamp)));
+    // Elsewhere: the field has the file's name.
+    const std::string other = (folder() / "lamp.gl2").string();
+    xdo("key z key ctrl+shift+s");
+    EXPECT_TRUE(wait_for([&] {
+        xdo("key 2 key Return");
+        return std::filesystem::exists(other);
+    }));
+    EXPECT_EQ(read_file(other), kLamp);
+    EXPECT_EQ(read_file(scene_), flat(kLamp));
+}
+
+TEST_F(DemoEditing, MergesWhatAnotherProgramSaves) {
+    open({scene_});
+    xdo("key f");
+    EXPECT_TRUE(answers());
+    std::string theirs = kLamp;
+    theirs.replace(theirs.find("24, 12"), 6, "48, 24");
+    write_file_atomically(scene_, theirs);
+    // Ctrl+S takes the file's change first, if the window has not seen it yet.
+    xdo("key ctrl+s");
+    EXPECT_TRUE(file_becomes(flat(theirs)));
+}
+
+TEST_F(DemoEditing, KeepsTheEditsOfASceneWhileAnotherIsShown) {
+    open({scene_});
+    xdo("key f key bracketright");
+    EXPECT_TRUE(answers());
+    xdo("key bracketleft");
+    EXPECT_TRUE(answers());
+    xdo("key ctrl+s");
+    EXPECT_TRUE(file_becomes(flat(kLamp)));
+    xdo("key z key ctrl+s");
+    EXPECT_TRUE(file_becomes(kLamp)) << "the history is gone";
+}
+
+// The button Insert... of the tab Commands.
+TEST_F(DemoEditing, LettersAreNoShortcutsWhileACallIsTyped) {
+    open({scene_});
+    xdo("mousemove 43 113 click 1");
+    xdo("type --delay 20 'glEnable(GL_FOGF);'");
+    xdo("key Return");  // wrong: the field keeps the keys
+    xdo("key BackSpace key BackSpace key BackSpace");
+    xdo("type --delay 20 ');'");
+    xdo("key Return");
+    xdo("mousemove 600 300 key ctrl+s");
+    EXPECT_TRUE(file_becomes(kLamp + "glEnable(GL_FOG);\n")) << read_file(scene_);
+}
+
+// A click beside a field only leaves it: it does not explain the pixel, and letters within it are no shortcuts.
+TEST_F(DemoEditing, TheClickThatLeavesAFieldDoesNothingElse) {
+    open({scene_});
+    xdo("mousemove 43 113 click 1 mousemove 600 440 mousedown 1 key f mouseup 1");
+    xdo("key ctrl+s");
+    EXPECT_TRUE(answers());
+    EXPECT_EQ(read_file(scene_), kLamp);
+    xdo("key f key ctrl+s");
+    EXPECT_TRUE(file_becomes(flat(kLamp))) << "after the click, letters are shortcuts again";
+}
+
+// Ctrl+F selects a call, Ctrl+C copies it for other programs, Ctrl+V inserts what they copied.
+TEST_F(DemoEditing, CopiesAndPastesCallsThroughTheClipboard) {
+    if (run("command -v xclip").status != 0) GTEST_SKIP() << "xclip is missing (Debian's package xclip)";
+    const std::string xclip = "DISPLAY=" + server_->display() + " xclip -selection clipboard ";
+    open({scene_});
+    xdo("key ctrl+f type --delay 20 light0");
+    xdo("key ctrl+a key ctrl+c key End key ctrl+v key BackSpace key Escape");  // in the field
+    EXPECT_TRUE(answers());
+    EXPECT_EQ(run(xclip + "-out").output, "light0");
+    xdo("key ctrl+f type --delay 20 light0");
+    xdo("key Escape key ctrl+c");
+    EXPECT_TRUE(answers());
+    EXPECT_EQ(run(xclip + "-out").output, "glEnable(GL_LIGHT0);\n");
+    run("printf 'glEnable(GL_FOG);' | " + xclip + ">/dev/null 2>&1");
+    xdo("key ctrl+v key ctrl+s");
+    std::string text = kLamp;
+    text.insert(text.find("glLightfv"), "glEnable(GL_FOG);\n");
+    EXPECT_TRUE(file_becomes(text)) << read_file(scene_);
+}
+
+TEST_F(DemoEditing, OpensAnotherScene) {
+    open({scene_});
+    xdo("key ctrl+o type --delay 20 lab");
+    xdo("key Return");
+    EXPECT_TRUE(answers());
+    EXPECT_NE(xdo("search --name twinlight getwindowname").output.find("lab - twinlight"), std::string::npos);
+}
+
+TEST_F(DemoEditing, MakesLettersLargerAndTheWindowFull) {
+    open({scene_});
+    const auto panel = [&] {
+        const Image image = picture();
+        std::vector<Rgba> pixels;
+        for (int y = 0; y < 500; ++y)
+            for (int x = 0; x < 350; ++x) pixels.push_back(image.at(x, y));
+        return pixels;
+    };
+    const Image first = picture();
+    const auto letters = panel();
+    xdo("key ctrl+plus key ctrl+plus");
+    EXPECT_NE(panel(), letters);
+    xdo("key ctrl+minus key ctrl+equal key ctrl+0");
+    EXPECT_TRUE(wait_for([&] { return panel() == letters; }));
+    xdo("key F11");
+    Image full;
+    EXPECT_TRUE(wait_for([&] { return (full = picture()).width > first.width; }));
+    xdo("key F11");
+    EXPECT_TRUE(wait_for([&] { return picture().width == first.width; }));
+}
+
+// The menu of a click with the right button: its first line is under the pointer, and resets the scene.
+TEST_F(DemoEditing, TheMenuOpensAtThePointer) {
+    open({scene_});
+    xdo("key f mousemove 500 200 click 3");
+    xdo("mousemove_relative 30 18");
+    xdo("click 1");
+    EXPECT_TRUE(answers());
+    xdo("key Escape");
+    EXPECT_EQ(demo_->ended(), 0) << "the scene is not as it was opened";
+}
+
+}  // namespace
+}  // namespace twinlight::demo_editing_test
