@@ -57,14 +57,18 @@ class DemoEditing : public testing::Test {
         write_file_atomically(scene_, kLamp);
     }
 
-    void open(std::vector<std::string> options) {
+    // A window that has something to offer, or one that answers keys.
+    enum class Start { kAnswers, kAsks };
+    void open(std::vector<std::string> options, Start start = Start::kAnswers) {
         options.insert(options.end(),
                        {"--view", "single", "--scale", "1", "--size", "800x600", "--screenshot", picture_});
         // A window that has just ended may still be there.
-        ASSERT_TRUE(wait_for([&] { return xdo("search --name twinlight").status != 0; }));
+        const auto is_there = [&] { return xdo("search --onlyvisible --name twinlight").status == 0; };
+        ASSERT_TRUE(wait_for([&] { return !is_there(); })) << "a window of before";
         demo_.emplace(server_->display(), options);
-        ASSERT_TRUE(wait_for([&] { return xdo("search --onlyvisible --name twinlight").status == 0; }));
+        ASSERT_TRUE(wait_for(is_there)) << read_file((folder() / "demo.log").string());
         xdo("mousemove 600 300");  // without a window manager, the window under the pointer has the keys
+        ASSERT_TRUE(start == Start::kAsks ? demo_->comes_to_rest() : answers()) << "the start";
     }
     demo_window::Ran xdo(const std::string& commands) {
         return run("DISPLAY=" + server_->display() + " xdotool " + commands);
@@ -133,7 +137,7 @@ TEST_F(DemoEditing, OffersWhatAKilledWindowHadNotSaved) {
         ::kill(demo_->pid(), signal);
         demo_->ended();
         EXPECT_EQ(read_file(scene_), kLamp);
-        open({scene_});
+        open({scene_}, Start::kAsks);
         xdo("key Return");  // brings the changes back
         EXPECT_TRUE(answers());
         xdo("key ctrl+s");
@@ -242,6 +246,7 @@ TEST_F(DemoEditing, OpensAnotherScene) {
 
 TEST_F(DemoEditing, MakesLettersLargerAndTheWindowFull) {
     open({scene_});
+    ASSERT_TRUE(demo_->comes_to_rest());  // the linter's count is in its tab
     const auto panel = [&] {
         const Image image = picture();
         std::vector<Rgba> pixels;

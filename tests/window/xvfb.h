@@ -29,6 +29,7 @@ class Xvfb {
         const std::string descriptor = std::to_string(ready[1]);
         pid_ = ::fork();
         if (pid_ == 0) {
+            // Without -noreset the server starts again when its last client leaves, and refuses those that come just then.
             // The child: the server may write to the pipe, says nothing on the test's output, and ends with
             // the test even where that is killed.
             ::prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -36,7 +37,7 @@ class Xvfb {
             const int null = ::open("/dev/null", O_RDWR);
             for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(null, fd);
             ::execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", screen.c_str(), "-nolisten",
-                     "tcp", nullptr);
+                     "tcp", "-noreset", nullptr);
             ::_exit(127);
         }
         ::close(ready[1]);

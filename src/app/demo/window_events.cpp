@@ -278,7 +278,7 @@ void Window::take_file() {
 // the mouse has only just arrived, would be lost.
 void Window::settle() { display(); }
 
-// What the next key does depends on the events before it: a click may open or leave a field.
+// What the next key or click does depends on the events before it: they may have opened a menu, or left a field.
 void Window::settle_input() {
     while (imgui_runs_ && frames_wanted_ > 0 && (input_changed_ || is_busy_with_input())) settle();
 }
@@ -288,6 +288,7 @@ void Window::mouse(int button, int state, int x, int y) {
     const bool wheel = button == kWheelUp || button == kWheelDown;
     ImGui_ImplGLUT_MotionFunc(x, y);
     if (!wheel || x != shown_x_ || y != shown_y_) settle();
+    settle_input();
     if (!imgui_runs_) return;
     if (down) leaves_field_ = is_busy_with_input();
     const bool only_leaves = leaves_field_;
