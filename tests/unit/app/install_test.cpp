@@ -164,7 +164,7 @@ TEST_F(Install, ManualPagesNameEveryOption) {
     const std::string demo = plain(read_file(share("man/man1/twinlight-demo.1")));
     for (const std::string& option : options_of(help_of("twinlight-demo", "")))
         EXPECT_TRUE(names(demo, option)) << "twinlight-demo " << option;
-    EXPECT_NE(demo.find("\nf             GL_FLAT or GL_SMOOTH\n"), std::string::npos);
+    EXPECT_NE(demo.find("\nf               GL_FLAT or GL_SMOOTH\n"), std::string::npos);
     if (!is_installed("groff")) return;
     for (const char* name : {"twinlight", "twinlight-demo"}) {
         const ProgramResult checked =
