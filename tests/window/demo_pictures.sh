@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 shoot() { # NAME SCENE OPTIONS...
-    build/twinlight-demo "${@:2}" --scale 1 --size 1280x800 --quit-after 60 --screenshot "docs/demo/$1.png"
+    build/twinlight-demo "${@:2}" --scale 1 --size 1280x800 --quit-after 300 --screenshot "docs/demo/$1.png"
 }
 mkdir -p docs/demo
 shoot slider report

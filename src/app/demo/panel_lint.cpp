@@ -102,7 +102,7 @@ bool LintPanel::show(session::Session& session) {
         }
         ImGui::SameLine();
         if (finding.can_mend) {
-            if (ImGui::Button("Mend it")) to_mend = i;
+            if (ImGui::Button("Fix it")) to_mend = i;
         } else {
             ImGui::AlignTextToFramePadding();
             ImGui::TextDisabled("This one needs your own change.");

@@ -1,4 +1,4 @@
-// The panel "Lint": the linter's warnings about the scene as it is now, each with "show me" and "mend it".
+// The panel "Lint": the linter's warnings about the scene as it is now, each with "show me" and "fix it".
 #pragma once
 
 #include <chrono>
