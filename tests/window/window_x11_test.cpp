@@ -51,10 +51,13 @@ TEST(WindowX11, TheCloseButtonAsksBeforeChangesAreLost) {
         return run("DISPLAY=" + server.display() + " xdotool " + commands).output;
     };
     const auto start = [&] {
+        // A window that has just ended may still be there.
+        EXPECT_TRUE(demo_window::wait_for([&] { return xdo("search --onlyvisible --name twinlight").empty(); }));
         auto demo = std::make_unique<demo_window::RunningDemo>(
             server.display(), std::vector<std::string>{scene, "--scale", "1", "--size", "800x600"});
         const std::string window = xdo("search --sync --onlyvisible --name twinlight");
         xdo("mousemove 600 300");
+        EXPECT_TRUE(demo->comes_to_rest());
         return std::pair(std::move(demo), std::stoul(window));
     };
     write_file_atomically(scene, text);
@@ -66,11 +69,13 @@ TEST(WindowX11, TheCloseButtonAsksBeforeChangesAreLost) {
     const auto [demo, window] = start();
     xdo("key f");
     press_close_button(server.display(), window);
-    xdo("key Escape key ctrl+s");  // stays, and still works
+    EXPECT_TRUE(demo->comes_to_rest());  // it asks
+    xdo("key Escape key ctrl+s");        // stays, and still works
     EXPECT_TRUE(demo_window::wait_for(
         [&] { return read_file(scene) == "// A ball.\nglShadeModel(GL_FLAT);\nglutSolidSphere(0.8, 24, 12);\n"; }));
     xdo("key z");
     press_close_button(server.display(), window);
+    EXPECT_TRUE(demo->comes_to_rest());
     xdo("key Return");  // saves
     EXPECT_EQ(demo->ended(), 0);
     EXPECT_EQ(read_file(scene), text);

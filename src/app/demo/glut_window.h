@@ -42,6 +42,7 @@ class Window {
     void end();
     void reshape(int width, int height);
     void display();
+    void draw();
     void frame();
     void key(int code);
     void mouse(int button, int state, int x, int y);

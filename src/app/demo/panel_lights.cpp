@@ -99,7 +99,7 @@ void LightsPanel::edit_material(session::Session& session, Enum face, Enum pname
 
 void LightsPanel::show_drawing(session::Session& session) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("What lights");
+    ImGui::TextUnformatted("Object");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     if (!ImGui::BeginCombo("##drawing", drawing_[chosen_].name.c_str(), ImGuiComboFlags_HeightLarge)) return;

@@ -14,17 +14,20 @@ namespace {
 
 using session::Panel;
 
-// Tabs are in as many rows as they need. Returns whether this one was clicked.
-bool tab_button(const char* name, const std::string& title, bool is_shown) {
+// Tabs are in as many rows as they need. Returns whether this one was clicked. `widest`: its longest title, so that no other tab
+// moves when the title changes.
+bool tab_button(const char* name, const std::string& title, const std::string& widest, bool is_shown) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float gap = style.ItemSpacing.x / 2;
-    const float width = ImGui::CalcTextSize(title.c_str()).x + 2 * style.FramePadding.x;
+    const float width = ImGui::CalcTextSize(widest.c_str()).x + 2 * style.FramePadding.x;
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - style.WindowPadding.x;
     if (ImGui::GetItemRectMax().x + gap + width <= right && ImGui::GetCursorPosY() > style.WindowPadding.y + 1)
         ImGui::SameLine(0, gap);
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(is_shown ? ImGuiCol_Button : ImGuiCol_WindowBg));
     ImGui::PushStyleColor(ImGuiCol_Text, is_shown ? kText : kDim);
-    const bool clicked = ImGui::Button((title + "###" + name).c_str());
+    ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0, 0.5F});
+    const bool clicked = ImGui::Button((title + "###" + name).c_str(), {width, 0});
+    ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);
     if (is_shown) {
         const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
@@ -47,9 +50,12 @@ void Panels::show(session::Session& session, const Rectangle& box, const Panes& 
     ImGui::Begin("panel", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
     for (const session::PanelName& panel : session::kPanels) {
-        std::string title = panel.title;
-        if (panel.value == Panel::kLint && lint_.count() > 0) title += fmt::format(" ({})", lint_.count());
-        if (tab_button(panel.key, title, session.panel == panel.value)) session.panel = panel.value;
+        std::string title = panel.title, widest = title;
+        if (panel.value == Panel::kLint) {
+            widest += " (99)";
+            if (lint_.count() > 0) title += fmt::format(" ({})", lint_.count());
+        }
+        if (tab_button(panel.key, title, widest, session.panel == panel.value)) session.panel = panel.value;
     }
     ImGui::Separator();
 

@@ -163,9 +163,14 @@ void Window::set_timers() {
     if (wants_frames) after(kMessageMs, message_timer_);
 }
 
+// GLUT calls it when no event waits, so the changes that came before the button are made.
 void Window::display() {
-    const Clock::time_point start = Clock::now();
     if (std::exchange(close_pressed_, false)) session::request_end(session_);
+    draw();
+}
+
+void Window::draw() {
+    const Clock::time_point start = Clock::now();
     if (session_.animating) {
         const double seconds = std::chrono::duration<double>(start - animated_since_).count();
         animated_since_ = start;

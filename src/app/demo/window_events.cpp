@@ -276,7 +276,7 @@ void Window::take_file() {
 
 // ImGui looks at the mouse and the keys once a frame. A press and a release without a frame between them, or a press where
 // the mouse has only just arrived, would be lost.
-void Window::settle() { display(); }
+void Window::settle() { draw(); }
 
 // What the next key or click does depends on the events before it: they may have opened a menu, or left a field.
 void Window::settle_input() {
