@@ -69,6 +69,8 @@ class RunningDemo {
         pid_ = ::fork();
         if (pid_ != 0) return;
         ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+        for (const int signal : {SIGINT, SIGHUP})
+            ::signal(signal, SIG_DFL);  // ignored if the tests run in the background
         ::setenv("DISPLAY", display.c_str(), 1);
         ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);  // Xvfb has no GPU; the host may
         ::setenv("ASAN_OPTIONS", kSanitizer, 1);
