@@ -39,22 +39,31 @@ void press_close_button(const std::string& display_name, unsigned long window) {
     OF_X11(XCloseDisplay)(display);
 }
 
-TEST(WindowX11, TheCloseButtonAsksBeforeChangesAreLost) {
-    using demo_window::folder, demo_window::run;
-    const Xvfb server;
-    if (!server.running()) GTEST_SKIP() << server.reason();
-    if (run("command -v xdotool").status != 0) GTEST_SKIP() << "xdotool is missing (Debian's package xdotool)";
-    std::filesystem::create_directories(folder());
+using demo_window::folder, demo_window::run;
+
+class WindowX11 : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!server_.running()) GTEST_SKIP() << server_.reason();
+        if (run("command -v xdotool").status != 0) GTEST_SKIP() << "xdotool is missing (Debian's package xdotool)";
+        std::filesystem::create_directories(folder());
+    }
+    void TearDown() override { std::filesystem::remove_all(folder()); }
+
+    const Xvfb server_;
+};
+
+TEST_F(WindowX11, TheCloseButtonAsksBeforeChangesAreLost) {
     const std::string scene = (folder() / "closed.gl").string();
     const std::string text = "// A ball.\nglutSolidSphere(0.8, 24, 12);\n";
     const auto xdo = [&](const std::string& commands) {
-        return run("DISPLAY=" + server.display() + " xdotool " + commands).output;
+        return run("DISPLAY=" + server_.display() + " xdotool " + commands).output;
     };
     const auto start = [&] {
         // A window that has just ended may still be there.
         EXPECT_TRUE(demo_window::wait_for([&] { return xdo("search --onlyvisible --name twinlight").empty(); }));
         auto demo = std::make_unique<demo_window::RunningDemo>(
-            server.display(), std::vector<std::string>{scene, "--scale", "1", "--size", "800x600"});
+            server_.display(), std::vector<std::string>{scene, "--scale", "1", "--size", "800x600"});
         const std::string window = xdo("search --sync --onlyvisible --name twinlight");
         xdo("mousemove 600 300");
         EXPECT_TRUE(demo->comes_to_rest());
@@ -63,43 +72,37 @@ TEST(WindowX11, TheCloseButtonAsksBeforeChangesAreLost) {
     write_file_atomically(scene, text);
     {
         const auto [demo, window] = start();
-        press_close_button(server.display(), window);
+        press_close_button(server_.display(), window);
         EXPECT_EQ(demo->ended(), 0) << "nothing was changed";
     }
     const auto [demo, window] = start();
     xdo("key f");
-    press_close_button(server.display(), window);
+    press_close_button(server_.display(), window);
     EXPECT_TRUE(demo->comes_to_rest());  // it asks
     xdo("key Escape key ctrl+s");        // stays, and still works
     EXPECT_TRUE(demo_window::wait_for(
         [&] { return read_file(scene) == "// A ball.\nglShadeModel(GL_FLAT);\nglutSolidSphere(0.8, 24, 12);\n"; }));
     xdo("key z");
-    press_close_button(server.display(), window);
+    press_close_button(server_.display(), window);
     EXPECT_TRUE(demo->comes_to_rest());
     xdo("key Return");  // saves
     EXPECT_EQ(demo->ended(), 0);
     EXPECT_EQ(read_file(scene), text);
-    std::filesystem::remove_all(folder());
 }
 
 // The table of the tab Accuracy is shown when the measurement is done, without further events. Its last column is in the right half of
 // the panel, in the green of good rows.
-TEST(WindowX11, TheTableOfAMeasurementIsAsWideAsItsNumbers) {
-    using demo_window::folder, demo_window::run;
-    const Xvfb server;
-    if (!server.running()) GTEST_SKIP() << server.reason();
-    if (run("command -v xdotool").status != 0) GTEST_SKIP() << "xdotool is missing (Debian's package xdotool)";
-    std::filesystem::create_directories(folder());
+TEST_F(WindowX11, TheTableOfAMeasurementIsAsWideAsItsNumbers) {
     const std::string scene = (folder() / "lamp.gl").string();
     write_file_atomically(scene, "glEnable(GL_LIGHTING);\nglEnable(GL_LIGHT0);\nglutSolidSphere(0.8, 24, 12);\n");
     const demo_window::RunningDemo demo(
-        server.display(), {scene, "--panel", "accuracy", "--view", "single", "--scale", "1", "--size", "800x600"});
-    const std::string xdotool = "DISPLAY=" + server.display() + " xdotool ";
+        server_.display(), {scene, "--panel", "accuracy", "--view", "single", "--scale", "1", "--size", "800x600"});
+    const std::string xdotool = "DISPLAY=" + server_.display() + " xdotool ";
     run(xdotool + "search --sync --onlyvisible --name twinlight");
     ASSERT_TRUE(demo.comes_to_rest());
     run(xdotool + "mousemove 50 180 click 1");
     ASSERT_TRUE(demo.comes_to_rest());
-    Display* const display = OF_X11(XOpenDisplay)(server.display().c_str());
+    Display* const display = OF_X11(XOpenDisplay)(server_.display().c_str());
     ASSERT_NE(display, nullptr);
     XImage* const screen = OF_X11(XGetImage)(display, DefaultRootWindow(display), 0, 0, 800, 600, ~0UL, ZPixmap);
     ASSERT_NE(screen, nullptr);
@@ -112,7 +115,6 @@ TEST(WindowX11, TheTableOfAMeasurementIsAsWideAsItsNumbers) {
     EXPECT_GT(last, 175);
     XDestroyImage(screen);
     OF_X11(XCloseDisplay)(display);
-    std::filesystem::remove_all(folder());
 }
 
 }  // namespace

@@ -17,8 +17,6 @@ struct ScenesArguments {
     bool json = false;
 };
 
-std::string name_of(const EmbeddedFile& file) { return std::string(file.name.substr(0, file.name.rfind(".gl"))); }
-
 // The first sentence of a scene's first comment.
 std::string description_of(const EmbeddedFile& file) {
     std::string sentence;
@@ -54,7 +52,7 @@ int list(const ScenesArguments& arguments) {
     if (arguments.json) {
         Json json = {{"scenes", Json::array()}};
         for (const EmbeddedFile& file : kSceneFiles) {
-            const std::string name = name_of(file);
+            const std::string name = built_in_name(file);
             json["scenes"].push_back(
                 {{"name", name}, {"description", description_of(file)}, {"steps", load_commands(name)->steps}});
         }
@@ -62,10 +60,10 @@ int list(const ScenesArguments& arguments) {
         return kFine;
     }
     std::size_t width = 0;
-    for (const EmbeddedFile& file : kSceneFiles) width = std::max(width, name_of(file).size());
+    for (const EmbeddedFile& file : kSceneFiles) width = std::max(width, built_in_name(file).size());
     std::string text;
     for (const EmbeddedFile& file : kSceneFiles) {
-        text += fmt::format("{:{}}  {}\n", name_of(file), width, wrapped(description_of(file), width + 2));
+        text += fmt::format("{:{}}  {}\n", built_in_name(file), width, wrapped(description_of(file), width + 2));
     }
     write_result(text);
     return kFine;
@@ -75,7 +73,7 @@ int run_scenes(const ScenesArguments& arguments) {
     if (arguments.name.empty()) return list(arguments);
     std::vector<std::string> names;
     for (const EmbeddedFile& file : kSceneFiles) {
-        names.push_back(name_of(file));
+        names.push_back(built_in_name(file));
         if (names.back() != arguments.name) continue;
         const Json json = {{"name", arguments.name}, {"description", description_of(file)}, {"text", file.text}};
         write_result(arguments.json ? json.dump(2) + "\n" : std::string(file.text));

@@ -80,7 +80,7 @@ void Dialogs::begin(const Session& session) {
             if (entry.path().extension() == ".gl" || entry.path().extension() == ".c")
                 names_.push_back(entry.path().filename().string());
         std::ranges::sort(names_);
-        for (const EmbeddedFile& file : kSceneFiles) names_.emplace_back(file.name.substr(0, file.name.rfind(".gl")));
+        for (const EmbeddedFile& file : kSceneFiles) names_.push_back(built_in_name(file));
     }
 }
 

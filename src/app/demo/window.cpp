@@ -54,6 +54,11 @@ constexpr unsigned kRecoveryMs = 250;  // from a change to the recovery file
     std::_Exit(2);  // without freeglut's last words to a display that refused it
 }
 
+// A script is not asked, and leaves nothing.
+std::string recovery_folder_of(const WindowOptions& options) {
+    return options.quit_after > 0 ? "" : session::recovery_folder();
+}
+
 }  // namespace
 
 double Window::screen_scale() {
@@ -64,10 +69,7 @@ double Window::screen_scale() {
 }
 
 Window::Window(std::shared_ptr<const CommandList> scene, const WindowOptions& options)
-    // A script is not asked, and leaves nothing.
-    : options_(options),
-      session_(std::move(scene), options.file),
-      recovery_(options.quit_after > 0 ? "" : session::recovery_folder()) {
+    : options_(options), session_(std::move(scene), options.file), recovery_(recovery_folder_of(options)) {
     session_.view = options.view;
     session_.panel = options.panel;
     session_.probe = options.probe;
@@ -137,7 +139,7 @@ int Window::run() {
         }
     });
     if (status_ == EXIT_SUCCESS && !session_.quit_requested) {
-        auto lost = options_.quit_after > 0 ? std::nullopt : session::find_lost_scenes(session::recovery_folder());
+        auto lost = session::find_lost_scenes(recovery_folder_of(options_));
         if (lost) dialogs_.offer(session_, std::move(*lost));
         set_timers();
         glutMainLoop();

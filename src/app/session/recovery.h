@@ -18,7 +18,7 @@ class RecoveryFile {
   public:
     explicit RecoveryFile(std::string folder);
 
-    // Writes the edited scenes, or removes the file if there are none. It cannot be written: does nothing.
+    // Writes the edited scenes, or removes the file if no scene is edited. Does nothing if the file cannot be written.
     void keep(const Session& session);
     void remove();
 
@@ -32,7 +32,8 @@ struct LostScenes {
     std::string path;     // of its recovery file
     std::string summary;  // "scene.gl and report, on 3 May at 14:32"
 };
-// The newest; empty if there is none. Files of windows that are still open do not count.
+// The newest such file of a window that is no longer open; nullopt if there is no such file.
+// An empty folder has none.
 std::optional<LostScenes> find_lost_scenes(const std::string& folder);
 // Opens the scenes, with their changes not yet saved, and removes the file. Throws FileError and SceneError.
 void restore(Session& session, const LostScenes& lost);

@@ -38,6 +38,17 @@ void set_saved(OpenScene& scene, const std::string& text) {
             step = std::make_shared<const CommandList>(read_as(scene, text, std::to_string(number)));
 }
 
+// Writes this text into the scene's file.
+void write(OpenScene& scene, const std::string& text) {
+    write_file_atomically(*scene.file, text);
+    set_saved(scene, text);
+}
+
+// text_now(), or the commands one by one if that is empty.
+std::string or_printed(const std::optional<std::string>& text, const OpenScene& scene) {
+    return text ? *text : print_scene(commands(scene));
+}
+
 // why_not: why the scene cannot be saved so; empty if it can.
 void check_can_be_kept(const std::string& why_not, const Look& look) {
     if (look.shading == Shading::kExact)
@@ -70,10 +81,7 @@ std::optional<std::string> text_now(const OpenScene& scene) {
                        [&](std::string_view text) { return read_as(scene, std::string(text), step_of(opened)); });
 }
 
-std::string text_to_save(const OpenScene& scene) {
-    auto text = text_now(scene);
-    return text ? std::move(*text) : print_scene(commands(scene));
-}
+std::string text_to_save(const OpenScene& scene) { return or_printed(text_now(scene), scene); }
 
 void save(OpenScene& scene) {
     const std::optional<std::string> text = text_now(scene);
@@ -82,20 +90,19 @@ void save(OpenScene& scene) {
             fmt::format("the changes do not fit into the text of {}, for example because they are in a loop; save the "
                         "scene as another file (Ctrl+Shift+S)",
                         *scene.file));
-    write_file_atomically(*scene.file, *text);
-    set_saved(scene, *text);
+    write(scene, *text);
 }
 
 void save_as(Session& session, const std::string& path) {
     if (path.empty()) throw std::runtime_error("type a file's name");
-    const std::string text = text_to_save(session);
+    const std::optional<std::string> fitting = text_now(session);
+    const std::string text = or_printed(fitting, session);
     // Its pictures and meshes must be there, too.
     auto list =
         std::make_shared<const CommandList>(read_text_of(path, session.opened->name, text, step_of(commands(session))));
-    const bool fits = text_now(session).has_value();
     write_file_atomically(path, text);
     session.others.erase(path);
-    if (!fits) {
+    if (!fitting) {
         open(session, std::move(list), path);
         return;
     }
@@ -108,14 +115,14 @@ std::string save_all(Session& session, const std::string& folder) {
     const auto save_one = [&](OpenScene& scene) {
         if (!is_edited(scene)) return;
         std::string path = scene.file.value_or("");
-        if (!path.empty() && text_now(scene)) {
-            save(scene);
+        const std::optional<std::string> fitting = text_now(scene);
+        if (!path.empty() && fitting) {
+            write(scene, *fitting);
         } else {
             // A scene names its pictures and meshes relative to its own folder.
             path =
                 free_path(path.empty() ? folder : fs::path(path).parent_path().string(), stem_of(key_of(scene)), ".gl");
-            const std::string text = text_to_save(scene);
-            write_file_atomically(path, text);
+            write_file_atomically(path, or_printed(fitting, scene));
             scene.saved = scene.history.now();
         }
         said += (said.empty() ? "saved " : ", ") + path;

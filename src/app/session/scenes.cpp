@@ -22,7 +22,7 @@ void show_scene(Session& session, const std::string& name) {
 
 std::string neighbour_scene(const Session& session, int away) {
     std::vector<std::string> names;
-    for (const EmbeddedFile& file : kSceneFiles) names.emplace_back(file.name.substr(0, file.name.rfind(".gl")));
+    for (const EmbeddedFile& file : kSceneFiles) names.push_back(built_in_name(file));
     const auto add = [&names](const std::string& name) {
         if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     };

@@ -166,7 +166,7 @@ std::vector<const OpenScene*> edited_scenes(const Session& session);
 // Shows another scene. The views and panes stay, and `others` keeps the scene that was on show.
 void open(Session& session, OpenScene scene);
 void open(Session& session, std::shared_ptr<const CommandList> scene, std::optional<std::string> file);
-// Shows one of `others` again, with its history. False if there is none with this key.
+// Shows the scene of `others` with this key again, with its history. Returns false if there is no such scene.
 bool reopen(Session& session, const std::string& key);
 // Ends the program, or asks first if that would lose changes.
 void request_end(Session& session);

@@ -60,8 +60,7 @@ CommandList read_for_page(std::string_view text, const std::string& name, const 
 
 std::string built_in_scenes() {
     Json scenes = Json::array();
-    for (const EmbeddedFile& file : kSceneFiles)
-        scenes.push_back({{"name", file.name.substr(0, file.name.rfind(".gl"))}, {"text", file.text}});
+    for (const EmbeddedFile& file : kSceneFiles) scenes.push_back({{"name", built_in_name(file)}, {"text", file.text}});
     return dumped({{"scenes", scenes}});
 }
 

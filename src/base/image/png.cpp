@@ -21,7 +21,7 @@
 
 namespace {
 
-// Gives stb_image_write memory that it frees; null if there is none. `quality` is that of stb's own compressor.
+// Returns memory that stb_image_write frees; null if the system has no more. `quality` is meant for stb's own compressor.
 unsigned char* deflated(const unsigned char* data, int size, int* deflated_size, int /*quality*/) {
     constexpr int kLevel = 3;  // of 1 to 12: 12 ms for a picture of 640 x 480; level 6 takes 18 ms, and is 5 % smaller
     const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(

@@ -240,8 +240,12 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
         jump(after);
         return integer(0);
     }
-    // Functions that change no picture, and those whose callbacks come after the first picture.
+    // Functions that change no picture, and those whose callbacks come after the first picture (with user data, also those of
+    // later_function).
     constexpr std::string_view kPassedOver[] = {"glutInit",
+                                                "glutIdleFunc",
+                                                "glutKeyboardFunc",
+                                                "glutTimerFunc",
                                                 "glutInitDisplayString",
                                                 "glutInitWindowPosition",
                                                 "glutDestroyWindow",
@@ -336,13 +340,11 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
                                                 "assert",
                                                 "atexit",
                                                 "setbuf"};
+    // freeglut's forms with user data end so.
     constexpr std::string_view kUserData = "Ucall";
     std::string_view known = name.text;
     if (known.starts_with("glut") && known.ends_with(kUserData)) known.remove_suffix(kUserData.size());
-    const bool is_later = known.size() < name.text.size() &&
-                          (known == "glutTimerFunc" || known == "glutIdleFunc" || known == "glutKeyboardFunc");
-    if (!is_later && std::find(std::begin(kPassedOver), std::end(kPassedOver), known) == std::end(kPassedOver))
-        return std::nullopt;
+    if (std::find(std::begin(kPassedOver), std::end(kPassedOver), known) == std::end(kPassedOver)) return std::nullopt;
     jump(after);
     return integer(known == "glutCreateMenu" || name.is("glutGetMenu") || name.is("gladLoadGL") ? 1 : 0);
 }

@@ -97,7 +97,7 @@ CommandList read_built_in(const EmbeddedFile& file, const ReadOptions& options) 
     const std::string name(file.name);
     ReadOptions with_meshes = options;
     with_meshes.load_mesh = meshes_built_in;
-    return read_scene(file.text, name, name.substr(0, name.rfind(".gl")), images_built_in, with_meshes);
+    return read_scene(file.text, name, built_in_name(file), images_built_in, with_meshes);
 }
 
 std::shared_ptr<const Recording> load_recording(const std::string& scene, std::optional<WindowSize> window,
@@ -105,16 +105,16 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
                                                 std::function<bool(Enum mode, std::size_t vertices)> fits) {
     const ReadOptions options{.step = step, .window = window, .fits = std::move(fits)};
     if (scene == "-") return load_standard_input(options, context);
-    std::vector<std::string_view> names;
+    std::vector<std::string> names;
     for (const EmbeddedFile& file : kSceneFiles) {
-        names.push_back(file.name.substr(0, file.name.rfind(".gl")));
+        names.push_back(built_in_name(file));
         if (names.back() == scene) return std::make_shared<CommandList>(read_built_in(file, options));
     }
     const std::filesystem::path path = scene;
     // A plain word that is not a file was meant as the name of a built-in scene.
     std::error_code ignored;
     if (!path.has_parent_path() && !path.has_extension() && !std::filesystem::exists(path, ignored)) {
-        const auto near = nearest(scene, names);
+        const auto near = nearest(scene, {names.begin(), names.end()});
         throw SceneError(scene + ": there is no built-in scene and no file with this name; " +
                          (near ? "did you mean '" + std::string(*near) + "'?" : "'twinlight scenes' lists the scenes"));
     }

@@ -15,6 +15,10 @@ namespace twinlight {
 
 // The built-in scenes, NAME.gl.
 extern const std::vector<EmbeddedFile> kSceneFiles;
+// A built-in scene's name.
+inline std::string built_in_name(const EmbeddedFile& file) {
+    return std::string(file.name.substr(0, file.name.rfind(".gl")));
+}
 // The pictures and meshes that they load.
 extern const std::vector<EmbeddedFile> kSceneAssets;
 

@@ -132,7 +132,7 @@ bool State::note_typed(const Command& c, LightSource& source, const TypedLight& 
 }
 
 void State::drop_typed_lights() {
-    if (typed_lights_.size() == 1) return;  // the first is none
+    if (typed_lights_.size() == 1) return;  // the first stands for no light
     std::vector<TypedLight> kept{{}};
     const auto keep = [&](LightSources& lights) {
         for (std::size_t i = 0; i < lights.size(); ++i) {

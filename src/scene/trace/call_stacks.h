@@ -24,7 +24,7 @@ namespace twinlight::trace {
 
 inline constexpr std::size_t kLongestStack = 1 << 16;  // as text
 
-// One line of a stack. What is not known is empty or 0.
+// One line of a stack. Texts that are not known are empty, and an unknown line is 0.
 struct CallFrame {
     std::string_view module, function, file;
     int line = 0;

@@ -32,7 +32,7 @@ class TraceFile {
 
     // Adds the bytes of the next chunk to `to`. Returns false if the file does not have it, or not all of it, or if it is damaged.
     bool read_chunk(std::string& to);
-    // Adds what can be read of a chunk in which the file ends. Returns false if there is none.
+    // If the file ends within a chunk, adds what can be read of that chunk. Returns false if it does not.
     bool read_cut_chunk(std::string& to);
 
     std::size_t chunks() const { return chunks_.size(); }  // that were read

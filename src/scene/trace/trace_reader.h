@@ -2,7 +2,7 @@
 // A call is two events: the program enters it, with its arguments, and leaves it, with its result. Names, such as those of a
 // function or of an enumerant, are given once and have a number from then on.
 //
-// Of a file that is damaged, or made to do harm, all lengths and counts are checked, and the memory is bounded.
+// The file may be damaged, or made to do harm: every length and count is checked, and the memory is bounded.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ class TraceReader {
     const Call* next();
     // At the end: the calls that have not returned, one after the other.
     const Call* next_unfinished();
-    // At the end: reads on in a chunk in which the file ends. Returns false if there is none.
+    // At the end: reads on if the file ends within a chunk. Returns false if it does not.
     bool read_cut_chunk();
 
     std::uint64_t calls() const { return calls_; }  // that were entered

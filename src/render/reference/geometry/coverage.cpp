@@ -59,31 +59,10 @@ PixelRect reach_of(const Piece& piece, const PixelRect& within) {
 }
 
 PixelRows rows_of(const Piece& piece, double border) {
-    constexpr int kEverywhere = 1'000'000'000;
-    constexpr double kBeside = 4;  // lines and points open up to three neighbours
-    double low = 0, high = 0, margin = 0;
-    switch (piece.shape) {
-        case Shape::kPoint:
-        case Shape::kLine: {
-            const double from = piece.ends().from.position_window.y;
-            const double to = piece.shape == Shape::kLine ? piece.ends().to.position_window.y : from;
-            low = std::min(from, to);
-            high = std::max(from, to);
-            margin = std::max<double>(piece.size, piece.sprite_size) + kBeside;
-            break;
-        }
-        case Shape::kTriangle:
-            if (piece.corners.size() == 0) return {-kEverywhere, kEverywhere};
-            low = high = piece.corners.position_window(0).y;
-            for (std::size_t i = 1; i < piece.corners.size(); ++i) {
-                low = std::min(low, piece.corners.position_window(i).y);
-                high = std::max(high, piece.corners.position_window(i).y);
-            }
-            margin = border + 1;
-            break;
-        case Shape::kSurface: return {-kEverywhere, kEverywhere};
-    }
-    return {floor_to_pixel(low - margin), floor_to_pixel(high + margin) + 1};
+    constexpr int kFar = 1 << 24;
+    const PixelRect reach = reach_of(piece, {-kFar, -kFar, kFar, kFar});
+    const int beside = ceil_to_pixel(border) + 1;  // and the third neighbour of lines and points
+    return {reach.y0 - beside, reach.y1 + beside};
 }
 
 Edge::Edge(const Corner& from, const Corner& to) : origin_(from.edge_to_next) {
