@@ -8,9 +8,25 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/study_samples.h"
 #include "base/image/file.h"
+#include "lighting/points.h"
 #include "ratios.h"
 #include "render/context/context.h"
+#include "render/context/driver_name.h"
+
+namespace {
+
+// "AMD EPYC, 2 cores, AVX-512, llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6"
+std::string where_it_runs() {
+    using namespace twinlight;
+    const auto context = make_offscreen_context(1, 1);
+    const study::Machine machine = cli::this_machine();
+    return fmt::format("{}, {} cores, {}, {}", machine.processor, machine.cores,
+                       lighting::instruction_sets().front().name, driver_name());
+}
+
+}  // namespace
 
 int main(int argc, char** argv) try {
     using namespace twinlight;
@@ -23,7 +39,8 @@ int main(int argc, char** argv) try {
     const bool is_quick = !arguments.empty() && arguments.front() == "--quick";
     if (is_quick) arguments.erase(arguments.begin());
     const std::string chosen = arguments.empty() ? "." : arguments.front();
-    bench::Results results(is_quick);
+    bench::Results results(is_quick, where_it_runs());
+    fmt::print("{}\n", results.where());
     int run = 0;
     for (const auto& [name, part] : bench::parts()) {
         if (!std::regex_search(name, std::regex(chosen))) continue;

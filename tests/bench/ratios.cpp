@@ -126,7 +126,7 @@ void Results::print_ratios() const {
 }
 
 std::string Results::json() const {
-    nlohmann::ordered_json json = {{"ratios", nlohmann::json::object()}};
+    nlohmann::ordered_json json = {{"where", where_}, {"ratios", nlohmann::json::object()}};
     for (const auto& [name, value, bar] : ratios_) json["ratios"][name] = value;
     json["seconds"] = seconds_;
     return json.dump(2) + "\n";

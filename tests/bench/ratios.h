@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace twinlight::bench {
@@ -58,7 +59,9 @@ struct Bar {
 // runs: one round of one run each, and no bars.
 class Results {
   public:
-    explicit Results(bool is_quick) : is_quick_(is_quick) {}
+    // where: the processor, its instruction set and the driver, in words.
+    Results(bool is_quick, std::string where) : is_quick_(is_quick), where_(std::move(where)) {}
+    const std::string& where() const { return where_; }
     bool is_quick() const { return is_quick_; }
 
     // Runs each way once unmeasured, then all of them in turn. Prints a table; the last column is against the first way.
@@ -76,6 +79,7 @@ class Results {
         std::optional<Bar> bar;
     };
     bool is_quick_;
+    std::string where_;
     std::vector<Ratio> ratios_;
     std::map<std::string, double> seconds_;  // by "title: way"
 };

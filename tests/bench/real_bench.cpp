@@ -44,10 +44,11 @@ std::optional<RecordedFrame> frame_of(const std::string& folder, bench::Results&
     }
 }
 
-// Two comparisons for each. Prepared: all is in the driver's buffers. From commands: the fixed function executes the
-// program's commands; the shaders plan, look for what has not changed, and upload the rest.
+// Three comparisons for each. Prepared: all is in the driver's buffers. From commands: the fixed function executes the
+// program's commands; the shaders plan, look for what has not changed, and upload the rest. First: as `compare` draws, which
+// plans, uploads and reads back one picture. Warm: the programs are compiled; cold: the driver compiles them, too.
 void measure_recordings(bench::Results& results) {
-    std::vector<double> prepared, from_commands;
+    std::vector<double> prepared, from_commands, first;
     double least = 1e300;
     for (const auto& [name, folder] : recordings()) {
         const std::optional<RecordedFrame> recorded = frame_of(folder, results);
@@ -60,6 +61,8 @@ void measure_recordings(bench::Results& results) {
             renderer->draw(frame, live);
             glFinish();
         };
+        programmable::Renderer warm;
+        const programmable::Options once = bench::options_for(programmable::Tier::kUniform, false);
         // A program is made in each of the first frames, until all that does not change is constant.
         for (int i = 0; i < (results.is_quick() ? 1 : 40); ++i) draw_live();
         const auto times =
@@ -71,13 +74,20 @@ void measure_recordings(bench::Results& results) {
                                   fixed::draw(recorded->scene);
                                   glFinish();
                               }},
-                             {"shaders, from commands", draw_live}});
+                             {"shaders, from commands", draw_live},
+                             {"fixed, first, warm", [&] { fixed::render(recorded->scene); }},
+                             {"shaders, first, warm", [&] { warm.render(frame, once); }},
+                             {"shaders, first, cold", [&] { programmable::Renderer().render(frame, once); }}});
         prepared.push_back(bench::times_faster(times[1], times[0]));
         from_commands.push_back(bench::times_faster(times[3], times[2]));
+        first.push_back(bench::times_faster(times[5], times[4]));
         least = std::min({least, prepared.back(), from_commands.back()});
         results.ratio("real_" + name + "_prepared", prepared.back(), bench::Bar{1});
         results.ratio("real_" + name + "_from_commands", from_commands.back(), bench::Bar{1});
+        results.ratio("real_" + name + "_first", first.back(), bench::Bar{0.5});
+        results.ratio("real_" + name + "_first_cold", bench::times_faster(times[6], times[4]));
     }
+    results.ratio("real_shaders_over_fixed_first", bench::geometric_mean(first));
     results.ratio("real_shaders_over_fixed_prepared", bench::geometric_mean(prepared), bench::Bar{1.5});
     results.ratio("real_shaders_over_fixed_from_commands", bench::geometric_mean(from_commands), bench::Bar{1.5});
     results.ratio("real_least", least, bench::Bar{1});

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <memory>
-#include <thread>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "lit_spheres.h"
 #include "opponents.h"
@@ -81,6 +84,13 @@ class LitPoints {
             keep(lit_.primary.y.front());
         }
     }
+    // After light(), which gives the results their lengths.
+    void light_on(const lighting::InstructionSet& set) {
+        for (int i = 0; i < kTimes; ++i) {
+            set.light_points(lighting_.model(), lighting_.lights(), points_, {}, lit_);
+            keep(lit_.primary.y.front());
+        }
+    }
 
   private:
     reference::DrawLighting lighting_;
@@ -99,6 +109,9 @@ void compare_with_driver(Results& results) {
                        glFinish();
                    }};
     };
+    // Also on the processor's narrower instruction sets: most processors have no AVX-512.
+    const std::span<const lighting::InstructionSet> narrower = std::span(lighting::instruction_sets()).subspan(1);
+    std::vector<std::vector<double>> narrower_nanoseconds(narrower.size()), uniform_over_narrower(narrower.size());
     std::vector<double> nanoseconds, uber_over_reference, uniform_over_reference, baked_over_reference;
     for (const LitScene& scene : seven_scenes()) {
         const Draw draw = on_dome(scene.draw, kSide);
@@ -106,19 +119,25 @@ void compare_with_driver(Results& results) {
         LitPoints points(draw);
         const std::shared_ptr<Program> uber = make_uber(draw);
         const auto lights = static_cast<double>(std::ranges::count_if(draw.lighting.lights, &LightSource::enabled));
-        const auto timed = results.compare("doubles beside floats: " + scene.name,
-                                           {{.name = "reference, lighting", .run = [&] { points.light({}); }},
-                                            drawing("llvmpipe, uniforms", frame, programmable::Tier::kUniform),
-                                            drawing("llvmpipe, baked", frame, programmable::Tier::kBaked),
-                                            {.name = "llvmpipe, uber shader", .run = [uber] {
-                                                 uber->draw();
-                                                 glFinish();
-                                             }}});
+        std::vector<Way> ways = {{.name = "reference, lighting", .run = [&] { points.light({}); }},
+                                 drawing("llvmpipe, uniforms", frame, programmable::Tier::kUniform),
+                                 drawing("llvmpipe, baked", frame, programmable::Tier::kBaked),
+                                 {.name = "llvmpipe, uber shader", .run = [uber] {
+                                      uber->draw();
+                                      glFinish();
+                                  }}};
+        for (const lighting::InstructionSet& set : narrower)
+            ways.push_back({fmt::format("reference, lighting, {}", set.name), [&] { points.light_on(set); }});
+        const auto timed = results.compare("doubles beside floats: " + scene.name, ways);
         const double items = static_cast<double>(kSide) * kSide * lights;
         nanoseconds.push_back(timed[0].least() * 1e9 / items);
         uniform_over_reference.push_back(times_faster(timed[0], timed[1]));
         baked_over_reference.push_back(times_faster(timed[0], timed[2]));
         uber_over_reference.push_back(times_faster(timed[0], timed[3]));
+        for (std::size_t i = 0; i < narrower.size(); ++i) {
+            narrower_nanoseconds[i].push_back(timed[4 + i].least() * 1e9 / items);
+            uniform_over_narrower[i].push_back(times_faster(timed[4 + i], timed[1]));
+        }
         results.remark(fmt::format("reference: {:.2f} ns a pixel and light in its fastest round, {:.2f} in the median",
                                    nanoseconds.back(), timed[0].median() * 1e9 / items));
     }
@@ -126,6 +145,12 @@ void compare_with_driver(Results& results) {
     results.ratio("llvmpipe_uniform_phong_over_reference", geometric_mean(uniform_over_reference), Bar{3});
     results.ratio("llvmpipe_baked_phong_over_reference", geometric_mean(baked_over_reference), Bar{1});
     results.ratio("llvmpipe_uber_phong_over_reference", geometric_mean(uber_over_reference));
+    for (std::size_t i = 0; i < narrower.size(); ++i) {
+        results.ratio(fmt::format("reference_ns_per_pixel_light_{}", narrower[i].name),
+                      geometric_mean(narrower_nanoseconds[i]));
+        results.ratio(fmt::format("llvmpipe_uniform_phong_over_reference_{}", narrower[i].name),
+                      geometric_mean(uniform_over_narrower[i]));
+    }
 }
 
 // The same lighting in other numbers, and point by point.

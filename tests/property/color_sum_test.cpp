@@ -39,10 +39,10 @@ class ColorSumAndFogCoordinates : public testing::Test {
             fixed::Replay(scene.frame, {.sending = sending}).draw();
             expect("replayed", at(read_pixels(kSide, kSide)));
         }
-        expect("programmable", at(renderer_.render(scene.frame, {}).image));
+        expect("programmable", at(renderer_.render(scene.frame, {})));
         programmable::Options kept;
         kept.tier = programmable::Tier::kAuto;
-        expect("programmable, kept", at(renderer_.render(scene.frame, kept).image));
+        expect("programmable, kept", at(renderer_.render(scene.frame, kept)));
         return expected;
     }
 
@@ -131,7 +131,7 @@ TEST_F(ColorSumAndFogCoordinates, TakesNoFogFromCoordinatesBelow0) {
     const Scene scene = make_scene(list, {.width = kSide, .height = kSide});
     constexpr double kRounding = 0.51 / 255;  // to 8 bits
     EXPECT_NEAR(reference::render(scene.frame, {}).at(8, 8)[0], 0.8, kRounding);
-    EXPECT_NEAR(renderer_.render(scene.frame, {}).image.at(8, 8)[0], 0.8, kRounding);
+    EXPECT_NEAR(renderer_.render(scene.frame, {}).at(8, 8)[0], 0.8, kRounding);
 }
 
 TEST(SecondaryColor, IsPartOfTheState) {

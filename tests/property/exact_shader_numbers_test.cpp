@@ -63,11 +63,11 @@ TEST(SurfaceFacts, LeaveNoPictureOffByMoreThanThePlansBound) {
     for (const std::string& shape : shapes()) {
         const Frame frame = frame_of(kCamera + kLit + faint + shape);
         programmable::Options options = exact(programmable::Tier::kUniform);
-        const Image whole = renderer.render(frame, options).image;
+        const Image whole = renderer.render(frame, options);
         options.budget = 16 * kCode;
         const double bound = error_bound(explain_draws(frame, options));
         left_out += bound > 0;
-        const Image image = renderer.render(frame, options).image;
+        const Image image = renderer.render(frame, options);
         for (std::size_t i = 0; i < image.pixels.size(); ++i)
             EXPECT_LE(apart(image.pixels[i], whole.pixels[i]), bound + 1.01 * kCode) << shape;
     }
@@ -125,9 +125,9 @@ TEST(ExactShaderFloats, AreOrdersOfMagnitudeNearerThanAFineMesh) {
         const Frame frame = frame_of(kCamera + kLit + shape, kWide, kWide);
         const Truth truth(frame);
         programmable::Options options = exact(programmable::Tier::kUniform);
-        const Image surface = renderer.render(frame, options).image;
+        const Image surface = renderer.render(frame, options);
         options.shading = Shading::kPhong;
-        const Image mesh = renderer.render(frame, options).image;
+        const Image mesh = renderer.render(frame, options);
         double surface_square = 0, mesh_square = 0, worst = 0;
         int count = 0;
         for (std::size_t i = 0; i < mesh.pixels.size(); ++i) {

@@ -54,7 +54,7 @@ class ExactShader : public ::testing::Test {
         const bool is_third = ++cases_ % 3 == 0;
         for (const programmable::Tier tier : {programmable::Tier::kUniform, programmable::Tier::kBaked}) {
             if (tier == programmable::Tier::kBaked && !is_third) continue;
-            const Image image = renderer_.render(frame, exact(tier)).image;
+            const Image image = renderer_.render(frame, exact(tier));
             const Found found = compare(truth, image, tolerance);
             drawn_ += found.drawn;
             edges_ += found.edges;
@@ -96,10 +96,8 @@ TEST_F(ExactShader, DrawsEveryShapeInEveryStateAsTheReferenceDoes) {
 }
 
 TEST_F(ExactShader, OfMatricesWithoutInverseIsEmpty) {
-    const Image image = renderer_
-                            .render(frame_of(kCamera + "glScalef(1, 0, 1); glutSolidSphere(0.8, 20, 20);"),
-                                    exact(programmable::Tier::kUniform))
-                            .image;
+    const Image image = renderer_.render(frame_of(kCamera + "glScalef(1, 0, 1); glutSolidSphere(0.8, 20, 20);"),
+                                         exact(programmable::Tier::kUniform));
     for (const Rgba& pixel : image.pixels) EXPECT_EQ(apart(pixel, {}), 0);
 }
 
@@ -163,9 +161,9 @@ TEST(ExactShaderScenes, DifferFromTheReferenceInMeshesAlone) {
         const Frame frame = make_frame(read_built_in(file), {.width = kWidth, .height = kHeight});
         const Truth truth(frame);
         programmable::Options options = exact(programmable::Tier::kUniform);
-        const Image picture = renderer.render(frame, options).image;
+        const Image picture = renderer.render(frame, options);
         options.shading = Shading::kPhong;
-        const Image phong = renderer.render(frame, options).image,
+        const Image phong = renderer.render(frame, options),
                     phong_truth = reference::render(frame, reference::Options{options});
         std::array<Image, 2> levels;
         for (std::size_t i = 0; i < 2; ++i)

@@ -73,7 +73,7 @@ class HostileTraces : public testing::Test {
             if (renderers) {
                 const Frame& frame = recorded.scene.frame;
                 EXPECT_EQ(fixed::render(recorded.scene).width, kHostileSide);
-                EXPECT_EQ(shaders()->render(frame, {}).image.width, kHostileSide);
+                EXPECT_EQ(shaders()->render(frame, {}).width, kHostileSide);
                 EXPECT_EQ(reference::render(frame, {}).width, kHostileSide);
             }
             return kPicture;

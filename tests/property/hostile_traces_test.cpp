@@ -88,7 +88,7 @@ TEST_F(HostileTraces, MayHaveNumbersThatAreNotFinite) {
     EXPECT_NE(recorded.notes[0].find("dump.txt: call 4 (glLightf)."), std::string::npos) << recorded.notes[0];
 
     const Image fixed = fixed::render(recorded.scene), expected = reference::render(recorded.scene.frame, {}),
-                programmable = shaders()->render(recorded.scene.frame, {}).image;
+                programmable = shaders()->render(recorded.scene.frame, {});
     const Rgba& inside = expected.at(19, 12);
     EXPECT_NEAR(inside[0], 0.5 + 0.2 * 0.2, 1e-6);  // emission and the scene's ambient light; the light is off
     EXPECT_NEAR(inside[1], 0.2 * 0.2, 1e-6);

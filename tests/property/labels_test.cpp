@@ -169,7 +169,7 @@ TEST_F(LabelsTest, AreNoPointSprites) {
         kDraw);
     const Draw& draw = *scene.frame.draws().at(0);
     EXPECT_FALSE(draw.draws_sprites() || draw.texture.coord_replace);
-    for (const Image& image : {reference::render(scene.frame, {}), renderer_.render(scene.frame, {}).image}) {
+    for (const Image& image : {reference::render(scene.frame, {}), renderer_.render(scene.frame, {})}) {
         EXPECT_EQ(image.at(1, kSide - 1)[0], 1);
         EXPECT_EQ(image.at(5, kSide - 1)[0], 0) << "the lowest row of the bitmap has one pixel";
     }
@@ -274,7 +274,7 @@ TEST_F(LabelsTest, ManyPixelsAreFragmentsLikeAFew) {
                 EXPECT_TRUE(image.pixels == all[1].image.pixels) << name << "\n" << text;
             programmable::Options constants;
             constants.tier = programmable::Tier::kBaked;
-            EXPECT_TRUE(renderer_.render(scene.frame, constants).image.pixels == all[1].image.pixels) << text;
+            EXPECT_TRUE(renderer_.render(scene.frame, constants).pixels == all[1].image.pixels) << text;
         }
 }
 
@@ -297,18 +297,16 @@ TEST_F(LabelsTest, ManyPixelsHaveTheStencilStateOfTheFront) {
 
 TEST_F(LabelsTest, ManyPixelsHaveThePlanOfOne) {
     const auto plans = [&](const std::string& zoom) {
-        return renderer_
-            .render(scene_of("glWindowPos2i(3, 4); glPixelZoom(" + zoom +
-                             "); glDrawPixels(1, 1, GL_RGB, GL_FLOAT, (GLfloat[]){0.2, 0.4, 0.6});\n")
-                        .frame,
-                    {})
-            .plans;
+        return explain_draws(scene_of("glWindowPos2i(3, 4); glPixelZoom(" + zoom +
+                                      "); glDrawPixels(1, 1, GL_RGB, GL_FLOAT, (GLfloat[]){0.2, 0.4, 0.6});\n")
+                                 .frame,
+                             {});
     };
-    const std::vector<PlannedDraw> one = plans("1, 1"), many = plans("9, 9");
+    const std::vector<ExplainedDraw> one = plans("1, 1"), many = plans("9, 9");
     ASSERT_EQ(one.size(), 1U);
     ASSERT_EQ(many.size(), 1U);
     EXPECT_TRUE(many[0].plan.effects == one[0].plan.effects);
-    EXPECT_EQ(many[0].number, one[0].number);
+    EXPECT_EQ(many[0].numbers, one[0].numbers);
 }
 
 // A texel for each, with all bits of a float.

@@ -104,7 +104,7 @@ TEST_F(Points, OfPolygonsHaveSizesByDistanceToo) {
                  "glPointSize(200); glPolygonMode(GL_FRONT_AND_BACK, GL_POINT);\n"
                  "glBegin(GL_TRIANGLES); glVertex3f(0.3, 0.2, -20); glVertex3f(0.3, 20.2, -20); glVertex3f(20.3, 0.2, "
                  "-20); glEnd();\n");
-    for (const Image& picture : {reference::render(scene.frame, {}), renderer_.render(scene.frame, {}).image})
+    for (const Image& picture : {reference::render(scene.frame, {}), renderer_.render(scene.frame, {})})
         EXPECT_EQ(std::ranges::count_if(picture.pixels, [](const Rgba& pixel) { return pixel[1] > 0; }),
                   10 * 10 + 7 * 7 + 7 * 7);
 }
@@ -168,7 +168,7 @@ TEST_F(Points, AsSpritesAreSquaresOfAnySize) {
 // In the driver's fixed function they lose theirs, a known bug.
 TEST_F(Points, AsSpritesLeaveTheCoordinatesOfOtherPrimitives) {
     const Scene scene = scene_of(sprite("glTexCoord2f(0.9, 0.3); glRectf(0, 0, 64, 64);"));
-    for (const Image& picture : {reference::render(scene.frame, {}), renderer_.render(scene.frame, {}).image}) {
+    for (const Image& picture : {reference::render(scene.frame, {}), renderer_.render(scene.frame, {})}) {
         EXPECT_EQ(channel_code(picture.at(28, 30)[0]), 17 * 14);
         EXPECT_EQ(channel_code(picture.at(28, 30)[1]), 17 * 4);
     }

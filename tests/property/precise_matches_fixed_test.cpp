@@ -400,7 +400,7 @@ TEST(Precise, DrawsBuiltInScenesInTheFixedFunctionsFloats) {
         });
         fixed::Replay(frame, {}).draw();
         const Image of_fixed = read_pixels(kWidth, kHeight);
-        const Image precise = renderer.render(frame, kPrecise).image;
+        const Image precise = renderer.render(frame, kPrecise);
         std::size_t differing = 0, beyond = 0, worst = 0;
         double largest = 0;
         for (std::size_t i = 0; i < precise.pixels.size(); ++i) {
@@ -449,7 +449,7 @@ glLightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, 1);
 glBegin(GL_POINTS); glVertex3f(0, 0, 0); glEnd();)",
                                                                       "scene.gl", "scene"));
     programmable::Renderer renderer;
-    const Image image = renderer.render(make_frame(*scene, {.width = 1, .height = 1}), kPrecise).image;
+    const Image image = renderer.render(make_frame(*scene, {.width = 1, .height = 1}), kPrecise);
     EXPECT_FLOAT_EQ(image.at(0, 0)[0], 0.2F * 0.2F + 0.2F / 2);  // the ambient light of the scene, and of the light
 }
 

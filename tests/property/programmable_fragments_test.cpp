@@ -359,10 +359,10 @@ class Comparison {
         const SceneText scene = SceneText(structure).build();
         const Bounds bounds = fixed_bounds(scene);
         const Frame frame = scene_of(scene.text({})).frame;
-        judge(fmt::format("fragments_{}", structure), scene, bounds, renderer_.render(frame, {}).image, total_);
+        judge(fmt::format("fragments_{}", structure), scene, bounds, renderer_.render(frame, {}), total_);
         if (!scene.is_linear() || structure % 2 != 0) return;  // half of them, for time
         judge(fmt::format("fragments_{}_phong", structure), scene, bounds,
-              renderer_.render(frame, {{{.shading = Shading::kPhong}}}).image, total_phong_);
+              renderer_.render(frame, {{{.shading = Shading::kPhong}}}), total_phong_);
     }
 
     // The scenes draw enough, and rounding decides only few pixels.

@@ -123,7 +123,7 @@ void compare_states(const programmable::Options& options) {
         // Phong shading always normalises the normal.
         if (options.shading == Shading::kPhong) draw.lighting.normalize = true;
         programmable::Renderer renderer;
-        const Image image = renderer.render(one_pixel_a_vertex(draw), options).image;
+        const Image image = renderer.render(one_pixel_a_vertex(draw), options);
         const auto lit = reference::light_vertices(draw, reference::Options{options}, true);
         for (int i = 0; i < kVertices; ++i) {
             const reference::LitVertex& v = lit[static_cast<std::size_t>(i)];

@@ -28,10 +28,8 @@ compare::Comparison compare_scrubbed(const Scene& scene, double budget) {
     const compare::Renderers renderers = {
         .fixed = [budget](const Scene& s,
                           const fixed::Options& options) { return fixed::render_scrubbed(s, options.shading, budget); },
-        .programmable =
-            [&](const Frame&, const programmable::Options& options) {
-                return programmable::Picture{fixed::render(scene, {options.shading}), {}};
-            },
+        .programmable = [&](const Frame&,
+                            const programmable::Options& options) { return fixed::render(scene, {options.shading}); },
         .reference = reference::render,
         .allowed_difference = reference::allowed_difference,
     };

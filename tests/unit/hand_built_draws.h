@@ -60,7 +60,7 @@ inline Image picture(Draw draw, int size, const Options& options = {}) {
     draw.raster.viewport = {0, 0, size, size};
     Frame frame{.width = size, .height = size, .items = {draw}};
     Renderer renderer;
-    Image image = renderer.render(frame, options).image;
+    Image image = renderer.render(frame, options);
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
     return image;
 }

@@ -167,7 +167,7 @@ class DemoWindow : public testing::Test {
         const Look look = look_of(session, pane);
         switch (pane.renderer) {
             case Path::kFixed: return fixed::render(session.scene, {look.shading});
-            case Path::kProgrammable: return programmable::Renderer().render(session.scene.frame, {{look}}).image;
+            case Path::kProgrammable: return programmable::Renderer().render(session.scene.frame, {{look}});
             case Path::kReference: break;
         }
         reference::Options options;
@@ -230,7 +230,7 @@ TEST_F(DemoWindow, ShowsTheFixedFunctionBesideLightingPerPixelFirst) {
     refresh(session, places.picture.width, places.picture.height);
     const auto context = make_offscreen_context(kWidth, kHeight);
     const Image left = fixed::render(session.scene);
-    const Image right = programmable::Renderer().render(session.scene.frame, {{{.shading = Shading::kPhong}}}).image;
+    const Image right = programmable::Renderer().render(session.scene.frame, {{{.shading = Shading::kPhong}}});
     const PixelMask edges = reference::allowed_difference(session.scene.frame, {}).edge;
     // Without the line and its handle.
     const Rectangle picture = places.cells.front().picture;

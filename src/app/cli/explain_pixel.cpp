@@ -33,7 +33,7 @@ std::vector<Rendered> rendered(const Scene& scene, const PlanOptions& options, c
     std::vector<Rendered> result;
     if (!lights_every_pixel(options.shading))
         result.push_back({Path::kFixed, functions.fixed(scene, {options.shading}).at(pixel.x, pixel.y)});
-    result.push_back({Path::kProgrammable, functions.programmable(frame, {options}).image.at(pixel.x, pixel.y)});
+    result.push_back({Path::kProgrammable, functions.programmable(frame, {options}).at(pixel.x, pixel.y)});
     result.push_back({Path::kReference, reference});
     return result;
 }
@@ -43,7 +43,7 @@ std::vector<Rendered> rendered(const Frame& picture, const PlanOptions& options)
     std::vector<Rendered> result;
     fixed::Replay(picture, {.budget = options.budget, .patches = false}).draw();
     result.push_back({Path::kFixed, read_pixels(picture.width, picture.height).at(0, 0)});
-    result.push_back({Path::kProgrammable, set.functions().programmable(picture, {options}).image.at(0, 0)});
+    result.push_back({Path::kProgrammable, set.functions().programmable(picture, {options}).at(0, 0)});
     result.push_back({Path::kReference, reference::render(picture, reference::Options{options}).at(0, 0)});
     return result;
 }

@@ -54,11 +54,9 @@ Image drawn(const RenderArguments& arguments, const Scene& scene, const Renderer
             return arguments.scrubbed ? fixed::render_scrubbed(scene, arguments.shading, arguments.budget)
                                       : renderers.functions().fixed(scene, {arguments.shading});
         case Path::kProgrammable:
-            return renderers.functions()
-                .programmable(scene.frame,
-                              {plan, arguments.baked ? programmable::Tier::kBaked : programmable::Tier::kUniform,
-                               arguments.precise})
-                .image;
+            return renderers.functions().programmable(
+                scene.frame,
+                {plan, arguments.baked ? programmable::Tier::kBaked : programmable::Tier::kUniform, arguments.precise});
         case Path::kReference:
             return renderers.functions().reference(arguments.scrubbed ? scrubbed_frame(scene.frame, plan) : scene.frame,
                                                    reference::Options{plan});

@@ -97,10 +97,8 @@ Render render(const PlannedRender& planned, const Scene& scene, const CompareOpt
             programmable::Options shaders{{look, options.budget}};
             shaders.precise = options.precise && !planned.per_pixel;
             if (shaders.precise) result.meaning = kPreciseMeaning;
-            programmable::Picture picture =
-                timed(twice, result.ms, [&] { return renderers.programmable(scene.frame, shaders); });
-            result.image = std::move(picture.image);
-            if (!shaders.precise) result.plan = explain_draws(std::move(picture.plans));
+            result.image = timed(twice, result.ms, [&] { return renderers.programmable(scene.frame, shaders); });
+            if (!shaders.precise) result.plan = explain_draws(scene.frame, shaders);
             break;
         }
         case Path::kReference:

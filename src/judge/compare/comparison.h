@@ -24,7 +24,7 @@ namespace twinlight::compare {
 // The renderers that compare_scene uses.
 struct Renderers {
     std::function<Image(const Scene&, const fixed::Options&)> fixed;
-    std::function<programmable::Picture(const Frame&, const programmable::Options&)> programmable;
+    std::function<Image(const Frame&, const programmable::Options&)> programmable;
     std::function<Image(const Frame&, const reference::Options&)> reference;
     // The edge pixels, where correct rasterisers may differ, and the allowed difference of all others ("interior").
     std::function<AllowedDifference(const Frame&, const reference::Options&)> allowed_difference;

@@ -148,7 +148,7 @@ std::vector<std::vector<Color>> shader_colors(std::span<const std::optional<Vert
         tiles.push_back({n % kShaderTiles * kShaderTile, n / kShaderTiles * kShaderTile, kShaderTile, kShaderTile});
         if (scenes[i]) frame.items.emplace_back(as_points(*scenes[i], tiles.back()));
     }
-    const Image image = renderer.render(frame, options).image;
+    const Image image = renderer.render(frame, options);
     std::vector<std::vector<Color>> colors(scenes.size());
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         if (!scenes[i]) continue;

@@ -37,63 +37,63 @@ void widen(Plan& plan, const Plan& other) {
     }
 }
 
-// Merges the parts of a shape that have the same facts.
-std::vector<ExplainedDraw> explain_shapes(std::vector<PlannedDraw> plans) {
-    std::vector<ExplainedDraw> draws;
-    std::map<std::string, std::size_t> of_shape;  // by facts
-    int last = 0;
-    for (PlannedDraw& planned : plans) {
-        if (planned.begins_shape && planned.number != last) of_shape.clear();
-        last = planned.number;
-        const auto [known, is_new] = of_shape.try_emplace(facts_of(planned.plan), draws.size());
+// Takes the plans of a frame one after the other, and keeps only those that say something new: a frame may have 10,000 Draws.
+class Explanation {
+  public:
+    void begin_shape() { end_shape(); }
+    // Merges the parts of a shape that have the same facts.
+    void add(int number, const Draw& draw, Plan plan) {
+        const auto [known, is_new] = by_facts_.try_emplace(facts_of(plan), shape_.size());
         if (is_new)
-            draws.push_back({.numbers = {}, .place = planned.place, .plan = std::move(planned.plan)});
+            shape_.push_back({.numbers = {}, .place = draw.place, .plan = std::move(plan)});
         else
-            widen(draws[known->second].plan, planned.plan);
-        std::vector<int>& numbers = draws[known->second].numbers;
-        if (numbers.empty() || numbers.back() != planned.number) numbers.push_back(planned.number);
+            widen(shape_[known->second].plan, plan);
+        std::vector<int>& numbers = shape_[known->second].numbers;
+        if (numbers.empty() || numbers.back() != number) numbers.push_back(number);
     }
-    return draws;
-}
+    std::vector<ExplainedDraw> end() && {
+        end_shape();
+        return std::move(draws_);
+    }
 
-std::vector<PlannedDraw> plan_frame(const Frame& frame, const PlanOptions& options) {
-    std::vector<PlannedDraw> plans;
+  private:
+    void end_shape() {
+        for (ExplainedDraw& part : shape_) {
+            const auto [known, is_new] = by_text_.try_emplace(text_of(part.plan), draws_.size());
+            if (is_new) {
+                draws_.push_back(std::move(part));
+            } else {
+                std::vector<int>& numbers = draws_[known->second].numbers;
+                numbers.insert(numbers.end(), part.numbers.begin(), part.numbers.end());
+            }
+        }
+        shape_.clear();
+        by_facts_.clear();
+    }
+
+    std::vector<ExplainedDraw> shape_, draws_;
+    std::map<std::string, std::size_t> by_facts_, by_text_;  // indices of shape_ and of draws_
+};
+
+}  // namespace
+
+std::vector<ExplainedDraw> explain_draws(const Frame& frame, const PlanOptions& options) {
+    Explanation explanation;
     const Draw* last = nullptr;
     int number = 0;
     for (const Draw* draw : frame.draws()) {
         ++number;
         const bool begins_shape = !last || !are_one_shape(*last, *draw);
         last = draw;
-        const auto add = [&](Plan plan) { plans.push_back({number, draw->place, begins_shape, std::move(plan)}); };
+        if (begins_shape) explanation.begin_shape();
         if (options.shading != Shading::kExact || !draw->has_exact_surfaces()) {
-            add(plan_effects(*draw, options));
+            explanation.add(number, *draw, plan_effects(*draw, options));
         } else if (begins_shape) {
             for (const SurfaceDraw& surface : surface_draws(*draw))
-                add(plan_effects(surface.draw, options, surface.facts));
+                explanation.add(number, *draw, plan_effects(surface.draw, options, surface.facts));
         }
     }
-    return plans;
-}
-
-}  // namespace
-
-std::vector<ExplainedDraw> explain_draws(std::vector<PlannedDraw> plans) {
-    std::vector<ExplainedDraw> draws;
-    std::map<std::string, std::size_t> by_text;
-    for (ExplainedDraw& shape : explain_shapes(std::move(plans))) {
-        const auto [known, is_new] = by_text.try_emplace(text_of(shape.plan), draws.size());
-        if (is_new) {
-            draws.push_back(std::move(shape));
-        } else {
-            std::vector<int>& numbers = draws[known->second].numbers;
-            numbers.insert(numbers.end(), shape.numbers.begin(), shape.numbers.end());
-        }
-    }
-    return draws;
-}
-
-std::vector<ExplainedDraw> explain_draws(const Frame& frame, const PlanOptions& options) {
-    return explain_draws(plan_frame(frame, options));
+    return std::move(explanation).end();
 }
 
 double error_bound(const std::vector<ExplainedDraw>& draws) {

@@ -8,14 +8,6 @@
 
 namespace twinlight {
 
-// The plan of a Draw or of an exact surface, in drawing order.
-struct PlannedDraw {
-    int number = 0;  // of the Draw, counted from 1
-    Place place;
-    bool begins_shape = false;  // the Draw is the first part of its shape
-    Plan plan;
-};
-
 struct ExplainedDraw {
     std::vector<int> numbers;  // of the Draws, counted from 1
     Place place;               // of the first
@@ -24,8 +16,7 @@ struct ExplainedDraw {
     Plan plan;
 };
 
-std::vector<ExplainedDraw> explain_draws(std::vector<PlannedDraw> plans);
-// Plans the frame first.
+// Plans each Draw by itself; with exact shading, each surface, in drawing order.
 std::vector<ExplainedDraw> explain_draws(const Frame& frame, const PlanOptions& options);
 
 // The largest error of a channel in the whole picture. Errors of blended Draws do not add up (Plan::budget).

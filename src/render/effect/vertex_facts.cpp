@@ -76,11 +76,13 @@ void find_normal_cone(const Draw& draw, VertexFacts& facts) {
 }
 
 void find_colors(const Draw& draw, VertexFacts& facts) {
-    facts.color_low = facts.color_high = draw.vertices.front().color;
+    glm::dvec4 low = draw.vertices.front().color, high = low;
     for (const Vertex& v : draw.vertices) {
-        facts.color_low = glm::min(facts.color_low, v.color);
-        facts.color_high = glm::max(facts.color_high, v.color);
+        low = glm::min(low, v.color);
+        high = glm::max(high, v.color);
     }
+    facts.color_low = low;
+    facts.color_high = high;
     facts.colors_equal = facts.color_low == facts.color_high;
 }
 
@@ -97,10 +99,13 @@ void find_materials(const Draw& draw, VertexFacts& facts) {
 VertexFacts vertex_facts(const Draw& draw) {
     VertexFacts facts;
     if (draw.vertices.empty()) return facts;
+    bool w_is_1 = true, q_is_1 = true;
     for (const Vertex& v : draw.vertices) {
-        facts.w_is_1 = facts.w_is_1 && v.position_object.w == 1;
-        facts.q_is_1 = facts.q_is_1 && v.tex_coord.q == 1;
+        w_is_1 &= v.position_object.w == 1;
+        q_is_1 &= v.tex_coord.q == 1;
     }
+    facts.w_is_1 = w_is_1;
+    facts.q_is_1 = q_is_1;
     if (!facts.w_is_1)
         for (const Vertex& v : draw.vertices) facts.has_w_0 = facts.has_w_0 || v.position_object.w == 0;
     find_sphere(draw, facts);

@@ -67,18 +67,14 @@ using Item = std::variant<Clear, PreparedRange, Accumulate>;
 // Plans and uploads a frame's items, one after the other.
 class Preparation {
   public:
-    // Hands each item to `take`. kept: null if the frame shares no meshes with other frames. plans: gets the plan that
-    // is best for each Draw by itself; null if nobody needs these.
-    Preparation(const Frame& frame, const Options& options, KeptMeshes* kept, std::vector<PlannedDraw>* plans,
-                const std::function<void(Item&&)>& take)
+    // Hands each item to `take`. kept: null if the frame shares no meshes with other frames.
+    Preparation(const Frame& frame, const Options& options, KeptMeshes* kept, const std::function<void(Item&&)>& take)
         : take_(take),
-          plans_(plans),
           options_(options.precise ? precise_options(options) : options),
           kept_(kept),
-          shares_programs_(!plans && has_many_draws(frame)) {
+          shares_programs_(has_many_draws(frame)) {
         if (options_.precise) check_has_precise();
         const Draw* last = nullptr;
-        int number = 0;
         for (const auto& item : frame.items) {
             if (const Clear* clear = std::get_if<Clear>(&item)) {
                 end_all();
@@ -92,26 +88,24 @@ class Preparation {
             }
             if (!std::holds_alternative<Draw>(item)) continue;  // a copy: see drawable()
             const Draw& draw = std::get<Draw>(item);
-            ++number;
             if (draw.count() == 0) continue;
-            const Numbered numbered{number, !last || !are_one_shape(*last, draw)};
+            const bool begins_shape = !last || !are_one_shape(*last, draw);
             last = &draw;
             if (options_.shading == Shading::kExact && draw.has_exact_surfaces()) {
                 end_all();
-                if (numbered.begins_shape) add_surfaces(draw, numbered);  // the first part draws the whole shape
+                if (begins_shape) add_surfaces(draw);  // the first part draws the whole shape
             } else if (draw.pixels && draw.pixels->has_stencils) {
                 end_all();
-                add_stencils(draw, numbered, frame);
+                add_stencils(draw, frame);
             } else if (draw.shows_only_image() && !options_.precise) {
                 end_all();
-                add_image(draw, numbered);
+                add_image(draw);
             } else if (draw.pixels && !lies_inside(*draw.pixels, frame)) {
                 end_all();
-                add_inside(draw, numbered, frame);
+                add_inside(draw, frame);
             } else {
                 if (!continues_run(draw)) end_run();
                 run_.push_back(&draw);
-                run_numbers_.push_back(numbered);
                 run_vertices_ += std::max(draw.vertices.size(), draw.indices.size());
             }
         }
@@ -119,12 +113,6 @@ class Preparation {
     }
 
   private:
-    // What PlannedDraw says of a Draw besides its plan.
-    struct Numbered {
-        int number;
-        bool begins_shape;
-    };
-
     bool continues_run(const Draw& draw) const {
         return !run_.empty() &&
                run_vertices_ + std::max(draw.vertices.size(), draw.indices.size()) <= kMostJoinedVertices &&
@@ -139,9 +127,8 @@ class Preparation {
         if (is_placed)
             place_run();
         else
-            add(run_, run_numbers_);
+            add(run_);
         run_.clear();
-        run_numbers_.clear();
         run_vertices_ = 0;
     }
 
@@ -156,8 +143,8 @@ class Preparation {
     }
 
     void place_run() {
-        const auto has_its_state = [&](const Placed& placed) {
-            return have_one_state_when_placed(*placed.draws.front(), *run_.front());
+        const auto has_its_state = [&](const std::vector<const Draw*>& placed) {
+            return have_one_state_when_placed(*placed.front(), *run_.front());
         };
         auto placed = std::ranges::find_if(placed_, has_its_state);
         if (placed == placed_.end()) {
@@ -165,8 +152,7 @@ class Preparation {
             if (placed_.size() == kMostStates) end_placed();
             placed = placed_.emplace(placed_.end());
         }
-        placed->draws.insert(placed->draws.end(), run_.begin(), run_.end());
-        placed->numbers.insert(placed->numbers.end(), run_numbers_.begin(), run_numbers_.end());
+        placed->insert(placed->end(), run_.begin(), run_.end());
         const auto state = static_cast<std::size_t>(placed - placed_.begin());
         if (placed_order_.empty() || placed_order_.back().state != state) placed_order_.push_back({state, 0});
         placed_order_.back().count += run_.size();
@@ -176,7 +162,7 @@ class Preparation {
     void end_placed() {
         std::vector<JoinedDraws> joined;
         joined.reserve(placed_.size());
-        for (const Placed& placed : placed_) joined.push_back(placed_together(placed.draws));
+        for (const auto& draws : placed_) joined.push_back(placed_together(draws));
         std::vector<std::size_t> drawn(placed_.size());
         for (const auto& [state, count] : placed_order_) {
             joined[state].parts[drawn[state]].begins_range = true;
@@ -191,9 +177,7 @@ class Preparation {
             if (prepared[state]) {
                 take_(PreparedRange{prepared[state], ranges[state]++});
             } else {
-                const auto& [draws, numbers] = placed_[state];
-                add_placed(DrawRun(draws).subspan(drawn[state], count),
-                           std::span(numbers).subspan(drawn[state], count));
+                add_placed(DrawRun(placed_[state]).subspan(drawn[state], count));
             }
             drawn[state] += count;
         }
@@ -201,9 +185,9 @@ class Preparation {
         placed_order_.clear();
     }
 
-    void add_placed(DrawRun draws, std::span<const Numbered> numbers) {
+    void add_placed(DrawRun draws) {
         if (add_joined(placed_together(draws))) return;
-        for (std::size_t i = 0; i < draws.size(); ++i) add(draws.subspan(i, 1), numbers.subspan(i, 1));
+        for (std::size_t i = 0; i < draws.size(); ++i) add(draws.subspan(i, 1));
     }
 
     // With one plan for all. Null if numbers are too large or small for that (wide_range.h).
@@ -287,42 +271,42 @@ class Preparation {
     }
 
     // draws: with one state.
-    void add(DrawRun draws, std::span<const Numbered> numbers) {
+    void add(DrawRun draws) {
         if (!kept_) {
+            constexpr std::size_t kManyVertices = 128;  // looking for fewer takes longer than to send them again
+            if (draws.size() == 1 && draws.front()->vertices.size() >= kManyVertices && !options_.patches)
+                return static_cast<void>(add_kept(draws, repeated_));
             const bool may_join = draws.size() > 1 && shares_programs_ && options_.tier != Tier::kBaked;
             if (may_join && !options_.precise && add_joined(joined(draws))) return;
-            return add_one_by_one(draws, numbers);
+            return add_one_by_one(draws);
         }
-        if (add_kept(draws, numbers.front())) return;
-        for (std::size_t i = 0; i < draws.size(); ++i) add_kept(draws.subspan(i, 1), numbers[i]);
+        if (add_kept(draws, *kept_)) return;
+        for (std::size_t i = 0; i < draws.size(); ++i) add_kept(draws.subspan(i, 1), *kept_);
     }
 
     // As add_joined(), but also of one Draw.
-    bool add_kept(DrawRun draws, const Numbered& numbered) {
+    bool add_kept(DrawRun draws, KeptMeshes& meshes) {
         const Draw& draw = *draws.front();
-        const auto known = kept_->known(draws);
+        const auto known = meshes.known(draws);
         const Planned* const planned = like(draws, known->facts);
-        Plan plan = plan_for(draws, known->facts, planned);
+        const Plan plan = plan_for(draws, known->facts, planned);
         if (draws.size() > 1 && has_wide_range(draws, plan)) return false;
         DrawProgram program = program_of(draw, plan, planned);
         if (draws.size() > 1 && program.code.form.homogeneous) return false;
         if (!planned) note_planned(draws, plan, program);
         take(draw, std::move(program), [&](const EffectSet& effects, const glm::dvec3& origin_object) {
-            return kept_->mesh(*known, draws, effects, origin_object);
+            return meshes.mesh(*known, draws, effects, origin_object);
         });
-        keep(std::move(plan), draw, numbered);
         return true;
     }
 
     // With a plan for each. Those that have the same program and numbers are still uploaded and drawn as one, which
     // changes no bit of the picture.
-    void add_one_by_one(DrawRun draws, std::span<const Numbered> numbers) {
+    void add_one_by_one(DrawRun draws) {
         std::optional<DrawProgram> program;
         std::size_t first = 0;
         for (std::size_t i = 0; i < draws.size(); ++i) {
-            Plan plan = plan_for(draws.subspan(i, 1), vertex_facts(*draws[i]));
-            DrawProgram next = program_of(*draws[i], plan);
-            keep(std::move(plan), *draws[i], numbers[i]);
+            DrawProgram next = program_of(*draws[i], plan_for(draws.subspan(i, 1), vertex_facts(*draws[i])));
             if (program && !are_one_program(*program, next)) {
                 add_with_program(draws.subspan(first, i - first), std::move(*program));
                 first = i;
@@ -346,20 +330,16 @@ class Preparation {
         });
     }
 
-    void add_surfaces(const Draw& draw, const Numbered& numbered) {
-        for (SurfaceProgram& surface : surface_programs(draw, options_)) {
+    void add_surfaces(const Draw& draw) {
+        for (const SurfaceProgram& surface : surface_programs(draw, options_)) {
             const auto rectangle =
                 std::make_shared<const UploadedMesh>(surface.draw, surface.code.effects, false, glm::dvec3(0));
             for (const Uniforms& pass : surface.passes) take(surface, pass, rectangle);
-            keep(std::move(surface.plan), draw, numbered);
         }
     }
 
-    void add_stencils(const Draw& draw, Numbered numbered, const Frame& frame) {
-        for (const Draw& one : by_stencil_value(draw)) {
-            add_inside(one, numbered, frame);
-            numbered.begins_shape = false;
-        }
+    void add_stencils(const Draw& draw, const Frame& frame) {
+        for (const Draw& one : by_stencil_value(draw)) add_inside(one, frame);
     }
 
     static bool lies_inside(const glm::ivec2& place, const Frame& frame) {
@@ -369,35 +349,23 @@ class Preparation {
         return std::ranges::all_of(pixels.places, [&](const glm::ivec2& place) { return lies_inside(place, frame); });
     }
     // Adds the pixels that lie in the window: softpipe draws points right above it in its highest row.
-    void add_inside(const Draw& draw, const Numbered& numbered, const Frame& frame) {
+    void add_inside(const Draw& draw, const Frame& frame) {
         Draw inside = draw;
         std::vector<std::uint32_t> numbers;
         for (std::size_t i = 0; i < draw.pixels->places.size(); ++i)
             if (lies_inside(draw.pixels->places[i], frame)) numbers.push_back(static_cast<std::uint32_t>(i));
-        if (numbers.empty()) return keep(plan_effects(draw, options_, vertex_facts(draw)), draw, numbered);
+        if (numbers.empty()) return;
         inside.indices = std::move(numbers);
         const Draw* const only = &inside;
-        add({&only, 1}, {&numbered, 1});
+        add({&only, 1});
     }
 
-    // What is said of it is the plan of its first pixel, which is that of all: colours of pixels lie in [0, 1] and are not lit.
-    void add_image(const Draw& draw, const Numbered& numbered) {
-        if (plans_) {
-            Draw first = draw;
-            first.vertices = {draw.vertices[0]};
-            first.pixels = std::make_shared<const WindowPixels>(
-                WindowPixels{.places = {draw.pixels->places.front()}, .depths = draw.pixels->depths});
-            keep(plan_effects(first, options_, vertex_facts(first)), draw, numbered);
-        }
+    void add_image(const Draw& draw) {
         const Draw rectangle = as_textured_rectangle(draw);
         const Plan plan = plan_effects(rectangle, options_, vertex_facts(rectangle));
         take(rectangle, program_of(rectangle, plan), [&](const EffectSet& effects, const glm::dvec3& origin_object) {
             return std::make_shared<const UploadedMesh>(rectangle, effects, false, origin_object);
         });
-    }
-
-    void keep(Plan plan, const Draw& draw, const Numbered& numbered) {
-        if (plans_) plans_->push_back({numbered.number, draw.place, numbered.begins_shape, std::move(plan)});
     }
 
     static std::size_t count_vertices(DrawRun draws) {
@@ -415,26 +383,21 @@ class Preparation {
     }
 
     const std::function<void(Item&&)>& take_;
-    std::vector<PlannedDraw>* const plans_;
     const Options options_;
     KeptMeshes* const kept_;
     const bool shares_programs_;
 
-    std::deque<Planned> planned_;  // by state, of a few Draws of the frame
+    KeptMeshes repeated_{std::size_t{64} << 20};  // of this frame only: the same display list may be called many times
+    std::deque<Planned> planned_;                 // by state, of a few Draws of the frame
     // Draws that will be drawn as one.
     std::vector<const Draw*> run_;  // have_one_state()
-    std::vector<Numbered> run_numbers_;
     std::size_t run_vertices_ = 0;
     // Small Draws after each other that will be placed. Those of one state are planned and uploaded together, also where others lie
     // between them.
-    struct Placed {
-        std::vector<const Draw*> draws;
-        std::vector<Numbered> numbers;
-    };
     struct PlacedRun {
         std::size_t state, count;  // in placed_, of its next Draws
     };
-    std::vector<Placed> placed_;
+    std::vector<std::vector<const Draw*>> placed_;
     std::vector<PlacedRun> placed_order_;
 };
 
@@ -449,7 +412,7 @@ DrawableFrame drawable(const Frame& frame, Renderer& renderer, const Options& op
 
 struct UploadedFrame::Impl {
     Impl(const Frame& frame, const Options& options) : tier(options.tier), width(frame.width), height(frame.height) {
-        Preparation(frame, options, nullptr, nullptr, [this](Item&& item) { items.push_back(std::move(item)); });
+        Preparation(frame, options, nullptr, [this](Item&& item) { items.push_back(std::move(item)); });
         glBindVertexArray(0);
         glBindBuffer(GL_ARRAY_BUFFER, 0);
     }
@@ -538,27 +501,21 @@ void Renderer::draw(const UploadedFrame& frame) {
     drawing.end();
 }
 
+// Each item is drawn as soon as it is prepared, so that a large frame needs no memory for all of them.
 void Renderer::draw(const Frame& frame, const Options& options) {
     Options quick = options;
     quick.reasons = false;
-    draw_once(frame, quick, nullptr);
-}
-
-Picture Renderer::render(const Frame& frame, const Options& options) {
-    Picture picture;
-    draw_once(frame, options, &picture.plans);
-    picture.image = read_pixels(frame.width, frame.height);
-    return picture;
-}
-
-// Each item is drawn as soon as it is prepared, so that a large frame needs no memory for all of them.
-void Renderer::draw_once(const Frame& frame, Options options, std::vector<PlannedDraw>* plans) {
-    options.patches = false;
-    const DrawableFrame whole = drawable(frame, *this, options);
-    Drawing drawing(*impl_, options.tier, frame.width, frame.height);
-    Preparation(*whole, options, options.tier == Tier::kAuto ? &impl_->meshes : nullptr, plans,
+    quick.patches = false;
+    const DrawableFrame whole = drawable(frame, *this, quick);
+    Drawing drawing(*impl_, quick.tier, frame.width, frame.height);
+    Preparation(*whole, quick, quick.tier == Tier::kAuto ? &impl_->meshes : nullptr,
                 [&](Item&& item) { drawing.draw(item); });
     drawing.end();
+}
+
+Image Renderer::render(const Frame& frame, const Options& options) {
+    draw(frame, options);
+    return read_pixels(frame.width, frame.height);
 }
 
 Counters Renderer::counters() const {

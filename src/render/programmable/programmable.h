@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/image/image.h"
-#include "render/effect/explanation.h"
 #include "render/programmable/numbers/shader_options.h"
 #include "scene/frame/frame.h"
 
@@ -54,12 +53,6 @@ struct KeptLimits {
     std::size_t mesh_bytes = std::size_t{256} << 20;  // under Tier::kAuto; 0 keeps nothing between frames
 };
 
-// A picture and the plans it was drawn from.
-struct Picture {
-    Image image;
-    std::vector<PlannedDraw> plans;
-};
-
 // Owns programs, textures and buffers of the current context, so it must be destroyed before the context.
 class Renderer {
   public:
@@ -69,21 +62,19 @@ class Renderer {
     Renderer& operator=(const Renderer&) = delete;
 
     // Clears to black and depth 1 and draws the frame into the current colour buffer, with programs of the options'
-    // tier. Throws ShaderRefused (shader_program.h) if the driver refuses a
-    // shader.
+    // tier. Throws ShaderRefused (shader_program.h) if the driver refuses a shader.
     void draw(const UploadedFrame& frame);
-    // Under Tier::kAuto, vertices that are bit for bit the same as in earlier frames are not analysed or uploaded again
-    // (kept_meshes.h), and neighbours with the same state are drawn as one (joined_draws.h), in frames of many Draws also
-    // small ones at different places. Then the picture may differ by 1/255 from that of Tier::kUniform, and at edges.
+    // In frames of 40 Draws or more, neighbours with the same state are drawn as one (joined_draws.h), and small ones at
+    // different places, too. Then the picture may differ by 1/255 from that of the Draws one by one, and at edges. Under
+    // Tier::kAuto, that holds for all frames, and vertices that are bit for bit the same as in earlier frames are not
+    // analysed or uploaded again (kept_meshes.h).
     void draw(const Frame& frame, const Options& options);
     // The same, and reads the picture back.
-    Picture render(const Frame& frame, const Options& options);
+    Image render(const Frame& frame, const Options& options);
 
     Counters counters() const;
 
   private:
-    void draw_once(const Frame& frame, Options options, std::vector<PlannedDraw>* plans);
-
     struct Impl;
     class Drawing;
     std::unique_ptr<Impl> impl_;

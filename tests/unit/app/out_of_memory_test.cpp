@@ -223,7 +223,7 @@ TEST_F(OutOfMemory, OfAComparisonIsOneLine) {
         return reference::render(scene.frame, {{.shading = options.shading}});
     };
     renderers.programmable = [](const Frame& frame, const programmable::Options& options) {
-        return programmable::Picture{.image = reference::render(frame, {options}), .plans = {}};
+        return reference::render(frame, {options});
     };
     renderers.reference = reference::render;
     renderers.allowed_difference = [](const Frame& frame, const reference::Options& options) {

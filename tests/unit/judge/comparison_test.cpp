@@ -75,11 +75,7 @@ struct Stub {
                 .programmable =
                     [this](const Frame& frame, const programmable::Options& options) {
                         count("programmable", options);
-                        programmable::Picture result{picture(frame, programmable), {}};
-                        for (const auto& item : frame.items)
-                            if (const Draw* draw = std::get_if<Draw>(&item))
-                                result.plans.push_back({1, draw->place, true, plan_effects(*draw, options)});
-                        return result;
+                        return picture(frame, programmable);
                     },
                 .reference =
                     [this](const Frame& frame, const reference::Options& options) {
@@ -385,7 +381,7 @@ TEST(Verdict, BlamesNoBugOfTheFixedFunctionForPicturesInWhichItHasNoPart) {
         return comparison.known_departures.size();
     };
     renderers.programmable = [](const Frame& frame, const programmable::Options& options) {
-        return programmable::Picture{Stub::picture(frame, options.shading ? 0.6F : 128.0F / 255), {}};
+        return Stub::picture(frame, options.shading ? 0.6F : 128.0F / 255);
     };
     EXPECT_EQ(bugs(), 0U);
     stub.fixed = 0.6F;
@@ -503,7 +499,7 @@ TEST(Verdict, IsNotGivenForPhongAgainstFixed) {
     // What phong adds, both draw alike.
     const auto white = [](const Frame& frame) { return Image(frame.width, frame.height, {1, 1, 1, 1}); };
     renderers.programmable = [&](const Frame& frame, const programmable::Options& options) {
-        if (options.shading == Shading::kPhong) return programmable::Picture{white(frame), {}};
+        if (options.shading == Shading::kPhong) return white(frame);
         return plain.programmable(frame, options);
     };
     renderers.reference = [&](const Frame& frame, const reference::Options& options) {
@@ -801,10 +797,7 @@ Scene two_quadrilaterals() {
 
 Renderers renderers_of(const Image& drawn) {
     return {.fixed = [&](const Scene&, const fixed::Options&) { return drawn; },
-            .programmable =
-                [&](const Frame&, const programmable::Options&) {
-                    return programmable::Picture{drawn, {}};
-                },
+            .programmable = [&](const Frame&, const programmable::Options&) { return drawn; },
             .reference = [](const Frame& frame,
                             const reference::Options& options) { return reference::render(frame, options); },
             .allowed_difference =

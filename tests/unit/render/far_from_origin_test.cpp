@@ -53,7 +53,7 @@ Frame far_frame(double far) {
 // The largest difference of a channel from the reference, inside triangles.
 double off(Renderer& renderer, const Frame& frame, const Options& options) {
     const reference::Options truth_options{options};
-    const Image truth = reference::render(frame, truth_options), image = renderer.render(frame, options).image;
+    const Image truth = reference::render(frame, truth_options), image = renderer.render(frame, options);
     const AllowedDifference allowed = reference::allowed_difference(frame, truth_options);
     double worst = 0;
     int seen = 0;

@@ -260,7 +260,7 @@ TEST(KeptPictures, OfTheBuiltInScenesAreTheSameBitByBit) {
                 seen = session::with_inserted(
                     seen, 0, session::new_command(CommandId::glPolygonMode, {kGL_FRONT_AND_BACK, kGL_LINE}));
             const Frame frame = make_frame(seen, {.width = kWidth, .height = kHeight});
-            EXPECT_EQ(keeps.render(frame, kLive).image.pixels, forgets.render(frame, kLive).image.pixels)
+            EXPECT_EQ(keeps.render(frame, kLive).pixels, forgets.render(frame, kLive).pixels)
                 << file.name << ", frame " << i;
         }
         EXPECT_GT(keeps.counters().meshes.hits, 0u) << file.name;

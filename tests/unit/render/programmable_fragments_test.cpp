@@ -134,7 +134,7 @@ TEST(ProgrammableTextures, AreThoseOfTheFrameThatIsDrawn) {
         draw.raster.viewport = {0, 0, 1, 1};
         draw.texture.texture = texture_of(kGL_RGBA, {{red, 0, 0, 1}});
         const Frame frame{.width = 1, .height = 1, .items = {draw}};
-        EXPECT_EQ(renderer.render(frame, {}).image.at(0, 0)[0], red);
+        EXPECT_EQ(renderer.render(frame, {}).at(0, 0)[0], red);
     }
 }
 

@@ -181,7 +181,7 @@ TEST(Programmable, DrawsWhatTheDriversFixedFunctionDraws) {
         const auto context = make_offscreen_context(kSize, kSize);
         const Image before = fixed::render(made, {.shading = shading});
         Renderer renderer;
-        const Image ours = renderer.render(frame, {{{.shading = shading}}}).image;
+        const Image ours = renderer.render(frame, {{{.shading = shading}}});
         EXPECT_EQ(fixed::render(made, {.shading = shading}).pixels, before.pixels) << "the context is as it was";
         int differing = 0;
         double largest = 0;

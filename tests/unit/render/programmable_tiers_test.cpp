@@ -138,7 +138,7 @@ Frame frame_of_many(int count) {
 
 TEST_F(Tiers, ManyDrawsOfAKindShareAProgramWhoseConstantsAreTheirCommonNumbers) {
     const Frame frame = frame_of_many(60);
-    const Image once = renderer_.render(frame, with(Tier::kUniform)).image;
+    const Image once = renderer_.render(frame, with(Tier::kUniform));
     Renderer renderer{{.programs = 4}};
     for (int i = 0; i < 30; ++i) renderer.draw(frame, with(Tier::kAuto));
     EXPECT_EQ(renderer.counters().made, 1u);
@@ -156,11 +156,14 @@ TEST_F(Tiers, FewDrawsAreEachPlannedByThemselves) {
     EXPECT_EQ(counters().made, 2u);  // with the light, and without it
 }
 
-TEST_F(Tiers, APicturesPlansAreThoseOfTheDrawsByThemselves) {
-    const Picture picture = renderer_.render(frame_of_many(60), with(Tier::kUniform));
-    ASSERT_EQ(picture.plans.size(), 60u);
-    EXPECT_EQ(picture.plans[0].plan.effects.lights.size(), 1u);
-    EXPECT_EQ(picture.plans[1].plan.effects.lights.size(), 0u);
+TEST_F(Tiers, AFrameOfManyDrawsIsExplainedDrawByDraw) {
+    std::size_t draws = 0;
+    for (const ExplainedDraw& explained : explain_draws(frame_of_many(60), PlanOptions{})) {
+        draws += explained.numbers.size();
+        for (const int number : explained.numbers)  // from 1: every second one has its light behind it
+            EXPECT_EQ(explained.plan.effects.lights.size(), static_cast<std::size_t>(number % 2)) << number;
+    }
+    EXPECT_EQ(draws, 60u);
 }
 
 TEST_F(Tiers, DropTheProgramThatWasNotUsedForTheLongestTime) {
@@ -193,7 +196,7 @@ TEST_F(Tiers, AnUploadedFrameIsDrawnAgainAndAgain) {
     EXPECT_EQ(counters().baked, 1u);
     const Image again = read_pixels(4, 4);
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-    const Image once = renderer_.render(frame_of(square(lit())), with(Tier::kUniform)).image;
+    const Image once = renderer_.render(frame_of(square(lit())), with(Tier::kUniform));
     for (std::size_t i = 0; i < once.pixels.size(); ++i)
         for (std::size_t channel = 0; channel < 4; ++channel)
             EXPECT_NEAR(again.pixels[i][channel], once.pixels[i][channel], 1.001 / 255);
@@ -224,9 +227,9 @@ TEST(TiersPictures, OfTheBuiltInScenesAreTheSameToACode) {
         for (const std::optional<Shading> shading : {std::optional<Shading>(), std::optional(Shading::kPhong)}) {
             Options options = with(Tier::kUniform);
             options.shading = shading;
-            const Image uniform = renderer.render(frame, options).image;
+            const Image uniform = renderer.render(frame, options);
             options.tier = Tier::kBaked;
-            const Image baked = renderer.render(frame, options).image;
+            const Image baked = renderer.render(frame, options);
             EXPECT_EQ(differing(baked, uniform, between_cuts(frame, shading)), 0) << file.name;
         }
     }

@@ -48,7 +48,7 @@ TEST(Uniforms, ThatReturnToAnEarlierValueAreDrawnWithIt) {
         draw.lighting.front.emission = {red, 0, 0, 1};
         draw.raster.viewport = {0, 0, 1, 1};
         const Frame frame{.width = 1, .height = 1, .items = {draw}};
-        EXPECT_EQ(renderer.render(frame, {}).image.at(0, 0)[0], static_cast<float>(red));
+        EXPECT_EQ(renderer.render(frame, {}).at(0, 0)[0], static_cast<float>(red));
     }
     EXPECT_EQ(renderer.counters().made, 1u);
 }

@@ -127,10 +127,10 @@ Pictures pictures_of(const std::string& text, Shading shading) {
     programmable::Options options{{{.shading = shading}}};
     const auto context = make_offscreen_context(frame.width, frame.height, ColorBuffer::kFloat);
     programmable::Renderer renderer;
-    const Vec3<double> shaders = middle_of(renderer.render(frame, options).image);
+    const Vec3<double> shaders = middle_of(renderer.render(frame, options));
     options.fold_spectra = false;
     return {middle_of(reference::render(frame, reference::Options{options})), shaders,
-            middle_of(renderer.render(frame, options).image)};
+            middle_of(renderer.render(frame, options))};
 }
 
 // For colours of about 1: the shaders multiply and sum up to 81 samples in floats.

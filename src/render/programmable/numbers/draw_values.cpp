@@ -675,21 +675,25 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, cons
     std::size_t floats_per_vertex = 0;
     for (const Attribute& attribute : attributes(effects))
         floats_per_vertex += static_cast<std::size_t>(attribute.size);
-    std::vector<float> values;
-    values.reserve(draw.vertices.size() * floats_per_vertex);
-    const auto add = [&](const auto& v, int size) {
-        for (int i = 0; i < size; ++i) values.push_back(to_float(v[i]));
+    std::vector<float> values((vertices.empty() ? draw.vertices.size() : vertices.size()) * floats_per_vertex);
+    float* next = values.data();
+    const auto add = [&next](const auto& v, int size) {
+        for (int i = 0; i < size; ++i) *next++ = to_float(v[i]);
     };
+    const bool is_normal_taken = effects.takes_normal(), is_color_taken = effects.needs_color(),
+               is_tex_coord_taken = effects.takes_tex_coord();
     for_each_vertex(draw, vertices, [&](const Vertex& vertex) {
-        add(without_denormals(vertex.position_object - glm::dvec4(origin_object * vertex.position_object.w, 0)), 4);
-        if (effects.takes_normal()) {
+        const glm::dvec4& position = vertex.position_object;
+        const glm::dvec4 from_origin = position - glm::dvec4(origin_object * position.w, 0);
+        add(position.w == 1 ? from_origin : without_denormals(from_origin), 4);
+        if (is_normal_taken) {
             const double size = largest_component(vertex.normal_object);
             const bool rescaled = normals_made_unit && !needs_no_unit(size);
             add(rescaled ? vertex.normal_object / power_of_two(size) : vertex.normal_object, 3);
-            values.push_back(0);
+            *next++ = 0;
         }
-        if (effects.needs_color()) add(vertex.color, 4);
-        if (effects.takes_tex_coord()) add(vertex.tex_coord, 4);
+        if (is_color_taken) add(vertex.color, 4);
+        if (is_tex_coord_taken) add(vertex.tex_coord, 4);
         const auto number = static_cast<std::size_t>(&vertex - draw.vertices.data());
         for (const auto& [column, size] : further) add(column ? (*column)[number] : vertex.tex_coord, size);
         if (effects.at_pixels)
@@ -702,7 +706,7 @@ std::vector<float> vertex_array(const Draw& draw, const EffectSet& effects, cons
             if (property.color)
                 add(material.*property.color, property.size);
             else
-                values.push_back(to_float(normal_exponent(material.shininess)));
+                *next++ = to_float(normal_exponent(material.shininess));
         }
     });
     return values;
