@@ -151,7 +151,7 @@ SOURCES_session := $(wildcard src/app/session/*.cpp)
 SOURCES_web := $(filter-out src/app/web/module.cpp,$(wildcard src/app/web/*.cpp))
 SOURCES_demo := $(SOURCES_app) $(SOURCES_session) $(wildcard src/app/demo/*.cpp)
 SOURCES_bench := $(wildcard tests/bench/*.cpp)
-SOURCES_bench_library := src/app/cli/progress.cpp src/app/cli/machine.cpp
+SOURCES_bench_library := $(addprefix src/app/cli/,progress.cpp machine.cpp renderers.cpp)
 # The tests link these too: they count the instructions of the same meshes.
 SOURCES_bench_meshes := tests/bench/lit_spheres.cpp
 # Each fuzzer is a program. They link the parts of the library that read untrusted input, without drivers and reports.
