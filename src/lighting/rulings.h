@@ -41,7 +41,7 @@ inline constexpr RulingText kRulings[] = {
      "the light adds only its ambient term", "0/0 has no limit, and the ambient term needs no direction"},
     {Ruling::kAttenuation, "attenuation whose denominator is 0 or negative", "the light contributes 0",
      "1/d grows without bound, so there is no limit"},
-    {Ruling::kZeroNormal, "a zero normal that is to be made unit", "it stays 0: ambient and emission only",
+    {Ruling::kZeroNormal, "a zero normal that is to be scaled to length 1", "it stays 0: ambient and emission only",
      "0/0 has no limit, and 2.14.1 uses a zero normal as it is"},
     {Ruling::kSingularModelview, "a singular modelview: its rank is less than 3 for numbers of 21 bits",
      "every normal becomes 0", "the inverse does not exist, and rounding would decide the normal"},

@@ -93,7 +93,7 @@ TEST(Fuzz, GivesTheSameSceneForTheSameState) {
 // The fuzzer finds each known bug that it skips on a driver, if --lift asks for it.
 TEST(Fuzz, FindsEachDepartureThatIsLifted) {
     const Driver driver = this_driver();
-    if (!compare::is_measured(driver)) GTEST_SKIP() << "another driver may have mended some";
+    if (!compare::is_measured(driver)) GTEST_SKIP() << "another driver may have corrected some";
     if (driver.name == "softpipe") GTEST_SKIP() << "its own known bugs hide most of the others";
     int known = 0;
     for (const compare::Departure& departure : compare::departures()) {

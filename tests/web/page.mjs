@@ -183,7 +183,7 @@ const checks = {
         told.markup = await browser.value(`document.querySelectorAll("#messages img").length`);
         told.marks = await browser.value(`[[...document.querySelectorAll(".mark")].map(({className}) => className), [...document.querySelectorAll(".marked")].map(({textContent}) => textContent).join("")]`);
         await typed("glColor3f(1, 0, 0);\nglRectf(-1, -1, 1, 1);\n");
-        told.mended = await pixel("shaders", 320, 240);
+        told.corrected = await pixel("shaders", 320, 240);
         told.first = await firstPicture();
     },
 

@@ -331,7 +331,7 @@ TEST(WebPage, DrawsEveryScene) {
     EXPECT_TRUE(page["error"].get<std::string>().starts_with("3:1: error: ")) << page["error"];
     EXPECT_EQ(page["markup"], 0);
     EXPECT_EQ(page["marks"], (Json{Json::array({"mark error"}), "glFoo(<img src=x>);"}));
-    EXPECT_EQ(page["mended"], (Json{255, 0, 0, 255}));
+    EXPECT_EQ(page["corrected"], (Json{255, 0, 0, 255}));
     EXPECT_TRUE(page["differs"].get<std::string>().starts_with(
         "Shaders and reference differ: the largest difference away from edges is 9/255, at pixel 100, 50; 1 of "))
         << page["differs"];

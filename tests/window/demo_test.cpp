@@ -415,9 +415,9 @@ TEST_F(DemoWindow, ReadsTheFileAgainWhenItIsSaved) {
     ASSERT_TRUE(wait_for([&] { return differs(wrong = shot(), before); }));
     EXPECT_FALSE(differs(part_of(wrong, picture_box), part_of(before, picture_box)));
 
-    const std::string mended = std::string(kScene) + "glTranslatef(0, -1, 0); glutSolidCube(0.5);\n";
-    write_file_atomically(scene_file_, mended);
-    scene_ = read_scene(mended, scene_file_, "scene.gl");
+    const std::string corrected = std::string(kScene) + "glTranslatef(0, -1, 0); glutSolidCube(0.5);\n";
+    write_file_atomically(scene_file_, corrected);
+    scene_ = read_scene(corrected, scene_file_, "scene.gl");
     Image right;
     ASSERT_TRUE(wait_for([&] { return differs(part_of(right = shot(), picture_box), part_of(before, picture_box)); }));
     expect_panes(right, session_after(""));

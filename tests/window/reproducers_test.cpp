@@ -68,7 +68,7 @@ TEST_F(Reproducers, ShowTheDeparturesOfTheListedDriver) {
     ASSERT_EQ(written({}).status, 0);
     int departing = 0;
     for (const check::Case& of : cases) {
-        // Bugs that this release has mended have no program.
+        // Bugs that this release has corrected have no program.
         const bool departs = std::ranges::any_of(
             of.differs, [&](const check::Differs& differs) { return differs.is_of(driver_name()); });
         EXPECT_EQ(std::filesystem::exists(folder_ / (of.name + ".c")), departs) << of.name;
@@ -98,7 +98,7 @@ TEST_F(Reproducers, ShowTheDeparturesOfTheListedDriver) {
     EXPECT_GE(departing, 20);
 }
 
-// A case that expects something else than the text says; the program then says so, and says that all is well once it is mended.
+// A case that expects something else than the text says; the program then says so, and says that all is well once it is corrected.
 TEST_F(Reproducers, SayWhereNothingDeparts) {
     const auto text = [](const char* expectation) {
         return std::string("// what: w\n// why: w\n// text: 2.14.1\n// status: defined\n// derived: d\n// expect: ") +
@@ -121,9 +121,9 @@ TEST_F(Reproducers, SayWhereNothingDeparts) {
         ASSERT_NE(at, std::string::npos) << program;
         program.replace(at, std::string(in_c).size(), right);
         write_file_atomically(folder_ / "small.c", program);
-        const ProgramResult mended = compiled_and_run("small");
-        EXPECT_EQ(mended.status, 0) << mended.out << mended.err;
-        EXPECT_NE(mended.out.find("The driver follows the specification."), std::string::npos) << mended.out;
+        const ProgramResult corrected = compiled_and_run("small");
+        EXPECT_EQ(corrected.status, 0) << corrected.out << corrected.err;
+        EXPECT_NE(corrected.out.find("The driver follows the specification."), std::string::npos) << corrected.out;
     }
 }
 

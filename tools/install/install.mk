@@ -28,7 +28,7 @@ installed := $(installed_programs:%=$(PROGRAMS)/%:$(PREFIX)/bin/) \
         $(MADE)/$(name).zsh:$(ZSH)/_$(name) $(MADE)/$(name).fish:$(share)/fish/vendor_completions.d/$(name).fish) \
     tools/install/twinlight.desktop:$(share)/applications/ tools/install/twinlight.svg:$(share)/icons/hicolor/scalable/apps/ \
     $(files_of_scenes:%=%:$(share)/twinlight/scenes/) $(FILES_cases:%=%:$(share)/twinlight/cases/) \
-    golden/known_differences:$(share)/twinlight/ LICENSE:$(share)/doc/twinlight/ CITATION.cff:$(share)/doc/twinlight/
+    golden/known_differences:$(share)/twinlight/ LICENSE:$(share)/doc/twinlight/ docs/homework.c:$(share)/doc/twinlight/ CITATION.cff:$(share)/doc/twinlight/
 file_of = $(firstword $(subst :, ,$(1)))
 place_of = $(lastword $(subst :, ,$(1)))
 path_of = $(if $(filter %/,$(call place_of,$(1))),$(call place_of,$(1))$(notdir $(call file_of,$(1))),$(call place_of,$(1)))

@@ -46,7 +46,7 @@ std::string picture_of(const std::string& text, const std::string& name) {
     return encode_png(reference::render(lint::shown_frame(scene), {}));
 }
 
-// lint.md, and lint/NAME-wrong.png and lint/NAME-mended.png for each rule.
+// lint.md, and lint/NAME-wrong.png and lint/NAME-right.png for each rule.
 void write_rules(const std::string& folder) {
     const std::filesystem::path root = folder;
     try_folder(folder);
@@ -55,8 +55,8 @@ void write_rules(const std::string& folder) {
         const std::string name(rule.name);
         contents.emplace_back((root / "lint" / (name + "-wrong.png")).string(),
                               picture_of(lint::wrong_scene(rule), name));
-        contents.emplace_back((root / "lint" / (name + "-mended.png")).string(),
-                              picture_of(lint::mended_scene(rule), name));
+        contents.emplace_back((root / "lint" / (name + "-right.png")).string(),
+                              picture_of(lint::corrected_scene(rule), name));
     }
     contents.emplace_back((root / "lint.md").string(), lint::markdown());
     std::vector<FileToWrite> files;
@@ -84,7 +84,7 @@ bool can_be_edited(const lint::Warning& warning, const std::string& output) {
     });
 }
 
-int write_mended(const LintArguments& arguments, const Scene& scene, const std::vector<lint::Warning>& warnings) {
+int write_corrected(const LintArguments& arguments, const Scene& scene, const std::vector<lint::Warning>& warnings) {
     const lint::Rule* rule = lint::find_rule(arguments.fix);
     if (!rule) {
         std::vector<std::string_view> names;
@@ -107,12 +107,12 @@ int write_mended(const LintArguments& arguments, const Scene& scene, const std::
         warnings, [&](const lint::Warning& warning) { return warning.rule == rule && warning.place == found->place; });
     if (found->count + others > 2 &&
         std::ranges::any_of(found->edits, [](const lint::Edit& edit) { return edit.removes; }))
-        throw UsageError(fmt::format("--fix: '{}' is in {} places; mend them yourself: {}", arguments.fix, found->count,
-                                     found->fix));
+        throw UsageError(
+            fmt::format("--fix: '{}' is in {} places; fix them yourself: {}", arguments.fix, found->count, found->fix));
     lint::Warning warning = *found;
     if (warning.place.calls && !warning.place.file->ends_with(".c"))
         for (lint::Edit& edit : warning.edits) edit.insert = in_cpp(edit.insert);
-    write_output(arguments.output, lint::mended(*text, warning));
+    write_output(arguments.output, lint::corrected(*text, warning));
     return kFine;
 }
 
@@ -208,7 +208,7 @@ int run_lint(LintArguments& arguments) {
     const std::vector<std::string> inputs = inputs_of(arguments);
     if (inputs.size() > 1 || is_folder(arguments.scene)) return lint_many(arguments, inputs);
     const auto [scene, warnings] = linted(arguments, arguments.run, arguments.scene);
-    if (!arguments.fix.empty()) return write_mended(arguments, scene, warnings);
+    if (!arguments.fix.empty()) return write_corrected(arguments, scene, warnings);
     if (arguments.csv) {
         write_result(csv_of({{.file = arguments.scene, .scene = scene.name(), .warnings = warnings}}));
     } else if (arguments.json) {
@@ -229,7 +229,7 @@ int run_lint(LintArguments& arguments) {
 void print_lint_notes(const std::vector<lint::Warning>& warnings, const std::string& scene) {
     if (warnings.empty()) return;
     for (const lint::Warning& warning : warnings) print_message("{}\n", one_line(lint::headline(warning)));
-    print_message("twinlight: note: 'twinlight lint {}' shows how to mend {}\n", one_line(scene),
+    print_message("twinlight: note: 'twinlight lint {}' shows how to fix {}\n", one_line(scene),
                   warnings.size() == 1 ? "it" : "them");
 }
 
@@ -261,7 +261,7 @@ Subcommand add_lint(CLI::App& app) {
                    "print a table for spreadsheets: one row for each warning, and for each file without any");
     lint->add_option("--fix", arguments->fix,
                      "write the scene, or the source of a recorded program, with the first warning of this name "
-                     "mended; needs -o")
+                     "corrected; needs -o")
         ->type_name("NAME")
         ->check(not_empty());
     lint->add_flag("--rules", arguments->rules,

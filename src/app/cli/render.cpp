@@ -23,7 +23,7 @@ namespace {
 
 struct RenderArguments {
     std::string scene;
-    std::string renderer;
+    std::string renderer = "fixed";
     std::optional<Shading> shading;
     std::optional<Size> size;
     RecordedPart part;
@@ -133,8 +133,7 @@ Subcommand add_render(CLI::App& app) {
     add_scene_argument(*render, arguments->scene);
     render
         ->add_option("--with", arguments->renderer,
-                     "the driver's fixed function, generated shaders, or the double-precision reference")
-        ->required()
+                     "the driver's fixed function (default), generated shaders, or the double-precision reference")
         ->type_name("fixed|programmable|reference")
         ->check(one_of(kRenderers));
     add_shading_option(*render, arguments->shading);

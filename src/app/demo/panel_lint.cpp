@@ -76,7 +76,7 @@ bool LintPanel::show(session::Session& session) {
     }
     dim_text("GL accepts these commands, but the picture is probably not what you want.");
     bool selected = false;
-    std::optional<std::size_t> to_mend;
+    std::optional<std::size_t> to_fix;
     for (std::size_t i = 0; i < findings_.size(); ++i) {
         const session::Finding& finding = findings_[i];
         const lint::Warning& warning = finding.warning;
@@ -101,18 +101,19 @@ bool LintPanel::show(session::Session& session) {
             selected = true;
         }
         ImGui::SameLine();
-        if (finding.can_mend) {
-            if (ImGui::Button("Fix it")) to_mend = i;
+        if (finding.can_fix) {
+            if (ImGui::Button("Fix it")) to_fix = i;
         } else {
             ImGui::AlignTextToFramePadding();
             ImGui::TextDisabled("This one needs your own change.");
         }
         ImGui::PopID();
     }
-    if (to_mend) {
-        const session::Finding& finding = findings_[*to_mend];
-        edit(session, session::mended(commands(session), finding), fmt::format("mend {}", finding.warning.rule->name));
-        say(session, fmt::format("mended: {}; z undoes it", finding.warning.message));
+    if (to_fix) {
+        const session::Finding& finding = findings_[*to_fix];
+        edit(session, session::corrected(commands(session), finding),
+             fmt::format("fix {}", finding.warning.rule->name));
+        say(session, fmt::format("corrected: {}; z undoes it", finding.warning.message));
     }
     return selected;
 }

@@ -61,8 +61,8 @@ std::string with_lines(const std::string& message, const CommandList& commands) 
     return text;
 }
 
-// As for `twinlight lint --fix`: a statement that is removed in many places is not mended at one of them.
-bool can_mend(const lint::Warning& warning, std::size_t count) {
+// As for `twinlight lint --fix`: a statement that is removed in many places is not corrected at one of them.
+bool can_fix(const lint::Warning& warning, std::size_t count) {
     if (warning.edits.empty()) return false;
     for (const lint::Edit& edit : warning.edits) {
         if (!index_of(edit.place, count)) return false;
@@ -85,21 +85,21 @@ std::vector<Finding> findings_of(const CommandList& commands, WindowSize size) {
     for (lint::Warning& warning : warnings) {
         const auto index = index_of(warning.place, commands.commands.size());
         if (!index) continue;
-        const bool mends = can_mend(warning, commands.commands.size());
+        const bool fixes = can_fix(warning, commands.commands.size());
         warning.message = with_lines(warning.message, commands);
-        findings.push_back({std::move(warning), *index, where(commands.commands[*index]), mends});
+        findings.push_back({std::move(warning), *index, where(commands.commands[*index]), fixes});
     }
     if (commands.text) {
         const lint::Allowed allowed(*commands.text);
         const lint::CallsNotRun not_run(commands);
         std::erase_if(findings, [&](const Finding& finding) {
-            return is_silenced(commands, allowed, finding) || not_run.mend(finding.warning);
+            return is_silenced(commands, allowed, finding) || not_run.fix(finding.warning);
         });
     }
     return findings;
 }
 
-CommandList mended(const CommandList& commands, const Finding& finding) {
+CommandList corrected(const CommandList& commands, const Finding& finding) {
     // What to write before and after each command, and which commands go.
     struct Change {
         std::vector<Command> before, after;

@@ -80,7 +80,7 @@ Lines normal_lines(const Derivation& at) {
               : state.rescale_normal ? fmt::format("GL_RESCALE_NORMAL multiplies it by {:.5g}", steps.rescale)
                                      : "GL_NORMALIZE is disabled, so it stays as it is";
     } else {
-        how = "made unit (2.14.1 does not interpolate normals; this shading does)";
+        how = "scaled to length 1 (2.14.1 does not interpolate normals; this shading does)";
     }
     if (point.face == reference::Face::kBack) how += "; reversed for the back face";
     text += line("n", triple(point.surface.normal_eye), fmt::format("length {:.5f}; {}", length, how));
@@ -186,7 +186,7 @@ Lines highlight_lines(const Derivation& at, const LightAt& light) {
     const char* base = reflection ? "r.v" : "n.h";
     const double cosine = light.geometry.cosine_highlight, s = at.point.material.shininess;
     Lines text = reflection ? line("r", triple(light.geometry.half_dir), "VP reflected about n (not in GL)")
-                            : line("h", triple(light.geometry.half_dir), "VP + VP_e, made unit");
+                            : line("h", triple(light.geometry.half_dir), "VP + VP_e, scaled to length 1");
     const bool has_angle = reflection || !is_zero(at.point.surface.normal_eye);
     text += line(base, fmt::format("{:.5f}", std::max(cosine, 0.0)),
                  has_angle ? fmt::format("{:.2f} degrees between {}{}", light.highlight_deg,

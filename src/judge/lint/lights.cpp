@@ -121,7 +121,7 @@ class InEveryDraw : public Watch {
         return last;
     }
 
-    // Warns about a light with w = 0, which w = 1 mends.
+    // Warns about a light with w = 0, which w = 1 fixes.
     void warn_directional(int light, const Place& place, std::string message, const Parameters& parameters) {
         Warning warning{
             .place = place,

@@ -271,7 +271,7 @@ std::vector<Warning> lint(const Scene& scene, std::span<const LaterScene> later)
                 warning.edits.clear();  // they change the program's own text
                 return false;
             }
-            return not_run.mend(warning);
+            return not_run.fix(warning);
         });
     }
     std::set<std::string_view> found;

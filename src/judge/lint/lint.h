@@ -20,8 +20,8 @@ struct Rule {
     std::string_view name;   // "light-before-camera"
     std::string_view what;   // what is wrong: a sentence
     std::string_view why;    // the reason, with the section of GL 2.1: sentences
-    std::string_view mend;   // the call to write
-    std::string_view scene;  // a small scene as a diff: lines that start with "-" are wrong, with "+" mended
+    std::string_view fix;    // the call to write
+    std::string_view scene;  // a small scene as a diff: lines that start with "-" are wrong, with "+" corrected
     std::unique_ptr<Watch> (*make)();
     std::vector<std::string_view> explained_by{};  // rules whose mistakes cause this one: it warns only without them
     bool compares_pictures = false;                // its messages say which pictures are wrong
@@ -30,9 +30,9 @@ struct Rule {
 std::span<const Rule> rules();
 const Rule* find_rule(std::string_view name);  // null if there is none
 
-// The two scenes of a rule, whole: with the mistake, and mended.
+// The two scenes of a rule, whole: with the mistake, and corrected.
 std::string wrong_scene(const Rule& rule);
-std::string mended_scene(const Rule& rule);
+std::string corrected_scene(const Rule& rule);
 // What a rule's pictures show: the scene, or the second picture of a whole program.
 Frame shown_frame(const Scene& scene);
 
@@ -93,6 +93,6 @@ std::string markdown();
 // ---- Source text (source.cpp) ----
 
 // The scene's text with the edits of a warning.
-std::string mended(std::string_view source, const Warning& warning);
+std::string corrected(std::string_view source, const Warning& warning);
 
 }  // namespace twinlight::lint

@@ -27,7 +27,7 @@ struct Redraw {
 // nullopt for a scene that is no whole program, and where the reader cannot follow the second call.
 std::optional<Redraw> redraw_of(const CommandList& list, int width, int height);
 
-// A warning that glClear lacks these bits, with the call that mends it.
+// A warning that glClear lacks these bits, with the call that fixes it.
 Warning not_cleared(const Redraw& redraw, Enum bits, std::string message);
 
 }  // namespace twinlight::lint

@@ -196,7 +196,7 @@ CallsNotRun::CallsNotRun(const CommandList& list) {
     });
 }
 
-bool CallsNotRun::mend(const Warning& warning) const {
+bool CallsNotRun::fix(const Warning& warning) const {
     const auto is_made = [&](std::string_view call) {
         const std::optional<Setting> wanted = setting_of(call);
         return wanted &&
@@ -229,7 +229,7 @@ std::vector<Statement> statements_with(std::string_view source, bool (*test)(con
     return found;
 }
 
-std::string mended(std::string_view source, const Warning& warning) {
+std::string corrected(std::string_view source, const Warning& warning) {
     std::vector<Change> changes;
     for (const Edit& edit : warning.edits) {
         const Span at = statement_at(source, edit.place);

@@ -33,8 +33,8 @@ struct Setting {
 class CallsNotRun {
   public:
     explicit CallsNotRun(const CommandList& list);
-    // Whether one of the calls mends this warning. Then a key can mend it, and the program shows both on purpose.
-    bool mend(const Warning& warning) const;
+    // Whether one of the calls fixes this warning. Then a key can fix it, and the program shows both on purpose.
+    bool fix(const Warning& warning) const;
 
   private:
     std::vector<Setting> settings_;

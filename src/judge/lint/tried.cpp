@@ -112,7 +112,7 @@ std::shared_ptr<const CommandList> edited_list(const CommandList& list, const Wa
     };
     auto result = std::make_shared<CommandList>(list);
     result->commands = edited(list.commands);
-    if (list.text) result->text = std::make_shared<const std::string>(mended(*list.text, warning));
+    if (list.text) result->text = std::make_shared<const std::string>(corrected(*list.text, warning));
     if (list.later) {
         std::vector<LaterPicture> later = *list.later;
         for (LaterPicture& picture : later) picture.commands = edited(picture.commands);

@@ -31,7 +31,7 @@ std::string lines_with(std::string_view scene, std::string_view signs) {
 }  // namespace
 
 std::string wrong_scene(const Rule& rule) { return lines_with(rule.scene, " -"); }
-std::string mended_scene(const Rule& rule) { return lines_with(rule.scene, " +"); }
+std::string corrected_scene(const Rule& rule) { return lines_with(rule.scene, " +"); }
 
 std::string message_of(const Warning& warning) {
     return warning.when.empty() ? warning.message : fmt::format("{} ({})", warning.message, warning.when);
@@ -102,7 +102,7 @@ std::string markdown() {
         "reason, and the others follow.\n"
         "- `--json` prints one object for programs: of one file its warnings, of several a list of files. The exit "
         "status is 0 without warnings, 1 with some, 2 for bad input or a file that could not be read.\n"
-        "- `--fix NAME -o FILE` mends the first warning of that name, if a call can mend it, and writes the changed "
+        "- `--fix NAME -o FILE` fixes the first warning of that name, if a call can fix it, and writes the changed "
         "scene "
         "or a changed copy of the recorded program's source.\n"
         "- The comment `// twinlight: allow(NAME)` at the end of a line silences a warning for that line; on a line of "
@@ -114,7 +114,7 @@ std::string markdown() {
         "cost of `GL_NORMALIZE`, the aspect ratio of a window that a scene does not know, a material that was meant "
         "for another object.\n\n"
         "This page is generated: `twinlight lint --rules`. Left pictures show the scene with the mistake, right ones "
-        "the mended scene. In the text of a scene, - marks wrong lines and + the lines that mend them. The line "
+        "the corrected scene. In the text of a scene, - marks wrong lines and + the lines that fix them. The line "
         "`// the view` is short for\n\n",
         rules().size());
     const auto indented = [](std::string_view lines) {
@@ -131,11 +131,11 @@ std::string markdown() {
     for (const Rule& rule : rules()) text += fmt::format("| [{0}](#{0}) | {1} |\n", rule.name, rule.what);
     for (const Rule& rule : rules()) {
         text += fmt::format(
-            "\n## {0}\n\n{1} {2}\n\nTo mend it: `{3}`\n\n"
-            "| wrong | mended |\n|---|---|\n| ![{0}: wrong](lint/{0}-wrong.png) | ![{0}: mended](lint/{0}-mended.png) "
+            "\n## {0}\n\n{1} {2}\n\nTo fix it: `{3}`\n\n"
+            "| wrong | right |\n|---|---|\n| ![{0}: wrong](lint/{0}-wrong.png) | ![{0}: right](lint/{0}-right.png) "
             "|\n\n"
             "```diff\n{4}```\n",
-            rule.name, rule.what, rule.why, rule.mend, rule.scene);
+            rule.name, rule.what, rule.why, rule.fix, rule.scene);
     }
     return text;
 }

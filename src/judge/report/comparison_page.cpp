@@ -155,7 +155,7 @@ std::string warnings(const Comparison& comparison) {
     if (comparison.warnings.empty()) return "";
     std::string html = "<section>\n<h2>Possible mistakes in the scene</h2>\n<ul>\n";
     for (const compare::SceneWarning& warning : comparison.warnings)
-        html += fmt::format("<li><code>{}</code><br>{}<br>To mend it: <code>{}</code></li>\n", escaped(warning.line),
+        html += fmt::format("<li><code>{}</code><br>{}<br>To fix it: <code>{}</code></li>\n", escaped(warning.line),
                             escaped(warning.why), escaped(warning.fix));
     return html + "</ul>\n</section>\n";
 }

@@ -108,7 +108,8 @@ TEST_F(Cli, RefusesBadUse) {
                    "render writes only PNG files; use -o " + (out_ / "p.png"));
     expect_refused(run({"render", file, "--with", "fixed", "--budget", "2", "-o", out_ / "p.png"}),
                    "--budget: '2' is not a number from 0 to 1");
-    expect_refused(run({"render", file, "-o", out_ / "p.png"}), "--with is required");
+    expect_refused(run({"render", file, "--shading", "exact", "-o", out_ / "p.png"}),
+                   "the fixed function cannot draw exact surfaces; use --with programmable");
     expect_refused(run({"render", file, "--with", "fixd", "-o", out_ / "p.png"}), "'fixd' is not one of fixed, ");
     expect_refused(run({"render", file, "--with", "fixed", "--bogus", "-o", out_ / "p.png"}),
                    "there is no option '--bogus'; see 'twinlight render --help'");
@@ -373,6 +374,9 @@ TEST_F(Cli, RendersWithEachRenderer) {
         EXPECT_GT(image.at(32, 24)[0], 0.5F) << renderer;
         EXPECT_EQ(image.at(0, 0)[0], 0) << renderer;
     }
+    const std::string by_default = out_ / "default.png";
+    EXPECT_EQ(run({"render", file, "--size", "64x48", "-o", by_default}).status, 0);
+    EXPECT_EQ(read_file(by_default), read_file(out_ / "fixed.png"));
 }
 
 TEST_F(Cli, RendersFromStandardInputToStandardOutput) {
@@ -925,8 +929,8 @@ TEST_F(Cli, ExplainsAPixelWithTheFormulasOfTheLecturesVariants) {
                       "a_cm a_cli\n                 (0.2", "att spot f(n.h)^s s_cm s_cli\n                 1.00000"},
          }) {
         const std::string file = scene(expected.pragma + std::string(kLamps));
-        const json pixel = json::parse(
-            run({"explain", file, "--variants", "--size", "20x20", "--pixel", "3,5", "--json"}).out);
+        const json pixel =
+            json::parse(run({"explain", file, "--variants", "--size", "20x20", "--pixel", "3,5", "--json"}).out);
         const json& formulas = pixel["fragments"][0]["lights"][0]["formulas"];
         EXPECT_EQ(formulas["ambient"], expected.ambient) << expected.pragma;
         EXPECT_EQ(formulas["diffuse"], "att spot n.VP d_cm d_cli") << expected.pragma;

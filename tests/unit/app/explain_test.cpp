@@ -397,7 +397,7 @@ TEST_F(Explain, HasALineForEveryEffect) {
     expect_line("glEnable(GL_LIGHT5);\n", "GL's initial value");
     EXPECT_NE(without.find("this changes it"), std::string::npos);  // the highlight is brighter than 1
     EXPECT_EQ(text("glDisable(GL_LIGHT0);\n").find("this changes it"), std::string::npos);
-    EXPECT_NE(text("", {"--shading", "phong"}).find("made unit"), std::string::npos);
+    EXPECT_NE(text("", {"--shading", "phong"}).find("scaled to length 1"), std::string::npos);
     EXPECT_NE(text("", {"--shading", "exact"}).find("this point of the curved surface"), std::string::npos);
     // Factors that the scene leaves at 1 appear only with --all.
     EXPECT_EQ(without.find("GL_SPOT_CUTOFF is 180"), std::string::npos);

@@ -40,7 +40,7 @@ class LintFiles : public testing::Test {
     // A class of three: one answer is right, one has a mistake in its header, one is C++.
     LintFiles() {
         for (const char* folder : {"ann", "bob", ".git"}) std::filesystem::create_directory(in_ / folder);
-        write("ann/right.gl", lint::mended_scene(*lint::find_rule("light-black")));
+        write("ann/right.gl", lint::corrected_scene(*lint::find_rule("light-black")));
         write("ann/notes.txt", "no scene");
         write("bob/lamp.c", program("glClear(GL_COLOR_BUFFER_BIT); lamp();"));
         write("bob/lamp.h", "void lamp(void) {\n  glEnable(GL_LIGHTING); glEnable(GL_LIGHT1);\n}\n");
@@ -56,6 +56,18 @@ class LintFiles : public testing::Test {
 
     const TemporaryFolder in_;
 };
+
+// README promises four.
+TEST(LintHomework, HasTheFourMistakesOfReadme) {
+    const ProgramResult result = run_program("twinlight", {"lint", "docs/homework.c"});
+    EXPECT_EQ(result.status, 1) << result.err;
+    std::vector<std::string> rules;
+    for (const std::string& line : lines_of(result.out))
+        if (line.ends_with(']')) rules.push_back(line.substr(line.rfind('[')));
+    EXPECT_EQ(rules, (std::vector<std::string>{"[light-before-camera]", "[specular-without-shininess]",
+                                               "[color-ignored]", "[scale-without-normalize]"}))
+        << result.out;
+}
 
 TEST_F(LintFiles, OfAFolderHaveALineEach) {
     const ProgramResult result = lint(".");
@@ -99,7 +111,7 @@ TEST_F(LintFiles, MakeATableWithARowForEachWarningAndForEachFileWithoutAny) {
 }
 
 TEST_F(LintFiles, NamesAreNoFormulasInATable) {
-    write("=1+1,\"2\".gl", lint::mended_scene(*lint::find_rule("light-black")));
+    write("=1+1,\"2\".gl", lint::corrected_scene(*lint::find_rule("light-black")));
     EXPECT_EQ(lines_of(lint("--csv '=1+1,\"2\".gl' ann").out)[1], "\"'=1+1,\"\"2\"\".gl\",no warnings,,,,,,");
 }
 

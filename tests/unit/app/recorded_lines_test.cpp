@@ -147,7 +147,7 @@ TEST_F(RecordedLines, AreInComparisonsExplanationsAndJson) {
     const ProgramResult compared = twinlight("compare --run " + program + " -o " + quoted(in_ / "report"));
     EXPECT_EQ(compared.status, 0) << compared.err;
     EXPECT_TRUE(has(compared.err, program + ":6:5: warning: ")) << compared.err;
-    EXPECT_TRUE(has(compared.err, "'twinlight lint --run " + program + "' shows how to mend it")) << compared.err;
+    EXPECT_TRUE(has(compared.err, "'twinlight lint --run " + program + "' shows how to fix it")) << compared.err;
     const ProgramResult explained = twinlight("explain --run " + program + " --pixel 32,24 --calls");
     EXPECT_TRUE(has(explained.out, program + ":6:5 (display > draw_room > draw_lamp): front face"))
         << explained.out << explained.err;
@@ -198,15 +198,15 @@ TEST_F(RecordedLines, AreOfWhatAPictureLeavesForTheNext) {
 
 TEST_F(RecordedLines, CanBeMendedInACopy) {
     const std::string fix = " --fix scale-without-normalize -o ";
-    const auto expect_mended = [&](const std::string& program, const std::string& rule, const std::string& copy) {
-        const ProgramResult mended =
+    const auto expect_corrected = [&](const std::string& program, const std::string& rule, const std::string& copy) {
+        const ProgramResult corrected =
             twinlight("lint --run " + kFolder + program + " --fix " + rule + " -o " + quoted(in_ / copy));
-        EXPECT_EQ(mended.status, 0) << mended.err;
+        EXPECT_EQ(corrected.status, 0) << corrected.err;
         const ProgramResult again = twinlight("lint --run " + copy, in_.str());
         EXPECT_EQ(again.status, 0) << again.out << again.err;
     };
-    expect_mended("lamp.c", "scale-without-normalize", "copy.c");
-    expect_mended("bodies.cpp", "shininess-without-specular", "copy.cpp");
+    expect_corrected("lamp.c", "scale-without-normalize", "copy.c");
+    expect_corrected("bodies.cpp", "shininess-without-specular", "copy.cpp");
     const ProgramResult same = twinlight("lint --run copy.c" + fix + "./copy.c", in_.str());
     EXPECT_EQ(same.status, 2);
     EXPECT_TRUE(has(same.err, "--fix: this scene has no warning")) << same.err;

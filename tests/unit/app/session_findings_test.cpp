@@ -1,4 +1,4 @@
-// The linter in the window: each finding has its command, and mending it mends the scene as `twinlight lint --fix` does.
+// The linter in the window: each finding has its command, and fixing it fixes the scene as `twinlight lint --fix` does.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,24 +39,24 @@ TEST(SessionFindings, AreThoseOfTheLinter) {
             EXPECT_EQ(findings[i].warning.message, expected[i].message);
             EXPECT_EQ(commands.commands[findings[i].command].place, expected[i].place) << rule.name;
         }
-        EXPECT_TRUE(findings_of(read(lint::mended_scene(rule)), kSize).empty()) << rule.name;
+        EXPECT_TRUE(findings_of(read(lint::corrected_scene(rule)), kSize).empty()) << rule.name;
     }
 }
 
-TEST(SessionFindings, MendingEqualsTheEditOfTheText) {
-    int mended_rules = 0;
+TEST(SessionFindings, FixingEqualsTheEditOfTheText) {
+    int corrected_rules = 0;
     for (const lint::Rule& rule : lint::rules()) {
         const std::string text = lint::wrong_scene(rule);
         const CommandList commands = read(text);
         const auto findings = findings_of(commands, kSize);
         const auto expected = warnings_of(commands);
         ASSERT_EQ(findings.empty(), expected.empty()) << rule.name;
-        if (findings.empty() || !findings[0].can_mend) continue;
-        ++mended_rules;
-        const CommandList by_text = read(lint::mended(text, expected[0]));
-        EXPECT_EQ(mended(commands, findings[0]).commands, by_text.commands) << rule.name;
+        if (findings.empty() || !findings[0].can_fix) continue;
+        ++corrected_rules;
+        const CommandList by_text = read(lint::corrected(text, expected[0]));
+        EXPECT_EQ(corrected(commands, findings[0]).commands, by_text.commands) << rule.name;
     }
-    EXPECT_GT(mended_rules, 15);
+    EXPECT_GT(corrected_rules, 15);
 }
 
 TEST(SessionFindings, FollowTheCommandsWhenTheyAreEdited) {
@@ -81,7 +81,7 @@ TEST(SessionFindings, FollowTheCommandsWhenTheyAreEdited) {
     const CommandList toggled = toggle_light(without_command(commands, 2), 1);
     ASSERT_TRUE(black(toggled));
     EXPECT_EQ(black(toggled)->where, "inserted here");
-    EXPECT_FALSE(black(mended(toggled, *black(toggled))));
+    EXPECT_FALSE(black(corrected(toggled, *black(toggled))));
 }
 
 TEST(SessionFindings, NameLinesOfTheFile) {

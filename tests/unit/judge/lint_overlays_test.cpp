@@ -90,16 +90,16 @@ TEST(LintOverlays, TheFixSwitchesTheStateOffForThatDrawingOnly) {
             const auto warnings = warnings_of(wrong);
             ASSERT_EQ(names(warnings), Names{rule}) << text;
             EXPECT_EQ(yellow_pixels(wrong), 0u) << text;
-            const std::string mended = lint::mended(wrong, warnings[0]);
-            EXPECT_EQ(names(warnings_of(mended)), Names{}) << mended;
-            EXPECT_GT(yellow_pixels(mended), 30u) << mended;
+            const std::string corrected = lint::corrected(wrong, warnings[0]);
+            EXPECT_EQ(names(warnings_of(corrected)), Names{}) << corrected;
+            EXPECT_GT(yellow_pixels(corrected), 30u) << corrected;
             // The teapot of the second picture is that of the first.
             const auto shown = [&](const std::string& source, bool second) {
                 const Scene scene = program_of(source);
                 const Image image = reference::render(second ? lint::shown_frame(scene) : scene.frame, {});
                 return image.pixels[static_cast<std::size_t>(90 * image.width + 150)];
             };
-            EXPECT_EQ(shown(mended, true), shown(wrong, false)) << mended;
+            EXPECT_EQ(shown(corrected, true), shown(wrong, false)) << corrected;
         }
     }
 }

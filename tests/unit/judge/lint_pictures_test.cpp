@@ -174,9 +174,9 @@ TEST(LintFixes, AreKeptOnlyIfTheyChangeTheRightObjectsInEachPicture) {
     ASSERT_EQ(names(warnings), Names{"material-overridden"});
     EXPECT_EQ(warnings[0].fix,
               "glDisable(GL_COLOR_MATERIAL); before it, and glEnable(GL_COLOR_MATERIAL); after line 13");
-    const std::string mended = lint::mended(text, warnings[0]);
-    EXPECT_EQ(names(warnings_of(mended)), Names{}) << mended;
-    const Scene shown = scene(mended);
+    const std::string corrected = lint::corrected(text, warnings[0]);
+    EXPECT_EQ(names(warnings_of(corrected)), Names{}) << corrected;
+    const Scene shown = scene(corrected);
     std::vector<Image> pictures = {reference::render(shown.frame, {})};
     for (const lint::LaterScene& later : lint::later_scenes(shown))
         pictures.push_back(reference::render(later.scene.frame, {}));

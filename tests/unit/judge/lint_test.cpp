@@ -1,4 +1,4 @@
-// The linter: each rule finds its mistake and nothing else, the mended scene has none and another picture, and scenes that
+// The linter: each rule finds its mistake and nothing else, the corrected scene has none and another picture, and scenes that
 // are right have no warnings.
 #include "judge/lint/lint.h"
 
@@ -38,43 +38,43 @@ TEST(Lint, WarnsOfEachMistakeByItsOwnRuleOnly) {
 
 TEST(Lint, HasNoWarningsOfMendedScenes) {
     for (const lint::Rule& rule : lint::rules())
-        EXPECT_EQ(names(warnings_of(lint::mended_scene(rule))), std::set<std::string>{}) << rule.name;
+        EXPECT_EQ(names(warnings_of(lint::corrected_scene(rule))), std::set<std::string>{}) << rule.name;
 }
 
-TEST(Lint, MendedScenesHaveAnotherPicture) {
+TEST(Lint, CorrectedScenesHaveAnotherPicture) {
     for (const lint::Rule& rule : lint::rules()) {
         const Image wrong = reference::render(lint::shown_frame(scene_of(lint::wrong_scene(rule))), {});
-        const Image mended = reference::render(lint::shown_frame(scene_of(lint::mended_scene(rule))), {});
+        const Image corrected = reference::render(lint::shown_frame(scene_of(lint::corrected_scene(rule))), {});
         std::size_t differing = 0;
         for (std::size_t i = 0; i < wrong.pixels.size(); ++i) {
             float difference = 0;
             for (int c = 0; c < 3; ++c)
-                difference = std::max(difference, std::abs(wrong.pixels[i][c] - mended.pixels[i][c]));
+                difference = std::max(difference, std::abs(wrong.pixels[i][c] - corrected.pixels[i][c]));
             differing += difference > 10.0F / 255;  // what a reader of docs/lint.md can see
         }
         EXPECT_GT(differing, 100u) << rule.name;
     }
 }
 
-TEST(Lint, MendsScenesByItsEdits) {
-    std::size_t mended = 0;
+TEST(Lint, FixesScenesByItsEdits) {
+    std::size_t corrected = 0;
     for (const lint::Rule& rule : lint::rules()) {
         const std::string text = lint::wrong_scene(rule);
         const std::vector<lint::Warning> warnings = warnings_of(text);
         if (warnings.empty() || warnings[0].edits.empty()) continue;
-        ++mended;
-        EXPECT_EQ(names(warnings_of(lint::mended(text, warnings[0]))), std::set<std::string>{})
+        ++corrected;
+        EXPECT_EQ(names(warnings_of(lint::corrected(text, warnings[0]))), std::set<std::string>{})
             << rule.name << ":\n"
-            << lint::mended(text, warnings[0]);
+            << lint::corrected(text, warnings[0]);
     }
-    EXPECT_GE(mended, 25u);
+    EXPECT_GE(corrected, 25u);
 }
 
 TEST(Lint, NamesEachRuleOnce) {
     std::set<std::string_view> names;
     for (const lint::Rule& rule : lint::rules()) {
         EXPECT_TRUE(names.insert(rule.name).second) << rule.name;
-        for (const std::string_view text : {rule.what, rule.why, rule.mend}) EXPECT_NE(text, "") << rule.name;
+        for (const std::string_view text : {rule.what, rule.why, rule.fix}) EXPECT_NE(text, "") << rule.name;
     }
     EXPECT_EQ(lint::find_rule("no-such-rule"), nullptr);
     ASSERT_NE(lint::find_rule("light-black"), nullptr);
@@ -85,9 +85,9 @@ TEST(Lint, PageAndPicturesMatchTheTable) {
     EXPECT_EQ(read_file("docs/lint.md"), lint::markdown()) << "build/twinlight lint --rules -o docs writes it again";
     std::set<std::string> expected;
     for (const lint::Rule& rule : lint::rules()) {
-        for (const bool is_mended : {false, true}) {
-            const std::string text = is_mended ? lint::mended_scene(rule) : lint::wrong_scene(rule);
-            const std::string file = std::string(rule.name) + (is_mended ? "-mended.png" : "-wrong.png");
+        for (const bool is_right : {false, true}) {
+            const std::string text = is_right ? lint::corrected_scene(rule) : lint::wrong_scene(rule);
+            const std::string file = std::string(rule.name) + (is_right ? "-right.png" : "-wrong.png");
             expected.insert(file);
             const auto pixels = [](const std::string& png) { return decode_png_pixels(png, 2000); };
             const Image shown = reference::render(lint::shown_frame(scene_of(text)), {});
@@ -152,8 +152,8 @@ TEST(Lint, WarnsOfKnownScenesOnlyWhereThatIsRight) {
 }
 
 // Warnings that are right: a fix that is offered makes the scene's text clean of its mistake, and adds no other.
-TEST(Lint, FixesOfKnownScenesMendTheirTexts) {
-    int mended = 0;
+TEST(Lint, FixesOfKnownScenesCorrectTheirTexts) {
+    int corrected = 0;
     for (const auto& [file, rules] : expected_warnings()) {
         if (!file.ends_with(".gl")) continue;
         const Scene scene = load(file);
@@ -161,8 +161,8 @@ TEST(Lint, FixesOfKnownScenesMendTheirTexts) {
         lint::try_fixes(scene, lint::later_scenes(scene), warnings);
         for (const lint::Warning& warning : warnings) {
             if (warning.edits.empty() || warning.count > 1) continue;
-            ++mended;
-            const std::string text = lint::mended(read_file(file), warning);
+            ++corrected;
+            const std::string text = lint::corrected(read_file(file), warning);
             const auto list = std::make_shared<CommandList>(read_scene(text, file, file));
             std::set<std::string> left = names(lint::lint(Scene{list, make_frame(*list, {})}));
             EXPECT_FALSE(left.contains(std::string(warning.rule->name))) << file << ":\n" << text;
@@ -170,7 +170,7 @@ TEST(Lint, FixesOfKnownScenesMendTheirTexts) {
             EXPECT_EQ(left, std::set<std::string>{}) << file << ", " << warning.rule->name << ":\n" << text;
         }
     }
-    EXPECT_GE(mended, 5);
+    EXPECT_GE(corrected, 5);
 }
 
 // ---- What silences, joins and prints ----
@@ -323,7 +323,7 @@ TEST(Lint, EmissionStaysOnlyWhereItIsNotTakenBack) {
 TEST(Lint, FindsNormalArraysThatAreOffOrEmpty) {
     const std::string off = lint::wrong_scene(*lint::find_rule("normal-array-off"));
     EXPECT_EQ(names(warnings_of(changed(off, "glNormalPointer(GL_FLOAT, 0, up);", "glNormal3f(0, 1, 0);"))), kNone);
-    const std::string zeros = changed(lint::mended_scene(*lint::find_rule("normal-array-off")),
+    const std::string zeros = changed(lint::corrected_scene(*lint::find_rule("normal-array-off")),
                                       "0, 1, 0,  0, 1, 0,  0, 1, 0,  0, 1, 0", "0, 0, 0,  0, 0, 0,  0, 0, 0,  0, 0, 0");
     EXPECT_EQ(names(warnings_of(zeros)), std::set<std::string>{"normal-zero"});
 }
@@ -485,7 +485,7 @@ TEST(LintCommand, ExitStatusAndJson) {
     const TemporaryFolder folder;
     const std::string wrong = folder / "wrong.gl", right = folder / "right.gl";
     write_file_atomically(wrong, kBlack);
-    write_file_atomically(right, lint::mended_scene(*lint::find_rule("light-black")));
+    write_file_atomically(right, lint::corrected_scene(*lint::find_rule("light-black")));
     const ProgramResult none = run_program("twinlight", {"lint", right});
     EXPECT_EQ(none.status, 0);
     EXPECT_EQ(none.out + none.err, "");
