@@ -33,7 +33,7 @@ ifneq (,$(and $(filter 0,$(MAKELEVEL)),$(word 2,$(MAKECMDGOALS))))
 endif
 
 # ---- Required packages: one line each, "apt package, command that succeeds if it is installed" -------------------
-# Ubuntu has chromium as a snap only: there the tests that open a page are skipped.
+# Ubuntu has chromium and firefox as snaps only: there the tests that open a page are skipped.
 
 # Whether clang has libFuzzer's runtime.
 try_fuzzer := echo 'extern "C" int LLVMFuzzerTestOneInput(char*, int) { return 0; }' | \
@@ -77,10 +77,12 @@ $(if $(CI),strace              command -v strace)
 $(if $(CI),clang               command -v clang++)
 $(if $(CI),libclang-rt-dev     $(try_fuzzer))
 $(if $(CI),chromium            command -v chromium || grep -q ubuntu /etc/os-release)
+$(if $(CI),firefox-esr         command -v firefox-esr || grep -q ubuntu /etc/os-release)
 $(if $(CI),debootstrap         command -v debootstrap || ls /usr/sbin/debootstrap)
 $(if $(CI)$(filter web,$(MAKECMDGOALS)),emscripten          command -v em++)
 $(if $(CI)$(filter web,$(MAKECMDGOALS)),node-acorn          ls /usr/share/nodejs/acorn)
 $(if $(CI)$(filter web,$(MAKECMDGOALS)),libjs-codemirror    ls /usr/share/javascript/codemirror)
+$(if $(CI)$(filter web,$(MAKECMDGOALS)),esbuild             command -v esbuild)
 $(if $(CI),man-db              command -v man)
 $(if $(CI),zsh                 command -v zsh)
 $(if $(CI),fish                command -v fish)

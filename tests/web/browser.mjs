@@ -62,14 +62,20 @@ export class Browser {
         if (method === "Network.requestWillBeSent") this.requests.push(params.request.url);
     }
 
+    // A place in the folder, or an address.
     async visit(place = "") {
-        await this.send("Page.navigate", {url: `http://127.0.0.1:${this.server.address().port}/${place}`});
+        await this.send("Page.navigate", {url: new URL(place, `http://127.0.0.1:${this.server.address().port}/`).href});
     }
     // The value of an expression in the page, awaited.
     async value(expression) {
         const {result, exceptionDetails} = await this.send("Runtime.evaluate", {expression, awaitPromise: true, returnByValue: true});
         if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
         return result.value;
+    }
+    // What the page complained about.
+    async said() {
+        // Chromium notes that reading a picture back is slow, as tests do.
+        return this.complaints.filter((text) => !text.includes("GPU stall due to ReadPixels") && !text.includes("willReadFrequently"));
     }
     // Waits until the expression is true.
     async until(expression, seconds = 30) {

@@ -177,6 +177,23 @@ const checks = {
         await opened("#scene=spotlight");
     },
 
+    // A browser that does not load the workers.
+    async saysThatAWorkerFailed() {
+        const {identifier} = await browser.send("Page.addScriptToEvaluateOnNewDocument", {source: `window.Worker = class extends EventTarget {
+            constructor() {
+                super();
+                setTimeout(() => this.dispatchEvent(new ErrorEvent("error", {message: "no worker"})), 100);
+            }
+            postMessage() {}
+        };`});
+        await browser.visit("package.json");
+        await browser.visit(small(SPHERE));
+        await browser.until(`document.querySelector("#messages .error")`);
+        told.failedWorker = await text("messages");
+        await browser.send("Page.removeScriptToEvaluateOnNewDocument", {identifier});
+        await opened("#scene=spotlight");
+    },
+
     async showsErrors() {
         await typed("glClear(GL_COLOR_BUFFER_BIT);\nglRectf(0, 0, 1, 1);\nglFoo(<img src=x>);\n");
         told.error = await text("messages");
@@ -279,8 +296,7 @@ try {
     browser.requests = [];
     for (const check of Object.values(checks)) await check();
     told.requests = browser.requests.filter((url) => !url.startsWith("chrome:"));
-    // Chromium notes that reading a picture back is slow, as these tests do.
-    told.complaints = browser.complaints.filter((text) => !text.includes("GPU stall due to ReadPixels") && !text.includes("willReadFrequently"));
+    told.complaints = await browser.said();
 
     // In a page without the editor, so that the pictures are the only work.
     await browser.visit("package.json");

@@ -16,6 +16,7 @@
 #include "app/session/keys.h"
 #include "app/web/page_scene.h"
 #include "base/image/file.h"
+#include "base/image/png.h"
 #include "base/text/json.h"
 #include "judge/check/case.h"
 #include "scene/scenes/load.h"
@@ -27,6 +28,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* kPage = "build/web/page";
+constexpr const char* kOneFile = "build/web/twinlight.html";
 
 // Pictures that differ with SwiftShader though the page names nothing that they lack.
 const std::map<std::string, const char*>& known_differences() {
@@ -283,7 +285,7 @@ std::vector<Judged> judged(const Json& list, const Json& drawn, int subpixel_bit
 
 bool is_built() { return std::filesystem::exists(std::string(kPage) + "/module.wasm"); }
 constexpr const char* kNotBuilt =
-    "the page is not built: make web (Debian's packages emscripten, node-acorn and libjs-codemirror)";
+    "the page is not built: make web (Debian's packages emscripten, node-acorn, libjs-codemirror and esbuild)";
 
 TEST(WebPage, HasMesasPictureOfEachStep) {
     if (!is_built()) GTEST_SKIP() << kNotBuilt;
@@ -297,11 +299,72 @@ TEST(WebPage, HasMesasPictureOfEachStep) {
     }
     const std::string folder = std::string(kPage) + "/mesa";
     EXPECT_EQ(Json::parse(read_file(folder + ".json")), Json(names));
-    for (const std::string& name : names) EXPECT_TRUE(std::filesystem::exists(folder + "/" + name + ".png")) << name;
+    for (const std::string& name : names) EXPECT_TRUE(std::filesystem::exists(folder + "/" + name)) << name;
+}
 
+// The bytes of a picture by Mesa's fixed function, as a page has them.
+std::vector<std::uint8_t> mesas_pixels(const std::vector<std::string>& scene) {
     const TemporaryFolder drawn;
-    run_program("twinlight", {"render", "terms", "--step", "3", "--with", "fixed", "-o", drawn / "fixed.png"});
-    EXPECT_EQ(read_file(folder + "/terms-3.png"), read_file(drawn / "fixed.png"));
+    std::vector<std::string> given = {"render"};
+    given.insert(given.end(), scene.begin(), scene.end());
+    given.insert(given.end(), {"--with", "fixed", "-o", drawn / "fixed.png"});
+    run_program("twinlight", given);
+    return decode_png_pixels(read_file(drawn / "fixed.png"), 640).rgba;
+}
+
+// docs/web.md promises these sizes.
+TEST(WebPage, IsOneFileOfALimitedSize) {
+    if (!is_built()) GTEST_SKIP() << kNotBuilt;
+    constexpr std::uintmax_t kMegabyte = 1'000'000;
+    EXPECT_LT(std::filesystem::file_size(kOneFile), 9 * kMegabyte);
+    const std::string compressed = run_shell("", std::string("gzip -9 -c ") + kOneFile + " | wc -c").out;
+    EXPECT_LT(std::stoul(compressed), 3'500'000U);
+    EXPECT_GT(std::stoul(compressed), 1'000'000U) << "or the module is not in it";
+}
+
+TEST(WebPage, NamesTheToolThatPackingLacks) {
+    if (!is_built()) GTEST_SKIP() << kNotBuilt;
+    const TemporaryFolder folder;
+    const ProgramResult run =
+        run_shell("", "PATH=" + quoted(folder.str()) + " $(command -v node) tools/pack-page.mjs " + kPage + " " +
+                          quoted(folder / "page.html"));
+    EXPECT_EQ(run.status, 1);
+    EXPECT_EQ(run.err, "tools/pack-page.mjs: esbuild is not installed (Debian's package esbuild)\n");
+    EXPECT_TRUE(folder.names().empty());
+}
+
+// As a user opens it, by a double click.
+void works_without_a_server(const std::string& kind, const std::string& program) {
+    const ProgramResult run =
+        run_shell("", std::string("timeout 200 node tests/web/one_file.mjs ") + kPage + " " + kind + " " + program);
+    ASSERT_EQ(run.status, 0) << run.err;
+    const Json told = Json::parse(run.out);
+    EXPECT_TRUE(told["verdict"].get<std::string>().starts_with("Shaders and reference agree")) << told["verdict"];
+    EXPECT_EQ(told["messages"], "");
+    const std::string mesa = from_base64(told["mesa"].get<std::string>());
+    EXPECT_EQ(std::vector<std::uint8_t>(mesa.begin(), mesa.end()), mesas_pixels({"terms", "--step", "3"}));
+    EXPECT_EQ(told["solved"], "Right.");
+    EXPECT_EQ(told["linked"], (Json{"glColor3f(1, 0, 0);\nglRectf(-1, -1, 1, 1);\n", {255, 0, 0, 255}}));
+    EXPECT_EQ(told["loads"], Json::array());
+    EXPECT_EQ(told["complaints"], Json::array());
+    EXPECT_TRUE(told["folder"][0].get<std::string>().find("Open twinlight.html instead") != std::string::npos)
+        << told["folder"][0];
+    EXPECT_EQ(told["folder"][1], told["folder"][2]) << "the link to the page that works";
+    EXPECT_EQ(told["folder"][3], false) << "no empty pictures";
+}
+
+TEST(WebPage, WorksAsOneFileInChromium) {
+    if (!is_built()) GTEST_SKIP() << kNotBuilt;
+    const std::string program = browser();
+    if (program.empty()) GTEST_SKIP() << "there is no chromium (apt-get install chromium)";
+    works_without_a_server("chromium", program);
+}
+
+TEST(WebPage, WorksAsOneFileInFirefox) {
+    if (!is_built()) GTEST_SKIP() << kNotBuilt;
+    const std::string program = firefox();
+    if (program.empty()) GTEST_SKIP() << "there is no firefox (apt-get install firefox-esr)";
+    works_without_a_server("firefox", program);
 }
 
 TEST(WebPage, DrawsEveryScene) {
@@ -378,8 +441,10 @@ TEST(WebPage, DrawsEveryScene) {
     EXPECT_NE(page["dumpErrors"][0].get<std::string>().find("dump.txt: call 39: the blob 'blob_call39.bin' is missing"),
               std::string::npos)
         << page["dumpErrors"];
-    EXPECT_NE(page["dumpErrors"][1].get<std::string>().find("apitrace's binary form"), std::string::npos)
+    EXPECT_NE(page["dumpErrors"][1].get<std::string>().find("apitrace's binary form"),
+              std::string::npos)
         << page["dumpErrors"];
+    EXPECT_EQ(page["failedWorker"], "error: a worker of the page failed: no worker");
     EXPECT_EQ(page["droppedScene"], (Json{"// mine\nglRectf(0, 0, 1, 1);\n", ""})) << "none of the list";
     const std::string dump = page["dump"][0], verdict_on_dump = page["dump"][1];
     EXPECT_TRUE(dump.starts_with("// dump.txt, frame 0: 300 x 300 pixels.")) << dump.substr(0, 200);

@@ -1,6 +1,7 @@
 // A browser without a window, for the tests of pages.
 #pragma once
 
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -11,11 +12,14 @@
 
 namespace twinlight {
 
-inline std::string browser() {
-    for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
+// The first of these programs that is installed; empty without one.
+inline std::string first_installed(std::initializer_list<const char*> names) {
+    for (const char* name : names)
         if (run_shell("", std::string("command -v ") + name).status == 0) return name;
     return {};
 }
+inline std::string browser() { return first_installed({"chromium", "chromium-browser", "google-chrome"}); }
+inline std::string firefox() { return first_installed({"firefox-esr", "firefox"}); }
 
 // What innerHTML escapes.
 inline std::string unescaped(std::string text) {

@@ -1,4 +1,5 @@
-# The page for browsers: `make web` writes build/web/page/. The Makefile includes this.
+# The page for browsers: `make web` writes build/web/page/, for a host, and build/web/twinlight.html, the same as one file. The Makefile
+# includes this.
 #
 #   EMXX=em++   Emscripten's compiler: 3.1.6 of Debian 12 or later
 
@@ -24,20 +25,20 @@ OBJECTS_web := $(ROOMS_web:%=$(WEB)/objects/%.room.o) $(WEB)/objects/stb.o \
 HEADERS_web := fmt glm nlohmann stb tiny_obj_loader.h
 
 # em++ has a library and a /usr/include of its own, so it sees only these of the system's headers.
-CXXFLAGS_web := -std=c++20 -O2 -ffp-contract=off -fexceptions -DFMT_HEADER_ONLY -Isrc -Isrc/app/web/compat \
+CXXFLAGS_web := -std=c++20 -O2 -ffp-contract=off -fwasm-exceptions -DFMT_HEADER_ONLY -Isrc -Isrc/app/web/compat \
     -isystem $(WEB)/include -include src/app/web/compat/library.h \
     -Wno-defaulted-function-deleted
 # (Debian's node finds Debian's acorn, which Emscripten needs, only there.)
 # One module for the page and its workers, without eval (for the page's Content-Security-Policy) and files. The stack is as large
 # as a program's, because the reader of scenes is recursive. The tests, in Node, pass the module as bytes (wasmBinary).
 # (Emscripten 3 gives this and HEAPU8 unasked, 6 only if they are named.)
-LDFLAGS_web := -O2 -fexceptions -sMODULARIZE=1 -sEXPORT_ES6=1 -sENVIRONMENT=web,worker -sDYNAMIC_EXECUTION=0 -sFILESYSTEM=0 \
+LDFLAGS_web := -O2 -fwasm-exceptions -sMODULARIZE=1 -sEXPORT_ES6=1 -sENVIRONMENT=web,worker -sDYNAMIC_EXECUTION=0 -sFILESYSTEM=0 \
     -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2147483648 -sTOTAL_STACK=8388608 \
-    -sEXPORTED_RUNTIME_METHODS=HEAPU8 -sINCOMING_MODULE_JS_API=wasmBinary
+    -sEXPORTED_RUNTIME_METHODS=HEAPU8 -sINCOMING_MODULE_JS_API=wasmBinary,instantiateWasm,locateFile
 
 .PHONY: web
-web: deps  ## build the page for browsers into build/web/page 
-	@$(MAKE) $(PAGE)/module.js $(patsubst src/app/web/page/%,$(PAGE)/%,$(wildcard src/app/web/page/*)) $(PAGE)/gl.js $(EDITOR_web) $(PAGE)/package.json $(PAGE)/mesa.json
+web: deps  ## build the page for browsers: build/web/twinlight.html, and build/web/page for a host
+	@$(MAKE) $(WEB)/twinlight.html
 
 $(WEB)/flags: $(if $(subst |$(EMXX) $(CXXFLAGS_web) $(LDFLAGS_web)|,,|$(file <$(WEB)/flags)|),force)
 	@mkdir -p $(WEB)/include; ln -sf $(HEADERS_web:%=/usr/include/%) $(WEB)/include
@@ -71,9 +72,14 @@ $(PAGE)/codemirror/%: /usr/share/javascript/codemirror/lib/%
 $(PAGE)/codemirror/copyright: /usr/share/doc/libjs-codemirror/copyright
 	@mkdir -p $(@D); cp $< $@
 # Mesa's pictures of the built-in scenes, and the list of their names.
-$(PAGE)/mesa.json: $(PROGRAMS)/twinlight tools/mesa-pictures.mjs
+$(PAGE)/mesa.json: $(PROGRAMS)/twinlight tools/mesa-pictures.mjs tools/png.mjs $(addprefix $(PAGE)/,module.js twinlight.js recorded.js package.json)
 	@echo "draw the built-in scenes with Mesa, for the page"
-	@mkdir -p $(@D); node tools/mesa-pictures.mjs $< $(@D)/mesa >$@
+	@node tools/mesa-pictures.mjs $< $(@D) >$@.new && mv $@.new $@
+# The whole page.
+FILES_page := $(PAGE)/module.js $(patsubst src/app/web/page/%,$(PAGE)/%,$(wildcard src/app/web/page/*)) $(PAGE)/gl.js $(EDITOR_web)
+$(WEB)/twinlight.html: $(FILES_page) $(PAGE)/mesa.json tools/pack-page.mjs
+	@echo "pack $@"
+	@node tools/pack-page.mjs $(PAGE) $@
 # For Node: these files are modules.
 $(PAGE)/package.json:
 	@mkdir -p $(@D); echo '{"type": "module"}' >$@

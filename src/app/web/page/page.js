@@ -5,7 +5,8 @@ import {sceneIn} from "./files.js";
 import {Renderer} from "./gl.js";
 import {Lessons} from "./lessons.js";
 import {sceneInLink, sizeInLink, textInLink} from "./link.js";
-import {setSlider, show, showDifference, showMesa, showReference, startSlider} from "./pictures.js";
+import {file, workersOf} from "./own_files.js";
+import {offerMesa, setSlider, show, showDifference, showMesa, showReference, startSlider} from "./pictures.js";
 import {offer, save} from "./saves.js";
 import {loadTwinlight} from "./twinlight.js";
 import {Workers} from "./workers.js";
@@ -15,10 +16,14 @@ const LESSON = "lesson:";  // before a lesson's name in the list of scenes
 const PAUSE_MS = 150;  // after a key, before the text is read
 
 const at = (id) => document.getElementById(id);
-const twinlight = await loadTwinlight();
-const workers = new Workers(Math.min(Math.max(navigator.hardwareConcurrency || 2, 2), 8));
+const wasm = await WebAssembly.compileStreaming(file("module.wasm")).catch((error) => {
+    at("verdict").textContent = `The page cannot load module.wasm: ${error.message}`;
+    throw error;
+});
+const twinlight = await loadTwinlight({wasm});
+const workers = new Workers(Math.min(Math.max(navigator.hardwareConcurrency || 2, 2), 8), await workersOf("worker.js"), wasm);
 const builtIn = twinlight.builtIn();
-const recorded = await (await fetch("mesa.json")).json();  // the names of Mesa's pictures
+const recorded = await (await file("mesa.json")).json();  // the names of Mesa's pictures
 const language = navigator.language.startsWith("zh") ? "zh" : "en";
 const editor = new Editor(at("text"), () => {
     clearTimeout(pause);
@@ -96,7 +101,9 @@ async function draw() {
     try {
         const right = showReference("reference", workers, scene, size, {shading}, wanted);
         const floats = showReference("floats", workers, scene, size, {shading: "scene", asFloats: true}, wanted);
-        await showMesa(pictureByMesa(scene), wanted);
+        floats.catch(() => {});  // an error before it is awaited
+        const recording = pictureByMesa(scene);
+        offerMesa(recording !== null);
         offer(twinlight.forms(shading));
         for (const warning of twinlight.warnings())
             message("warning", {...warning, text: `${warning.message}; ${warning.fix}`});
@@ -109,7 +116,8 @@ async function draw() {
             at("factor").textContent = `(${showDifference(pixels, whole.pixels, result.max, size)} times)`;
             at("verdict").textContent = verdict(result);
         }
-        await floats;
+        const {pixels: drawnWithFloats} = await floats;
+        if (recording) await showMesa(recording, drawnWithFloats, size, wanted);
     } catch (error) {
         if (wanted()) message("error", {line: 0, text: error.message});
     }

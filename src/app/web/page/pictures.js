@@ -1,4 +1,6 @@
 // The pictures on the page.
+import {file} from "./own_files.js";
+import {pictureIn} from "./recorded.js";
 
 const ROWS = 48;       // of a worker's task
 const ZERO_GREY = 64;  // where pictures are equal
@@ -59,22 +61,24 @@ export function showDifference(a, b, largest, size) {
     return factor;
 }
 
-// Mesa's picture of this name; null: none.
-export async function showMesa(name, wanted) {
-    const figure = at("mesa").parentElement;
-    const bitmap = name && await createImageBitmap(await (await fetch(`mesa/${name}.png`)).blob());
-    if (!wanted()) return;
-    figure.hidden = !bitmap;
-    if (bitmap) contextOf("mesa", bitmap).drawImage(bitmap, 0, 0);
+// Whether there is a picture by Mesa.
+export function offerMesa(has_picture) {
+    at("mesa").parentElement.hidden = !has_picture;
     for (const side of SIDES) {
         const option = [...at(side).options].find(({value}) => value === "mesa");
-        option.hidden = option.disabled = !bitmap;
-        if (option.selected && !bitmap) at(side).selectedIndex = 0;
+        option.hidden = option.disabled = !has_picture;
+        if (option.selected && !has_picture) at(side).selectedIndex = 0;
     }
     setSlider();
 }
 
 // ---- The slider: two pictures, one on each side of a line ----
+
+// Mesa's picture of this name, from the reference's with floats.
+export async function showMesa(name, floats, size, wanted) {
+    const picture = await pictureIn(await (await file("mesa/" + name)).blob(), floats);
+    if (wanted()) show("mesa", picture, size);
+}
 
 export function setSlider() {
     const is_slider = at("view").value === "slider";

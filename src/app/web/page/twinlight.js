@@ -4,8 +4,18 @@ import createModule from "./module.js";
 export const SHADINGS = {scene: -1, flat: 0, gouraud: 1, phong: 2, exact: 3};
 const COARSE = 4;  // PageScene::kCoarse
 
+// The module from a WebAssembly.Module, which the page compiles once for itself and its workers.
+const created = (wasm) => new Promise((resolve, reject) => createModule({
+    locateFile: (name) => name,
+    instantiateWasm(imports, done) {
+        WebAssembly.instantiate(wasm, imports).then((instance) => done(instance, wasm)).catch(reject);
+        return {};
+    },
+}).then(resolve, reject));
+
+// options: {wasm: a WebAssembly.Module}, or what Emscripten takes.
 export async function loadTwinlight(options = {}) {
-    const module = await createModule(options);
+    const module = await (options.wasm ? created(options.wasm) : createModule(options));
 
     function allocated(bytes) {
         const place = module._allocate(bytes);

@@ -1,9 +1,8 @@
-// Draws the reference's pictures, judges pictures by shaders, and checks answers to lessons. Messages: {id, scene, work, ...}; answers: {id, result} or
-// {id, error}. Scenes come from the page, which has opened them without an error.
+// Draws the reference's pictures, judges pictures by shaders, and checks answers to lessons. Messages: first {wasm}, the compiled module; then {id, scene, work, ...}.
+// Answers: {id, result} or {id, error}. Scenes come from the page, which has opened them without an error.
 import {loadTwinlight} from "./twinlight.js";
 
-const loading = loadTwinlight();
-let opened = "";
+let loading = null, opened = "";
 
 const WORK = {
     coarse: (twinlight, given) => twinlight.coarseReference(given),
@@ -12,7 +11,11 @@ const WORK = {
     check: (twinlight, given) => twinlight.checkAnswer(given),
 };
 
-addEventListener("message", async ({data: {id, scene, work, given}}) => {
+addEventListener("message", async ({data: {wasm, id, scene, work, given}}) => {
+    if (wasm) {
+        loading = loadTwinlight({wasm});
+        return;
+    }
     try {
         const twinlight = await loading;
         const key = JSON.stringify(scene);

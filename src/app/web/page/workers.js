@@ -1,7 +1,9 @@
 // Web Workers that share a queue of tasks.
 
 export class Workers {
-    constructor(count) {
+    // startWorker(): a Worker; wasm: the compiled module.
+    constructor(count, startWorker, wasm) {
+        Object.assign(this, {startWorker, wasm});
         this.queue = [];
         this.waiting = new Map();  // by id
         this.idle = Array.from({length: count}, () => this.started());
@@ -11,6 +13,7 @@ export class Workers {
     // A promise of the task's result. It never settles if forget() drops the task. `soon`: before the tasks that wait.
     do(task, {soon = false, keep = false} = {}) {
         return new Promise((resolve, reject) => {
+            if (this.failure) return reject(this.failure);
             this.queue[soon ? "unshift" : "push"]({task, keep, resolve, reject});
             this.start();
         });
@@ -23,7 +26,8 @@ export class Workers {
     }
 
     started() {
-        const worker = new Worker("worker.js", {type: "module"});
+        const worker = this.startWorker();
+        worker.postMessage({wasm: this.wasm});
         worker.addEventListener("message", ({data: {id, result, error}}) => {
             const entry = this.waiting.get(id);
             this.waiting.delete(id);
@@ -32,7 +36,16 @@ export class Workers {
             else entry?.resolve(result);
             this.start();
         });
+        worker.addEventListener("error", ({message}) => this.fail(new Error(`a worker of the page failed: ${message ?? "the browser did not load it"}`)));
         return worker;
+    }
+
+    // After this, no task ends.
+    fail(error) {
+        this.failure ??= error;
+        for (const {reject} of [...this.queue, ...this.waiting.values()]) reject(this.failure);
+        this.queue = [];
+        this.waiting.clear();
     }
 
     start() {
