@@ -37,8 +37,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const Descriptor file = nameless_file();
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     write_to(file, bytes.starts_with("at") ? std::string(bytes) : file_of(bytes));
-    if (!TraceCalls::can_read(file.get())) return 0;
-    const auto start = [] { return std::make_unique<TraceCalls>(file.get(), "fuzz", Blobs::kAreRead); };
+    if (!TraceCalls::can_read(TraceFile(file.get()))) return 0;
+    const auto start = [] { return std::make_unique<TraceCalls>(TraceFile(file.get()), "fuzz", Blobs::kAreRead); };
     visit_steps(start, blobs_too_large, size % 2 == 0);
     return 0;
 }

@@ -1,4 +1,4 @@
-// Dumps that are dropped on the page, without a browser: the text draws what the recording draws.
+// Recordings that are dropped on the page, without a browser: the text draws what the recording draws.
 #include "app/web/dropped_files.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +13,7 @@
 #include "scene/command/text.h"
 #include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"
+#include "scene/trace/trace_file.h"
 
 namespace twinlight::web::dropped_files_test {
 
@@ -28,7 +29,7 @@ std::string error_of(const std::string& dump) {
     DroppedFiles files;
     add(files, "dump.txt", dump);
     try {
-        files.scene_of_dump("dump.txt");
+        files.scene_of_recording("dump.txt");
     } catch (const SceneError& error) {
         return error.what();
     }
@@ -38,14 +39,14 @@ std::string error_of(const std::string& dump) {
 std::string text_of(const std::string& dump) {
     DroppedFiles files;
     add(files, "dump.txt", dump);
-    return Json::parse(files.scene_of_dump("dump.txt"))["text"];
+    return Json::parse(files.scene_of_recording("dump.txt"))["text"];
 }
 
 constexpr const char* kTriangle =
     "1 glBegin(mode = GL_TRIANGLES)\n2 glVertex2f(x = 0, y = 0)\n3 glVertex2f(x = 1, y = 0)\n4 glVertex2f(x = 0, y = "
     "1)\n5 glEnd()\n";
 
-TEST(WebDroppedDumps, DrawAsTheRecording) {
+TEST(WebDroppedFiles, DrawAsTheRecording) {
     int programs = 0;
     for (const auto& program : std::filesystem::directory_iterator("tests/traces")) {
         if (!program.is_directory()) continue;
@@ -54,7 +55,7 @@ TEST(WebDroppedDumps, DrawAsTheRecording) {
         DroppedFiles files;
         for (const auto& file : std::filesystem::directory_iterator(program.path()))
             add(files, file.path().filename(), read_file(file.path()));
-        const Json answer = Json::parse(files.scene_of_dump("dump.txt"));
+        const Json answer = Json::parse(files.scene_of_recording("dump.txt"));
         const WindowSize size{answer["width"], answer["height"]};
         PageScene page;
         EXPECT_EQ(Json::parse(page.open(answer["text"].get<std::string>(), "dump", "", size))["errors"], Json::array());
@@ -69,7 +70,7 @@ TEST(WebDroppedDumps, DrawAsTheRecording) {
     EXPECT_GT(programs, 10);
 }
 
-TEST(WebDroppedDumps, SayWhatTheTextLacks) {
+TEST(WebDroppedFiles, SayWhatTheTextLacks) {
     const std::string text =
         text_of("1 glUseProgram(program = 7)\n2 glLightf(light = GL_LIGHT0, pname = GL_SPOT_CUTOFF, param = 100)\n" +
                 std::string(kTriangle));
@@ -80,7 +81,7 @@ TEST(WebDroppedDumps, SayWhatTheTextLacks) {
     EXPECT_EQ(Json::parse(page.open(text, "dump", "", {}))["errors"], Json::array());
 }
 
-TEST(WebDroppedDumps, ShowALaterFrameIfTheFirstIsOfOneColour) {
+TEST(WebDroppedFiles, ShowALaterFrameIfTheFirstIsOfOneColour) {
     const std::string swap = "6 glXSwapBuffers(dpy = 0x1, drawable = 2)\n";
     const std::string text = text_of("0 glColor3f(red = 0, green = 0, blue = 0)\n" + (kTriangle + swap) +
                                      "7 glColor3f(red = 1, green = 0, blue = 0)\n" + (kTriangle + swap));
@@ -88,7 +89,7 @@ TEST(WebDroppedDumps, ShowALaterFrameIfTheFirstIsOfOneColour) {
     EXPECT_NE(text.find("frame 0 is almost of one colour"), std::string::npos) << text;
 }
 
-TEST(WebDroppedDumps, HaveErrorsWithTheirPlaces) {
+TEST(WebDroppedFiles, HaveErrorsWithTheirPlaces) {
     EXPECT_EQ(error_of("1 glVertexPointer(size = 3, type = GL_FLOAT, stride = 0, pointer = blob(\"b.bin\"))\n"),
               "dump.txt: call 1: the blob 'b.bin' is missing; give the dump and all its blobs together");
     EXPECT_TRUE(error_of("1 glEnable(cap = GL_LIGHTING)\n2 glFog\nx").starts_with("dump.txt:2:1: "))
@@ -96,20 +97,42 @@ TEST(WebDroppedDumps, HaveErrorsWithTheirPlaces) {
     EXPECT_NE(error_of("1 glEnable(cap = GL_LIGHTING)\n").find("draws nothing"), std::string::npos);
 }
 
-TEST(WebDroppedDumps, AreKnownByTheirFronts) {
-    EXPECT_TRUE(is_dump("1 glEnable(cap = GL_LIGHTING)\n", "dump.txt"));
-    EXPECT_FALSE(is_dump("glEnable(GL_LIGHTING);\n", "lamp.gl"));
-    for (const auto& [front, name] : {std::pair("\x1f\x8b\x08", "old"), std::pair("\x06\x01\x02", "new.trace")}) {
+TEST(WebDroppedFiles, AreKnownByTheirFronts) {
+    EXPECT_TRUE(is_recording("1 glEnable(cap = GL_LIGHTING)\n", "dump.txt"));
+    EXPECT_TRUE(is_recording(std::string_view("at\x05\0\0\0", 6), "lamp"));
+    EXPECT_TRUE(is_recording("\x06\x01\x02", "new.trace"));
+    EXPECT_FALSE(is_recording("glEnable(GL_LIGHTING);\n", "lamp.gl"));
+}
+
+// The seeds of the fuzzer are the events of a .trace, without its chunks.
+TEST(WebDroppedFiles, MayBeATrace) {
+    const std::string bytes = read_file("tests/fuzz/seeds/trace/frame");
+    DroppedFiles files;
+    add(files, "frame.trace", "at" + trace::chunk_of(bytes));
+    const Json answer = Json::parse(files.scene_of_recording("frame.trace"));
+    const std::string text = answer["text"];
+    EXPECT_TRUE(text.starts_with("// frame.trace, frame 0: ")) << text;
+    PageScene page;
+    EXPECT_EQ(Json::parse(page.open(text, "frame", "", {}))["errors"], Json::array());
+}
+
+TEST(WebDroppedFiles, OfATraceOfAnotherVersionNameWhatToDo) {
+    for (const auto& [name, bytes] : {std::pair("old.trace", "\x1f\x8b\x08"), {"new.trace", "\x06\x01\x02"}}) {
+        DroppedFiles files;
+        add(files, name, bytes);
         try {
-            is_dump(front, name);
+            files.scene_of_recording(name);
             ADD_FAILURE() << name;
         } catch (const SceneError& error) {
-            EXPECT_NE(std::string(error.what()).find("apitrace dump"), std::string::npos) << error.what();
+            const std::string said = error.what();
+            EXPECT_TRUE(said.starts_with(std::string(name) + ": this page reads the files that apitrace 5 to 13"))
+                << said;
+            EXPECT_NE(said.find("'apitrace dump --color=never --blobs"), std::string::npos) << said;
         }
     }
 }
 
-TEST(WebDroppedDumps, TooLongForTheEditorNameWhatToDo) {
+TEST(WebDroppedFiles, TooLongForTheEditorNameWhatToDo) {
     std::string dump = "0 glViewport(x = 0, y = 0, width = 64, height = 64)\n1 glBegin(mode = GL_POINTS)\n";
     for (int i = 0; i < 900'000; ++i) dump += "2 glNormal3f(x = 0, y = 0, z = 1)\n";
     dump += "3 glVertex2f(x = 0, y = 0)\n4 glEnd()\n";

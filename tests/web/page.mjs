@@ -163,12 +163,18 @@ const checks = {
         })()`));
         const recording = fs.readdirSync(folder).map((name) => [name, fs.readFileSync(folder + name, "base64")]);
         told.dumpErrors = [];
-        for (const files of [recording.filter(([name]) => name === "dump.txt"), [["cage.trace", btoa("\x06\x01")]]]) {
+        for (const files of [recording.filter(([name]) => name === "dump.txt"), [["old.trace", btoa("\x1f\x8b\x08")]]]) {
             await dropped(files);
             told.dumpErrors.push(await text("messages"));
         }
         await dropped([["mine.gl", btoa("// mine\nglRectf(0, 0, 1, 1);\n")]]);
         told.droppedScene = [await sceneText(), await browser.value(`document.getElementById("scenes").value`)];
+        // The events of a .trace in one chunk.
+        const events = fs.readFileSync("tests/fuzz/seeds/trace/frame"), literal = Buffer.from([61 << 2, (events.length - 1) & 255, (events.length - 1) >> 8]);
+        const length = Buffer.from([events.length & 127 | 128, events.length >> 7]), size = Buffer.alloc(4);
+        size.writeUInt32LE(length.length + literal.length + events.length);
+        await dropped([["frame.trace", Buffer.concat([Buffer.from("at"), size, length, literal, events]).toString("base64")]]);
+        told.droppedTrace = [await sceneText(), await text("messages")];
         await dropped(recording);
         told.dump = [await sceneText(), await text("verdict"), await browser.value(`document.getElementById("shaders").width`)];
         await browser.value(`document.getElementById("link").click()`);

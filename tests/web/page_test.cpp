@@ -441,9 +441,11 @@ TEST(WebPage, DrawsEveryScene) {
     EXPECT_NE(page["dumpErrors"][0].get<std::string>().find("dump.txt: call 39: the blob 'blob_call39.bin' is missing"),
               std::string::npos)
         << page["dumpErrors"];
-    EXPECT_NE(page["dumpErrors"][1].get<std::string>().find("apitrace's binary form"),
+    EXPECT_NE(page["dumpErrors"][1].get<std::string>().find("this page reads the files that apitrace 5 to 13 records"),
               std::string::npos)
         << page["dumpErrors"];
+    EXPECT_TRUE(page["droppedTrace"][0].get<std::string>().starts_with("// frame.trace, frame 0: 64 x 48 pixels."))
+        << page["droppedTrace"];
     EXPECT_EQ(page["failedWorker"], "error: a worker of the page failed: no worker");
     EXPECT_EQ(page["droppedScene"], (Json{"// mine\nglRectf(0, 0, 1, 1);\n", ""})) << "none of the list";
     const std::string dump = page["dump"][0], verdict_on_dump = page["dump"][1];

@@ -41,15 +41,21 @@ std::vector<std::string> notes_of(const RecordedFrame& recorded) {
     return notes;
 }
 
+std::shared_ptr<const Recording> recording_in(std::string_view bytes, const std::string& name,
+                                              const trace::BlobFiles& files) {
+    if (!trace::is_trace(bytes.substr(0, trace::kFrontBytes), name)) return trace::read_dump(bytes, name, files);
+    if (auto recording = trace::read_trace(bytes, name)) return recording;
+    throw SceneError(fmt::format(
+        "{0}: this page reads the files that apitrace 5 to 13 records; this one is of another version, or of "
+        "'apitrace repack'. Write its text with 'apitrace dump --color=never --blobs {0} >dump.txt', and "
+        "drop dump.txt together with the blobs that this writes",
+        one_line(name)));
+}
+
 }  // namespace
 
-bool is_dump(std::string_view front, const std::string& name) {
-    if (trace::is_trace(front, name))
-        throw SceneError(
-            fmt::format("{0}: this is apitrace's binary form. Write its text with 'apitrace dump --color=never --blobs "
-                        "{0} >dump.txt', and drop dump.txt together with the blobs that this writes",
-                        one_line(name)));
-    return trace::is_dump(front);
+bool is_recording(std::string_view front, const std::string& name) {
+    return trace::is_trace(front, name) || trace::is_dump(front);
 }
 
 void DroppedFiles::add(const std::string& name, std::span<const std::uint8_t> bytes) {
@@ -59,12 +65,12 @@ void DroppedFiles::add(const std::string& name, std::span<const std::uint8_t> by
     files_[name] = std::make_shared<const Memory>(std::move(memory));
 }
 
-std::string DroppedFiles::scene_of_dump(const std::string& name) {
+std::string DroppedFiles::scene_of_recording(const std::string& name) {
     const trace::BlobFiles files = std::exchange(files_, {});
-    const std::vector<std::byte>& dump = files.at(name)->bytes;
-    const std::string_view text(reinterpret_cast<const char*>(dump.data()), dump.size());  // NOLINT
+    const std::vector<std::byte>& file = files.at(name)->bytes;
+    const std::string_view bytes(reinterpret_cast<const char*>(file.data()), file.size());  // NOLINT
     const RecordedFrame recorded =
-        frame_to_see(trace::read_dump(text, name, files), {.number = std::nullopt, .memory = kPageMemory}, contrast);
+        frame_to_see(recording_in(bytes, name, files), {.number = std::nullopt, .memory = kPageMemory}, contrast);
     const Frame& frame = recorded.scene.frame;
     std::string scene = fmt::format("// {}: {} x {} pixels. The program twinlight can draw other frames (--frame).\n",
                                     recorded.scene.name(), frame.width, frame.height);

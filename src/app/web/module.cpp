@@ -82,9 +82,9 @@ EXPORT const char* open_scene(const char* text, const char* name, const char* st
     return answered([&] { return scene.open(text, name, step, {width, height}); });
 }
 
-// "dump", or "" for another text.
+// "recording", or "" for another file.
 EXPORT const char* kind_of_file(const char* name, const char* front, int count) {
-    return answered([&] { return is_dump({front, static_cast<std::size_t>(count)}, name) ? "dump" : ""; });
+    return answered([&] { return is_recording({front, static_cast<std::size_t>(count)}, name) ? "recording" : ""; });
 }
 EXPORT const char* add_file(const char* name, const std::uint8_t* bytes, int count) {
     return answered([&] {
@@ -92,8 +92,8 @@ EXPORT const char* add_file(const char* name, const std::uint8_t* bytes, int cou
         return "";
     });
 }
-EXPORT const char* scene_of_dump(const char* name) {
-    return answered([&] { return files.scene_of_dump(name); });
+EXPORT const char* scene_of_recording(const char* name) {
+    return answered([&] { return files.scene_of_recording(name); });
 }
 
 EXPORT const char* key_list() { return answered(page_keys); }

@@ -116,7 +116,7 @@ class TraceRecording final : public CallRecording {
 
   private:
     std::unique_ptr<CallSource> start() const override {
-        return std::make_unique<TraceCalls>(file_.get(), place_, wanted_);
+        return std::make_unique<TraceCalls>(TraceFile(file_.get()), place_, wanted_);
     }
     BlobLoader blobs() const override { return wanted_ == Blobs::kAreRead ? blobs_too_large : BlobLoader(); }
     Descriptor file_;
@@ -210,6 +210,23 @@ class TextRecording final : public CallRecording {
     BlobFiles blobs_;
 };
 
+// A .trace in memory.
+class TraceInMemory final : public CallRecording {
+  public:
+    TraceInMemory(std::string_view bytes, const std::string& given_name)
+        : CallRecording(given_name, given_name), bytes_(bytes) {
+        choose_context(std::nullopt);
+    }
+
+  private:
+    std::unique_ptr<CallSource> start() const override {
+        return std::make_unique<TraceCalls>(TraceFile(bytes_), place_, Blobs::kAreRead);
+    }
+    BlobLoader blobs() const override { return blobs_too_large; }
+
+    std::string_view bytes_;
+};
+
 std::string_view first_content_line(std::string_view text) {
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
@@ -263,7 +280,7 @@ std::shared_ptr<const Recording> open_trace(const std::string& path, std::option
     const std::string name = one_line(std::filesystem::path(path).filename().string()), place = one_line(path);
     Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (!file.valid()) refuse(path);
-    if (TraceCalls::can_read(file.get()))
+    if (TraceCalls::can_read(TraceFile(file.get())))
         return std::make_shared<TraceRecording>(name, place, std::move(file), context, blobs);
     return std::make_shared<DumpRecording>(name, place, path, Descriptor(), context, blobs);
 }
@@ -279,6 +296,11 @@ std::shared_ptr<const Recording> open_dump(const std::string& path, std::optiona
 
 std::shared_ptr<const Recording> read_dump(std::string_view text, const std::string& name, BlobFiles blobs) {
     return std::make_shared<TextRecording>(text, one_line(name), std::move(blobs));
+}
+
+std::shared_ptr<const Recording> read_trace(std::string_view bytes, const std::string& name) {
+    if (!TraceCalls::can_read(TraceFile(bytes))) return nullptr;
+    return std::make_shared<TraceInMemory>(bytes, one_line(name));
 }
 
 std::shared_ptr<const Recording> open_standard_input(std::string_view front, std::optional<int> context) {
@@ -298,7 +320,7 @@ std::shared_ptr<const Recording> open_standard_input(std::string_view front, std
         if (count < 0) refuse(place);
         block.resize(static_cast<std::size_t>(count));
     }
-    if (TraceCalls::can_read(file.get()))
+    if (TraceCalls::can_read(TraceFile(file.get())))
         return std::make_shared<TraceRecording>("stdin", place, std::move(file), context, Blobs::kAreRead);
     return std::make_shared<DumpRecording>("stdin", place, "", file, context);
 }

@@ -29,6 +29,8 @@ std::shared_ptr<const Recording> open_trace(const std::string& path, std::option
 std::shared_ptr<const Recording> open_dump(const std::string& path, std::optional<int> context = std::nullopt);
 // A dump in memory, which must exist as long as the recording. The busiest context is visited.
 std::shared_ptr<const Recording> read_dump(std::string_view text, const std::string& name, BlobFiles blobs);
+// The same of a .trace. Null if TraceCalls lacks its version.
+std::shared_ptr<const Recording> read_trace(std::string_view bytes, const std::string& name);
 // Reads either kind from standard input, of which `front` has already been read. A dump's blobs must be in the working
 // folder.
 std::shared_ptr<const Recording> open_standard_input(std::string_view front, std::optional<int> context = std::nullopt);

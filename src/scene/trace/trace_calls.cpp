@@ -6,8 +6,7 @@
 
 namespace twinlight::trace {
 
-bool TraceCalls::can_read(int descriptor) {
-    TraceFile file(descriptor);
+bool TraceCalls::can_read(TraceFile file) {
     TraceReader reader(file, Blobs::kAreLeftOut);
     reader.next();
     return !reader.is_foreign();

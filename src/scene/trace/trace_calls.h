@@ -9,12 +9,12 @@ namespace twinlight::trace {
 
 class TraceCalls final : public CallSource {
   public:
-    // `descriptor` allows random access, and must stay open. `name` is the name of the file in errors.
-    TraceCalls(int descriptor, std::string name, Blobs blobs)
-        : name_(std::move(name)), file_(descriptor), reader_(file_, blobs) {}
+    // `name` is the name of the file in errors.
+    TraceCalls(TraceFile file, std::string name, Blobs blobs)
+        : name_(std::move(name)), file_(std::move(file)), reader_(file_, blobs) {}
 
     // Whether this can read the file, though it may be damaged. Otherwise `apitrace dump` may.
-    static bool can_read(int descriptor);
+    static bool can_read(TraceFile file);
 
     const RecordedCall* next() override;
     bool read() override { return call_->arguments.are_complete(); }

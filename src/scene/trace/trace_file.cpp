@@ -101,6 +101,7 @@ std::string chunk_of(std::string_view bytes) {
 }
 
 std::string TraceFile::read_at(std::uint64_t at, std::uint64_t size) const {
+    if (descriptor_ < 0) return std::string(bytes_.substr(std::min<std::uint64_t>(at, bytes_.size()), size));
     struct stat status {};
     if (::fstat(descriptor_, &status) != 0) return {};
     const auto end = static_cast<std::uint64_t>(status.st_size);

@@ -29,6 +29,8 @@ class TraceFile {
   public:
     // `descriptor` allows random access, and must stay open.
     explicit TraceFile(int descriptor) : descriptor_(descriptor) {}
+    // A file in memory, which must stay there.
+    explicit TraceFile(std::string_view bytes) : bytes_(bytes) {}
 
     // Adds the bytes of the next chunk to `to`. Returns false if the file does not have it, or not all of it, or if it is damaged.
     bool read_chunk(std::string& to);
@@ -53,7 +55,8 @@ class TraceFile {
     std::string damaged() const;
     std::string read_at(std::uint64_t at, std::uint64_t size) const;  // less at the end of the file
 
-    int descriptor_;
+    int descriptor_ = -1;
+    std::string_view bytes_{};          // if there is no descriptor
     std::uint64_t at_ = 0, start_ = 0;  // of the next chunk
     std::vector<Chunk> chunks_;
     std::string failure_;

@@ -55,9 +55,9 @@ export async function loadTwinlight(options = {}) {
         // Opens a scene; then the functions below are about it. Throws only if memory is short.
         open: ({text, name, step = "", width, height}) => json("open_scene", text, name, step, width, height),
         // What app/web/dropped_files.h does. Bytes: Uint8Array.
-        isDump: (name, front) => textAt(call("kind_of_file", name, front, front.length)) === "dump",
+        isRecording: (name, front) => textAt(call("kind_of_file", name, front, front.length)) === "recording",
         addFile: (name, bytes) => { call("add_file", name, bytes, bytes.length); },
-        sceneOfDump: (name) => json("scene_of_dump", name),
+        sceneOfRecording: (name) => json("scene_of_recording", name),
         warnings: () => json("lint_scene").warnings,
         // A copy of the rows y0 to y1 of the reference's picture, `width` pixels each: {rows: bytes, floats}.
         referenceRows({shading, asFloats = false, y0, y1, width}) {
