@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # gallery.sh PROGRAM FOLDER [SCENE...]: draws the built-in scenes (all, or these), each of their steps, with every renderer, and writes a
-# page of the pictures, FOLDER/index.html. Each row leads to the page of `twinlight compare` for that step.
+# page of the pictures, FOLDER/index.html. Each row leads to the page of `twinlight compare` for that step, and to the page of `make web`
+# if that is in FOLDER/../web.
 set -euo pipefail
 program=$1 folder=$2
 shift 2
@@ -86,7 +87,11 @@ END
             printf '<h3>%s. %s</h3>\n' "$name" "$text"
         fi
         answer=$(sed -n 3p "$work/$place.out" | sed 's/&/\&amp;/g; s/</\&lt;/g; s/>/\&gt;/g')
-        printf '<p class="answer"><a href="%s/index.html">%s</a></p>\n<div class="row">\n' "$place" "$answer"
+        change=
+        if [ -e "$folder/../web/twinlight.html" ]; then
+            change=" <a href=\"../web/twinlight.html#scene=$scene&amp;step=$name\">Change this scene</a>"
+        fi
+        printf '<p class="answer"><a href="%s/index.html">%s</a>%s</p>\n<div class="row">\n' "$place" "$answer" "$change"
         for picture in "fixed:fixed function" "programmable:shaders" "reference:reference" "programmable-phong:shaders, every pixel"; do
             [ -e "$folder/$place/${picture%%:*}.png" ] || { echo "gallery.sh: $folder/$place has no picture ${picture%%:*}.png" >&2; exit 1; }
             printf '<figure><img loading="lazy" src="%s/%s.png" alt="%s: %s"><figcaption>%s</figcaption></figure>\n' \

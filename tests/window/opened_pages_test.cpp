@@ -110,12 +110,15 @@ TEST_F(OpenedPages, OfScenesWithStepsAndSpectraAreWithoutErrors) {
 }
 
 TEST_F(OpenedPages, OfTheGalleryAreWithoutErrors) {
+    std::filesystem::create_directory(folder_ / "web");
+    write_file_atomically(folder_ / "web/twinlight.html", "the page");
     const ProgramResult drawn =
         run_shell("twinlight", "tools/gallery.sh \"$PROGRAM\" " + quoted(folder_ / "gallery") + " report");
     ASSERT_EQ(drawn.status, 0) << drawn.err;
     expect_right("gallery", 4);
-    EXPECT_NE(read_file(folder_ / "gallery/index.html").find("<a href=\"report-1/index.html\">All three agree"),
-              std::string::npos);
+    const std::string gallery = read_file(folder_ / "gallery/index.html");
+    EXPECT_NE(gallery.find("<a href=\"report-1/index.html\">All three agree"), std::string::npos);
+    EXPECT_NE(gallery.find("<a href=\"../web/twinlight.html#scene=report&amp;step=1\">"), std::string::npos);
     const ProgramResult unknown =
         run_shell("twinlight", "tools/gallery.sh \"$PROGRAM\" " + quoted(folder_ / "none") + " repotr");
     EXPECT_EQ(unknown.status, 2);
