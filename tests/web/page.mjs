@@ -86,6 +86,8 @@ const checks = {
 
     // All controls in their order, without a mouse, in both colour schemes.
     async worksWithTheKeyboard() {
+        told.narrow = await browser.value(`document.getElementById("view").value`);
+        await choose("view", "grid");
         told.tabs = await tabOrder();
         await browser.size(360, 800, false);
         told.tooWide.push(await tooWide());
@@ -198,6 +200,19 @@ const checks = {
         told.failedWorker = await text("messages");
         await browser.send("Page.removeScriptToEvaluateOnNewDocument", {identifier});
         await opened("#scene=spotlight");
+    },
+
+    // Dark and light, as the system or as the button says.
+    async changesTheTheme() {
+        const shown = () => browser.value(`[getComputedStyle(document.body).backgroundColor, document.getElementById("theme").textContent]`);
+        const click = () => browser.value(`document.getElementById("theme").click()`);
+        told.themes = [await shown()];
+        await click();
+        told.themes.push(await shown());
+        await opened("#scene=spotlight");
+        told.themes.push(await shown());
+        await click();
+        told.themes.push(await shown());
     },
 
     async showsErrors() {

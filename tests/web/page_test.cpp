@@ -386,9 +386,10 @@ TEST(WebPage, DrawsEveryScene) {
     EXPECT_NE(page["schemes"][0], page["schemes"][1]);
     EXPECT_EQ(page["policy"].get<std::string>().substr(0, 19), "default-src 'none';");
     EXPECT_EQ(page["order"][0], "drawImage") << "the coarse picture comes first";
-    const Json tabs = {"scenes", "steps",   "shading",   "view",        "link",    "form", "save",
-                       "editor", "shaders", "reference", "difference",  "floats",  "mesa", "SUMMARY",
-                       "x",      "y",       "BUTTON",    "explanation", "SUMMARY", "BODY"};
+    const Json tabs = {"scenes",  "steps",  "shading", "view",      "link",        "form",    "save",
+                       "theme",   "editor", "shaders", "reference", "difference",  "floats",  "mesa",
+                       "SUMMARY", "x",      "y",       "BUTTON",    "explanation", "SUMMARY", "BODY"};
+    EXPECT_EQ(page["narrow"], "slider") << "a phone shows one picture first";
     EXPECT_EQ(page["tabs"], tabs);
     EXPECT_NE(page["explanation"].get<std::string>().find("GL_LIGHT"), std::string::npos) << page["explanation"];
     EXPECT_TRUE(page["error"].get<std::string>().starts_with("3:1: error: ")) << page["error"];
@@ -447,6 +448,12 @@ TEST(WebPage, DrawsEveryScene) {
     EXPECT_TRUE(page["droppedTrace"][0].get<std::string>().starts_with("// frame.trace, frame 0: 64 x 48 pixels."))
         << page["droppedTrace"];
     EXPECT_EQ(page["failedWorker"], "error: a worker of the page failed: no worker");
+    const Json& themes = page["themes"];
+    EXPECT_EQ(themes[0][1], "Light") << "the system is dark";
+    EXPECT_EQ(themes[1][1], "Dark");
+    EXPECT_NE(themes[0][0], themes[1][0]);
+    EXPECT_EQ(themes[2], themes[1]) << "after loading the page again";
+    EXPECT_EQ(themes[3], themes[0]);
     EXPECT_EQ(page["droppedScene"], (Json{"// mine\nglRectf(0, 0, 1, 1);\n", ""})) << "none of the list";
     const std::string dump = page["dump"][0], verdict_on_dump = page["dump"][1];
     EXPECT_TRUE(dump.starts_with("// dump.txt, frame 0: 300 x 300 pixels.")) << dump.substr(0, 200);

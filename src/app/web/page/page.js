@@ -9,6 +9,7 @@ import {file, workersOf} from "./own_files.js";
 import {offerMesa, setSlider, show, showDifference, showMesa, showReference, startSlider} from "./pictures.js";
 import {offer, save} from "./saves.js";
 import {loadTwinlight} from "./twinlight.js";
+import {startTheme} from "./theme.js";
 import {Workers} from "./workers.js";
 
 const WINDOW = {width: 640, height: 480};
@@ -257,6 +258,7 @@ at("probe").addEventListener("submit", (event) => {
 for (const canvas of document.querySelectorAll("canvas")) control(canvas, twinlight, {ready, done: controlled, click: explain});
 showKeys(at("keys").querySelector("table"), twinlight.keys());
 startSlider();
+startTheme(at("theme"));
 addEventListener("dragover", (event) => event.preventDefault());
 addEventListener("drop", async (event) => {
     event.preventDefault();

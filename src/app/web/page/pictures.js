@@ -4,6 +4,7 @@ import {pictureIn} from "./recorded.js";
 
 const ROWS = 48;       // of a worker's task
 const ZERO_GREY = 64;  // where pictures are equal
+const NARROW = 600;    // a window for one picture
 const SIDES = ["left", "right"];  // of the slider
 
 const at = (id) => document.getElementById(id);
@@ -12,6 +13,7 @@ function contextOf(id, {width, height}) {
     const canvas = at(id);
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     canvas.classList.remove("stale");
+    at("pictures").style.setProperty("--aspect", width / height);
     return canvas.getContext("2d");
 }
 function opaqueImage(pixels, width) {
@@ -72,13 +74,13 @@ export function offerMesa(has_picture) {
     setSlider();
 }
 
-// ---- The slider: two pictures, one on each side of a line ----
-
 // Mesa's picture of this name, from the reference's with floats.
 export async function showMesa(name, floats, size, wanted) {
     const picture = await pictureIn(await (await file("mesa/" + name)).blob(), floats);
     if (wanted()) show("mesa", picture, size);
 }
+
+// ---- The slider: two pictures, one on each side of a line ----
 
 export function setSlider() {
     const is_slider = at("view").value === "slider";
@@ -95,5 +97,7 @@ export function startSlider() {
         for (const figure of at("pictures").querySelectorAll("figure"))
             at(side).append(new Option(figure.querySelector("figcaption span").textContent, figure.querySelector("canvas").id));
     at("right").value = "reference";
+    if (innerWidth < NARROW) at("view").value = "slider";
     for (const id of ["view", "line", ...SIDES]) at(id).addEventListener("input", setSlider);
+    setSlider();
 }
