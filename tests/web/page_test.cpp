@@ -322,6 +322,30 @@ TEST(WebPage, IsOneFileOfALimitedSize) {
     EXPECT_GT(std::stoul(compressed), 1'000'000U) << "or the module is not in it";
 }
 
+TEST(WebPage, IsPackedForHosts) {
+    if (!is_built()) GTEST_SKIP() << kNotBuilt;
+    // A zip file ends with the names of its files.
+    const std::string one_file = read_file("build/web/twinlight.zip"),
+                      folder = read_file("build/web/twinlight-page.zip");
+    EXPECT_NE(one_file.rfind("twinlight/twinlight.html"), std::string::npos);
+    for (const char* name : {"index.html", "page.js", "module.wasm", "codemirror/copyright", "mesa/terms-3"})
+        EXPECT_NE(folder.rfind(std::string("twinlight/") + name), std::string::npos) << name;
+    for (const std::string* zip : {&one_file, &folder})
+        EXPECT_NE(zip->rfind("twinlight/hosting.html"), std::string::npos);
+
+    // .ci/run publishes into a new folder, as the workflow does.
+    const std::string script = "tools/publish-page.sh build/site\n";
+    EXPECT_NE(read_file(".github/workflows/page.yml").find("run: " + script), std::string::npos);
+    EXPECT_NE(read_file(".ci/run").find(script), std::string::npos);
+    const TemporaryFolder used;
+    write_file_atomically(used / "file", "mine");
+    const ProgramResult refused = run_shell("", "tools/publish-page.sh " + quoted(used.str()));
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_EQ(refused.err, "publish-page.sh: " + used.str() + " is not empty; give a new folder\n");
+    EXPECT_EQ(used.names(), std::vector<std::string>{"file"});
+    EXPECT_EQ(run_shell("", "tools/publish-page.sh").status, 2);
+}
+
 TEST(WebPage, NamesTheToolThatPackingLacks) {
     if (!is_built()) GTEST_SKIP() << kNotBuilt;
     const TemporaryFolder folder;

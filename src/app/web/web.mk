@@ -38,7 +38,7 @@ LDFLAGS_web := -O2 -fwasm-exceptions -sMODULARIZE=1 -sEXPORT_ES6=1 -sENVIRONMENT
 
 .PHONY: web
 web: deps  ## build the page for browsers: build/web/twinlight.html, and build/web/page for a host
-	@$(MAKE) $(WEB)/twinlight.html
+	@$(MAKE) $(WEB)/twinlight.zip $(WEB)/twinlight-page.zip
 
 $(WEB)/flags: $(if $(subst |$(EMXX) $(CXXFLAGS_web) $(LDFLAGS_web)|,,|$(file <$(WEB)/flags)|),force)
 	@mkdir -p $(WEB)/include; ln -sf $(HEADERS_web:%=/usr/include/%) $(WEB)/include
@@ -80,6 +80,16 @@ FILES_page := $(PAGE)/module.js $(patsubst src/app/web/page/%,$(PAGE)/%,$(wildca
 $(WEB)/twinlight.html: $(FILES_page) $(PAGE)/mesa.json tools/pack-page.mjs
 	@echo "pack $@"
 	@node tools/pack-page.mjs $(PAGE) $@
+# Both forms to give away. A zip file has one time for all its files, so that it changes only with them.
+$(WEB)/hosting.html: src/app/web/hosting.html
+	@cp $< $@
+zip_web = rm -rf $@ $@.d; mkdir -p $@.d/twinlight; cp -R $(1) $(WEB)/hosting.html $@.d/twinlight; \
+    find $@.d -exec touch -d 2000-01-01T00:00Z {} +; cd $@.d && find twinlight -type f | LC_ALL=C sort | TZ=UTC zip -q -X -9 ../$(@F) -@; \
+    status=$$?; rm -rf ../$(@F).d; exit $$status
+$(WEB)/twinlight.zip: $(WEB)/twinlight.html $(WEB)/hosting.html
+	@$(call zip_web,$<)
+$(WEB)/twinlight-page.zip: $(WEB)/twinlight.html $(WEB)/hosting.html
+	@$(call zip_web,$(PAGE)/.)
 # For Node: these files are modules.
 $(PAGE)/package.json:
 	@mkdir -p $(@D); echo '{"type": "module"}' >$@
