@@ -177,6 +177,26 @@ const checks = {
         size.writeUInt32LE(length.length + literal.length + events.length);
         await dropped([["frame.trace", Buffer.concat([Buffer.from("at"), size, length, literal, events]).toString("base64")]]);
         told.droppedTrace = [await sceneText(), await text("messages")];
+        // A mesh with its material file and picture, a program, and a picture alone.
+        const triangle = "mtllib t.mtl\nusemtl red\nv 0 0 0\nv 2 0 0\nv 0 2 0\nvn 0 0 1\nf 1//1 2//1 3//1\n";
+        await dropped([["t.obj", btoa(triangle)], ["t.mtl", btoa("newmtl red\nKa 0 0 0\nKd 1 0 0\n")]]);
+        told.droppedMesh = [await sceneText(), await text("messages"), await pixel("reference", 300, 260), await pixel("shaders", 300, 260)];
+        await dropped([["main.c", btoa(`#include <GL/glut.h>
+void display(void) { glColor3f(0, 1, 0); glRectf(-1, -1, 1, 1); glutSwapBuffers(); }
+int main(int argc, char** argv) { glutInit(&argc, argv); glutInitWindowSize(80, 60); glutCreateWindow("a"); glutDisplayFunc(display); glutMainLoop(); }
+`)]]);
+        told.droppedProgram = [await text("messages"), await browser.value(`document.getElementById("shaders").width`), await pixel("reference", 40, 30)];
+        const textured = `glEnable(GL_TEXTURE_2D);\n#pragma twinlight texture("mine.png")\nglTexCoord2f(0.5, 0.5);\nglRectf(-1, -1, 1, 1);\n`;
+        await typed(textured);
+        told.droppedPicture = [await text("messages")];
+        await drawn(async () => {
+            await dropped([["mine.png", fs.readFileSync("src/scene/scenes/crate.png", "base64")]]);
+        });
+        told.droppedPicture.push(await text("said"), await text("messages"), await sceneText() === textured, await pixel("reference", 40, 30), await pixel("shaders", 40, 30));
+        // A scene that loads another picture than Mesa did.
+        await dropped([["floor.png", fs.readFileSync("src/scene/scenes/crate.png", "base64")]]);
+        await drawn(() => choose("scenes", "report"));
+        told.otherMesa = [await text("messages"), await browser.value(`document.getElementById("mesa").parentElement.hidden`)];
         await dropped(recording);
         told.dump = [await sceneText(), await text("verdict"), await browser.value(`document.getElementById("shaders").width`)];
         await browser.value(`document.getElementById("link").click()`);

@@ -471,6 +471,22 @@ TEST(WebPage, DrawsEveryScene) {
         << page["dumpErrors"];
     EXPECT_TRUE(page["droppedTrace"][0].get<std::string>().starts_with("// frame.trace, frame 0: 64 x 48 pixels."))
         << page["droppedTrace"];
+    const Json& mesh = page["droppedMesh"];
+    EXPECT_TRUE(mesh[0].get<std::string>().starts_with("// t.obj\n")) << mesh;
+    EXPECT_NE(mesh[0].get<std::string>().find("gluLookAt(1, 1, 4.243, 1, 1, 0, 0, 1, 0);"), std::string::npos) << mesh;
+    EXPECT_EQ(mesh[1], "");
+    EXPECT_GT(mesh[2][0], 100) << "red, of the material file: " << mesh;
+    EXPECT_EQ(mesh[2][1], 0);
+    EXPECT_EQ(mesh[2], mesh[3]);
+    EXPECT_EQ(page["droppedProgram"], (Json{"", 80, {0, 255, 0, 255}}));
+    const Json& texture = page["droppedPicture"];
+    EXPECT_NE(texture[0].get<std::string>().find("drop it on the page"), std::string::npos) << texture;
+    EXPECT_TRUE(texture[1].get<std::string>().starts_with("A scene can use mine.png now.")) << texture;
+    EXPECT_EQ(texture[2], "");
+    EXPECT_EQ(texture[3], true) << "the text stays";
+    EXPECT_NE(texture[4], (Json{255, 255, 255, 255}));
+    EXPECT_EQ(texture[4], texture[5]);
+    EXPECT_EQ(page["otherMesa"], (Json{"", true})) << "Mesa drew the scene with another texture";
     EXPECT_EQ(page["failedWorker"], "error: a worker of the page failed: no worker");
     const Json& themes = page["themes"];
     EXPECT_EQ(themes[0][1], "Light") << "the system is dark";

@@ -96,6 +96,14 @@ EXPORT const char* scene_of_recording(const char* name) {
     return answered([&] { return files.scene_of_recording(name); });
 }
 
+// A picture, mesh or material file for the scenes that are opened after this.
+EXPORT const char* keep_file(const char* name, const char* bytes, int count) {
+    return answered([&] {
+        scene.keep_file(name, std::string(bytes, static_cast<std::size_t>(count)));
+        return "";
+    });
+}
+
 EXPORT const char* key_list() { return answered(page_keys); }
 EXPORT const char* press_key(int code) {
     return answered([&] { return scene.controls().press(code); });

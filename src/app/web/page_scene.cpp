@@ -50,12 +50,24 @@ void check_fits(const Frame& frame) {
 
 }  // namespace
 
-CommandList read_for_page(std::string_view text, const std::string& name, const std::string& step) {
+CommandList read_for_page(std::string_view text, const std::string& name, const std::string& step,
+                          const FileFinder& find) {
     if (text.size() > kMaxPageBytes)
         throw SceneError(
             fmt::format("{}: is larger than {} MiB, the limit of this page; the program twinlight can draw it", name,
                         kMaxPageBytes >> 20));
-    return read_scene(text, name + ".gl", name, images_built_in, {.step = step, .load_mesh = meshes_built_in});
+    const auto needed = [&](const std::string& file) {
+        if (!find(file)) throw std::runtime_error("the page does not have this file; drop it on the page");
+    };
+    const auto image = [&](const std::string& file) {
+        needed(file);
+        return images_in(find)(file);
+    };
+    const auto mesh = [&](const std::string& file) {
+        needed(file);
+        return meshes_in(find)(file);
+    };
+    return read_scene(text, name + ".gl", name, image, {.step = step, .load_mesh = mesh});
 }
 
 std::string built_in_scenes() {
@@ -67,12 +79,19 @@ std::string built_in_scenes() {
 std::string PageScene::open(std::string_view text, const std::string& name, const std::string& step, WindowSize size) {
     scene_.reset();
     staged_.reset();
+    const auto read = [this, name, step](std::string_view given) {
+        return read_for_page(given, name, step, [this](std::string_view file) -> std::optional<std::string_view> {
+            const auto kept = files_.find(file);
+            if (kept != files_.end()) return kept->second;
+            return built_in_file(file);
+        });
+    };
     StateOptions options;
     options.width = size.width;
     options.height = size.height;
     Json answer = {{"errors", Json::array()}, {"note", ""}};
     try {
-        const auto list = std::make_shared<const CommandList>(read_for_page(text, name, step));
+        const auto list = std::make_shared<const CommandList>(read(text));
         answer["steps"] = list->steps;
         answer["step"] = list->step;
         if (list->window) {
@@ -85,9 +104,7 @@ std::string PageScene::open(std::string_view text, const std::string& name, cons
         for (const std::string& note : scene_->recording->notes())
             answer["note"] = answer["note"].get<std::string>() + (answer["note"] == "" ? "" : "; ") + note;
         if (controls_ && !controls_->shows(text, list->step)) controls_.reset();
-        opened_ = {list, std::string(text), {options.width, options.height}, [name, step](std::string_view edited) {
-                       return read_for_page(edited, name, step);
-                   }};
+        opened_ = {list, std::string(text), {options.width, options.height}, read};
         answer["width"] = scene_->frame.width;
         answer["height"] = scene_->frame.height;
     } catch (const SceneError& error) {

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/web/page_controls.h"
@@ -18,6 +21,7 @@
 #include "render/webgl/webgl_frame.h"
 #include "scene/frame/copied_texels.h"
 #include "scene/frame/scene.h"
+#include "scene/scenes/beside.h"
 
 namespace twinlight::web {
 
@@ -32,7 +36,8 @@ inline constexpr std::size_t kPageMemory = 1'000'000'000;
 inline constexpr std::size_t kPageBytesOfPixel = 112;
 
 // Reads a text. Built-in pictures and meshes are its only files. Throws SceneError.
-CommandList read_for_page(std::string_view text, const std::string& name, const std::string& step);
+CommandList read_for_page(std::string_view text, const std::string& name, const std::string& step,
+                          const FileFinder& find = built_in_file);
 
 // JSON: {"scenes": [{"name", "text"}]}, the built-in scenes.
 std::string built_in_scenes();
@@ -45,6 +50,8 @@ class PageScene {
     // scene is open. A program's own window size is used instead of `size`.
     std::string open(std::string_view text, const std::string& name, const std::string& step, WindowSize size);
     bool is_open() const { return scene_.has_value(); }
+    // Keeps a picture, mesh or material file under this name. Texts that are opened from now on find it before a built-in one.
+    void keep_file(const std::string& name, std::string bytes) { files_[name] = std::move(bytes); }
     const Scene& scene() const { return *scene_; }
 
     // The keys and the mouse. A scene must be open; the page opens the text that they answer with.
@@ -107,7 +114,8 @@ class PageScene {
 
     std::optional<Scene> scene_;
     Opened opened_;
-    std::optional<PageControls> controls_;  // made when they are first needed
+    std::map<std::string, std::string, std::less<>> files_;  // that were dropped on the page
+    std::optional<PageControls> controls_;                   // made when they are first needed
     std::unique_ptr<Staged> staged_;
     std::vector<std::uint8_t> codes_;
 };

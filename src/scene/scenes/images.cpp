@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/image/png.h"
 #include "scene/scenes/beside.h"
@@ -33,10 +34,13 @@ ImageLoader images_beside(const fs::path& scene) {
     };
 }
 
-ImageFile images_built_in(const std::string& name) {
-    const auto file = built_in_file(name);
-    if (!file) return no_images(name);
-    return image_of(*file);
+ImageLoader images_in(FileFinder find) {
+    return [find = std::move(find)](const std::string& name) {
+        const auto file = find(name);
+        return file ? image_of(*file) : no_images(name);
+    };
 }
+
+ImageFile images_built_in(const std::string& name) { return images_in(built_in_file)(name); }
 
 }  // namespace twinlight

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "scene/command/text.h"
+#include "scene/scenes/beside.h"
 
 namespace twinlight {
 
@@ -16,6 +17,8 @@ inline constexpr int kMaxImageSide = 2048;
 // folders. A picture of the built-in scenes need not be in the folder, so that a changed copy of such a scene can be drawn.
 ImageLoader images_beside(const std::filesystem::path& scene);
 
+// Returns a loader for the PNGs that this finds.
+ImageLoader images_in(FileFinder find);
 // A picture of kSceneAssets, for scenes without a folder. Throws std::runtime_error if there is none of this name.
 ImageFile images_built_in(const std::string& name);
 

@@ -1,6 +1,9 @@
 #include "scene/scenes/meshes.h"
 
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "scene/mesh/obj.h"
 #include "scene/scenes/beside.h"
@@ -18,14 +21,18 @@ MeshLoader meshes_beside(const std::filesystem::path& scene) {
     };
 }
 
-std::shared_ptr<const Mesh> meshes_built_in(const std::string& name) {
-    const auto text_of = [](const std::string& file) {
-        const auto text = built_in_file(file);
-        if (!text) throw std::runtime_error("no built-in scene has a file of this name");
-        return std::string(*text);
+MeshLoader meshes_in(FileFinder find) {
+    return [find = std::move(find)](const std::string& name) {
+        const auto text_of = [&find](const std::string& file) {
+            const auto text = find(file);
+            if (!text) throw std::runtime_error("there is no file of this name");
+            return std::string(*text);
+        };
+        if (!find(name)) return no_meshes(name);
+        return read_obj(text_of(name), {.text = text_of, .image = images_in(find)});
     };
-    if (!built_in_file(name)) return no_meshes(name);
-    return read_obj(text_of(name), {.text = text_of, .image = images_built_in});
 }
+
+std::shared_ptr<const Mesh> meshes_built_in(const std::string& name) { return meshes_in(built_in_file)(name); }
 
 }  // namespace twinlight

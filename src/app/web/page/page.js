@@ -30,7 +30,7 @@ const editor = new Editor(at("text"), () => {
     clearTimeout(pause);
     pause = setTimeout(draw, PAUSE_MS);
 });
-let renderer = null, name = "scene", window_size = WINDOW, opened = null, revision = 0, pause = 0;
+let renderer = null, name = "scene", window_size = WINDOW, opened = null, revision = 0, pause = 0, keptFiles = 0;
 
 // ---- Messages: all texts of scenes become text, never markup ----
 
@@ -64,7 +64,7 @@ async function draw() {
     performance.clearMarks();
     performance.mark("begin");
     workers.forget();
-    const scene = {text: editor.text, name, step: at("steps").value, ...window_size};
+    const scene = {text: editor.text, name, step: at("steps").value, keptFiles, ...window_size};
     let answer;
     try {
         answer = twinlight.open(scene);
@@ -265,7 +265,17 @@ addEventListener("drop", async (event) => {
     const files = [...event.dataTransfer.files];
     if (files.length === 0) return;
     try {
-        const {name, text, size} = await sceneIn(files, twinlight);
+        const {name, text, size, beside} = await sceneIn(files, twinlight);
+        for (const [file, bytes] of beside) twinlight.keepFile(file, bytes);
+        if (beside.length > 0) {
+            workers.keep(beside);
+            ++keptFiles;
+        }
+        if (text === null) {
+            await draw();
+            at("said").textContent = `A scene can use ${beside.map(([file]) => file).join(", ")} now. For a picture: #pragma twinlight texture("${beside[0][0]}")`;
+            return;
+        }
         lessons.hide();
         at("scenes").value = "";
         await load(name, text, "", size);

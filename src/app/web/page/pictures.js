@@ -77,7 +77,9 @@ export function offerMesa(has_picture) {
 // Mesa's picture of this name, from the reference's with floats.
 export async function showMesa(name, floats, size, wanted) {
     const picture = await pictureIn(await (await file("mesa/" + name)).blob(), floats);
-    if (wanted()) show("mesa", picture, size);
+    if (!wanted()) return;
+    if (picture) show("mesa", picture, size);
+    else offerMesa(false);
 }
 
 // ---- The slider: two pictures, one on each side of a line ----

@@ -58,6 +58,8 @@ export async function loadTwinlight(options = {}) {
         isRecording: (name, front) => textAt(call("kind_of_file", name, front, front.length)) === "recording",
         addFile: (name, bytes) => { call("add_file", name, bytes, bytes.length); },
         sceneOfRecording: (name) => json("scene_of_recording", name),
+        // A picture, mesh or material file for the scenes that are opened after this.
+        keepFile: (name, bytes) => { call("keep_file", name, bytes, bytes.length); },
         warnings: () => json("lint_scene").warnings,
         // A copy of the rows y0 to y1 of the reference's picture, `width` pixels each: {rows: bytes, floats}.
         referenceRows({shading, asFloats = false, y0, y1, width}) {

@@ -1,4 +1,5 @@
-// Draws the reference's pictures, judges pictures by shaders, and checks answers to lessons. Messages: first {wasm}, the compiled module; then {id, scene, work, ...}.
+// Draws the reference's pictures, judges pictures by shaders, and checks answers to lessons. Messages: first {wasm}, the compiled module; then {files}, to keep
+// ([name, bytes] each), or {id, scene, work, ...}.
 // Answers: {id, result} or {id, error}. Scenes come from the page, which has opened them without an error.
 import {loadTwinlight} from "./twinlight.js";
 
@@ -11,13 +12,18 @@ const WORK = {
     check: (twinlight, given) => twinlight.checkAnswer(given),
 };
 
-addEventListener("message", async ({data: {wasm, id, scene, work, given}}) => {
+addEventListener("message", async ({data: {wasm, files, id, scene, work, given}}) => {
     if (wasm) {
         loading = loadTwinlight({wasm});
         return;
     }
     try {
         const twinlight = await loading;
+        if (files) {
+            for (const [name, bytes] of files) twinlight.keepFile(name, bytes);
+            opened = "";
+            return;
+        }
         const key = JSON.stringify(scene);
         if (scene && key !== opened) {
             opened = "";

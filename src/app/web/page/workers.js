@@ -6,7 +6,8 @@ export class Workers {
         Object.assign(this, {startWorker, wasm});
         this.queue = [];
         this.waiting = new Map();  // by id
-        this.idle = Array.from({length: count}, () => this.started());
+        this.all = Array.from({length: count}, () => this.started());
+        this.idle = [...this.all];
         this.next = 0;
     }
 
@@ -17,6 +18,11 @@ export class Workers {
             this.queue[soon ? "unshift" : "push"]({task, keep, resolve, reject});
             this.start();
         });
+    }
+
+    // Gives all workers these files, [name, bytes] each, for the scenes of later tasks.
+    keep(files) {
+        for (const worker of this.all) worker.postMessage({files});
     }
 
     // Drops the tasks that have not begun, except those to keep. Those that have end, but nobody waits for them.
