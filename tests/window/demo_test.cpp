@@ -24,6 +24,7 @@
 #include "app/session/keys.h"
 #include "app/session/layout.h"
 #include "app/session/session.h"
+#include "app/session/sides.h"
 #include "base/image/difference.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
@@ -221,36 +222,47 @@ TEST_F(DemoWindow, DrawsEveryPaneAsItsRendererDoes) {
 }
 
 // What a student sees first: the fixed function at the left of the line, shaders that light every pixel at its right.
-TEST_F(DemoWindow, ShowsTheFixedFunctionBesideLightingPerPixelFirst) {
-    const Ran ran = run_demo(scene_file_);
-    ASSERT_EQ(ran.status, 0) << ran.output;
-    const Image screenshot = picture();
+TEST_F(DemoWindow, TheSliderShowsTwoPicturesAndASwitchForWhatDiffers) {
+    if (run("command -v xdotool").status != 0) GTEST_SKIP() << "xdotool is missing (Debian's package xdotool)";
     Session session = session_after("", View::kSlider);
     const Layout places = layout(session, kWidth, kHeight, 1);
     refresh(session, places.picture.width, places.picture.height);
     const auto context = make_offscreen_context(kWidth, kHeight);
-    const Image left = fixed::render(session.scene);
-    const Image right = programmable::Renderer().render(session.scene.frame, {{{.shading = Shading::kPhong}}});
     const PixelMask edges = reference::allowed_difference(session.scene.frame, {}).edge;
     // Without the line and its handle.
-    const Rectangle picture = places.cells.front().picture;
-    const int width = picture.width / 2 - 20;
-    const auto half = [&](const Image& image) { return part_of(image, {0, 0, width, picture.height}); };
-    const auto other_half = [&](const Image& image) {
-        return part_of(image, {picture.width - width, 0, width, picture.height});
-    };
-    const Image shown = part_of(screenshot, picture);
-    const auto some_edges = [&](int from) {
+    const Rectangle picture_box = places.cells.front().picture;
+    const int width = picture_box.width / 2 - 20;
+    const auto expect_half = [&](const Image& screenshot, std::size_t pane, int from, double interior) {
         PixelMask mask;
-        for (int y = 0; y < picture.height; ++y)
+        for (int y = 0; y < picture_box.height; ++y)
             for (int x = 0; x < width; ++x)
-                mask.push_back(edges[static_cast<std::size_t>(y * picture.width + from + x)]);
-        return mask;
+                mask.push_back(edges[static_cast<std::size_t>(y * picture_box.width + from + x)]);
+        const Rectangle half{from, 0, width, picture_box.height};
+        expect_near(part_of(part_of(screenshot, picture_box), half),
+                    part_of(picture_of(session, session.panes[pane]), half), mask, interior);
     };
-    expect_near(half(shown), half(left), some_edges(0), 0);
-    expect_near(other_half(shown), other_half(right), some_edges(picture.width - width), 1 / 255.0);
-    const RegionDifference apart = difference(left, right, edges).interior;
-    EXPECT_GT(apart.max, 0.1) << "the two halves show the same";
+    const auto expect_halves = [&](const Image& screenshot) {
+        expect_half(screenshot, 0, 0, 0);
+        expect_half(screenshot, 1, picture_box.width - width, 1 / 255.0);
+    };
+    const RunningDemo demo(server_->display(),
+                           {scene_file_, "--scale", "1", "--size", "800x600", "--screenshot", picture_file_});
+    ASSERT_EQ(xdotool("search --sync --onlyvisible --name twinlight").status, 0);
+    xdotool("mousemove 600 300 key p");
+    expect_halves(picture());
+    Image right = picture_of(session, session.panes[1]);
+    EXPECT_GT(difference(picture_of(session, session.panes[0]), right, edges).interior.max, 0.1) << "equal halves";
+    // The second switch adds the lecture's variants, the first takes lighting per pixel away.
+    for (const int row : {1, 0}) {
+        SCOPED_TRACE(row);
+        const int y = places.sides.y + (2 * row + 1) * places.sides.height / 4;
+        xdotool(fmt::format("mousemove {} {} click 1 mousemove 600 300 key p", places.sides.x + 18, y));
+        switch_side(session, side_rows(session)[static_cast<std::size_t>(row)]);
+        expect_halves(picture());
+        const Image switched = picture_of(session, session.panes[1]);
+        EXPECT_GT(difference(right, switched, edges).interior.max, 0.05) << "the switch changes nothing";
+        right = switched;
+    }
 }
 
 // Those with golden pictures: starting the window for every scene takes long.

@@ -91,6 +91,7 @@ class Panes {
     void show_amplification(session::Session& session, const Rectangle& picture);
     void show_slider(session::Session& session, const session::Cell& cell);
     void show_slider_bars(session::Session& session, const session::Cell& cell);
+    void show_sides(session::Session& session, const Rectangle& bar);
     void show_picture(session::Session& session, const session::Cell& cell);
     bool has_difference(const session::Session& session) const { return difference_.revision == session.revision; }
     std::string time_of(const session::Session& session, std::size_t pane) const;

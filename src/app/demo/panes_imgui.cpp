@@ -8,10 +8,12 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/demo/panes.h"
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
+#include "app/session/sides.h"
 
 namespace twinlight::demo {
 namespace {
@@ -285,6 +287,30 @@ void Panes::show_slider_bars(Session& session, const Cell& cell) {
     }
 }
 
+// What differs between the two sides, each with a switch.
+void Panes::show_sides(Session& session, const Rectangle& bar) {
+    const std::vector<session::SideRow> rows = session::side_rows(session);
+    if (rows.empty()) return;
+    begin_bar("sides", bar);
+    const float height = static_cast<float>(bar.height) / static_cast<float>(rows.size());
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const session::SideRow& row = rows[i];
+        ImGui::SetCursorPos({10, (static_cast<float>(i) + 0.5F) * height - ImGui::GetFontSize() / 2});
+        const float room = static_cast<float>(bar.width) - 20 - 2 * ImGui::GetFontSize();
+        const bool fits = ImGui::CalcTextSize(row.text.c_str()).x < room;
+        ImGui::PushStyleColor(ImGuiCol_Text, row.differs ? kText : kDim);
+        bool differs = row.differs;
+        if (ImGui::Checkbox((fits ? row.text : row.short_text).c_str(), &differs)) switch_side(session, row);
+        ImGui::PopStyleColor();
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip(row.differs ? "The two sides differ in this. Click to make them equal in it."
+                                          : "The two sides are equal in this. Click to make them differ in it.");
+    }
+    ImGui::PopStyleVar();
+    end_bar();
+}
+
 void Panes::show_picture(Session& session, const Cell& cell) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const bool is_difference = cell.pane == kDifferencePane;
@@ -311,6 +337,7 @@ void Panes::show(Session& session, const session::Layout& layout) {
             case session::View::kSlider:
                 show_slider(session, cell);
                 show_slider_bars(session, cell);
+                show_sides(session, layout.sides);
                 break;
             case session::View::kSingle:
             case session::View::kGrid: show_picture(session, cell); break;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/sides.h"
+
 namespace twinlight::session {
 namespace {
 
@@ -31,7 +33,8 @@ Layout layout(const Session& session, int width, int height, double scale) {
     if (session.panel_shown)
         result.panel = {0, 0, std::min(pixels(kPanelWidth), static_cast<int>(kMostOfWindow * width)), height - bar};
 
-    const Rectangle area{result.panel.width, 0, width - result.panel.width, height - bar};
+    const int sides = session.view == View::kSlider ? bar * static_cast<int>(side_rows(session).size()) : 0;
+    const Rectangle area{result.panel.width, 0, width - result.panel.width, height - bar - sides};
     const auto rows = rows_of(session);
     const int across = static_cast<int>(rows.front().size()), down = static_cast<int>(rows.size());
     const int room_x = std::max((area.width - gap * (across + 1)) / across, 1);
@@ -57,6 +60,8 @@ Layout layout(const Session& session, int width, int height, double scale) {
                                     {x, y + bar + result.picture.height, result.picture.width, bar}});
         }
     }
+    const Rectangle& footer = result.cells.front().footer;
+    result.sides = {footer.x, footer.y + footer.height, footer.width, sides};
     return result;
 }
 

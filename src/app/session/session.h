@@ -114,7 +114,8 @@ struct Session : OpenScene {
     std::string error{};        // why the commands cannot be drawn; `scene` is then the last one that could
 
     View view = View::kSlider;
-    std::array<Pane, kPanes> panes{Pane{Path::kFixed}, Pane{Path::kProgrammable, Shading::kPhong},
+    // The first two differ in one thing only: where light is computed.
+    std::array<Pane, kPanes> panes{Pane{Path::kFixed}, Pane{Path::kProgrammable, Shading::kPhong, false},
                                    Pane{Path::kReference}};
     std::size_t active = 1;  // the pane that Tab and g change; may be kDifferencePane
     Pair slider{0, 1}, difference{0, 2};

@@ -12,6 +12,7 @@
 #include "app/session/history.h"
 #include "app/session/keys.h"
 #include "app/session/layout.h"
+#include "app/session/sides.h"
 #include "scene/command/text.h"
 #include "scene/scenes/images.h"
 #include "scene/scenes/load.h"
@@ -256,6 +257,47 @@ TEST(SessionAnimation, TurnsTheSelectedLightAroundTheMiddle) {
     EXPECT_NEAR(commands(session).commands[3].arguments[4], 0, 0.01);
 }
 
+// ---- What differs between the slider's sides ----
+
+const std::string kReflected = "#pragma twinlight specular(reflection)\nglEnable(GL_LIGHTING);" + kPoint;
+
+TEST(SessionSides, AtTheStartOnlyThePlaceOfLightingDiffers) {
+    Session session = session_of(kReflected);
+    refresh(session, 640, 480);
+    const std::vector<SideRow> rows = side_rows(session);
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0].text, "Where light is computed: at vertices | at pixels");
+    EXPECT_TRUE(rows[0].differs);
+    EXPECT_EQ(rows[1].text, "The lecture's variants: reflected ray");
+    EXPECT_FALSE(rows[1].differs);
+}
+
+TEST(SessionSides, ASwitchChangesOneThingOnly) {
+    Session session = session_of(kReflected);
+    refresh(session, 640, 480);
+    const auto differ = [&] { return std::pair(side_rows(session)[0].differs, side_rows(session)[1].differs); };
+    const auto press_row = [&](std::size_t row) { switch_side(session, side_rows(session)[row]); };
+    press_row(1);
+    EXPECT_EQ(differ(), std::pair(true, true));
+    press_row(0);
+    EXPECT_EQ(differ(), std::pair(false, true));
+    press_row(1);
+    EXPECT_EQ(differ(), std::pair(false, false));
+    EXPECT_EQ(side_rows(session)[0].text, "Where light is computed: at vertices on both sides");
+    press_row(0);
+    EXPECT_EQ(differ(), std::pair(true, false));
+    // With the shaders at the left, they change as well.
+    session.slider = {1, 0};
+    press_row(0);
+    EXPECT_EQ(differ(), std::pair(false, false));
+}
+
+TEST(SessionSides, TheFixedFunctionOnBothSidesHasNoSwitch) {
+    Session session = session_of(kReflected);
+    session.panes[1] = Pane{Path::kFixed};
+    EXPECT_TRUE(side_rows(session).empty());
+}
+
 // ---- Layout ----
 
 bool overlap(const Rectangle& a, const Rectangle& b) {
@@ -263,13 +305,14 @@ bool overlap(const Rectangle& a, const Rectangle& b) {
 }
 
 TEST(SessionLayout, NothingOverlapsInAnyWindow) {
-    Session session = session_of(kPoint);
+    Session session = session_of(kReflected);
+    refresh(session, 640, 480);
     for (const ViewName& view : kViews) {
         session.view = view.value;
         for (const auto& [width, height] : {std::pair{800, 600}, {1280, 800}, {1920, 1080}, {3840, 2160}}) {
             for (const double scale : {1.0, 1.5, 2.0}) {
                 const Layout places = layout(session, width, height, scale);
-                std::vector<Rectangle> boxes{places.panel, places.status};
+                std::vector<Rectangle> boxes{places.panel, places.status, places.sides};
                 for (const Cell& cell : places.cells) {
                     boxes.insert(boxes.end(), {cell.header, cell.picture, cell.footer});
                     EXPECT_EQ(cell.picture.width, places.picture.width);

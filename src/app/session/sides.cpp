@@ -1,0 +1,101 @@
+#include "app/session/sides.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "scene/frame/lecture_variants.h"
+
+namespace twinlight::session {
+namespace {
+
+// The pane that a switch changes; kPanes if there is none.
+std::size_t switched_pane(const Session& session) {
+    for (const std::size_t pane : {session.slider.b, session.slider.a})
+        if (session.panes[pane].renderer != Path::kFixed) return pane;
+    return kPanes;
+}
+
+std::size_t other_pane(const Session& session) {
+    return switched_pane(session) == session.slider.b ? session.slider.a : session.slider.b;
+}
+
+Shading shown_shading(const Session& session, std::size_t pane) {
+    if (is_flat(session.scene.frame)) return Shading::kFlat;
+    return shading_of(session, session.panes[pane]).value_or(Shading::kGouraud);
+}
+
+bool shows_variants(const Session& session, std::size_t pane) {
+    return session.panes[pane].renderer != Path::kFixed && look_of(session, session.panes[pane]).lecture_variants;
+}
+
+const char* place_of_lighting(Shading shading) {
+    switch (shading) {
+        case Shading::kFlat: return "at one vertex of each face";
+        case Shading::kGouraud: return "at vertices";
+        case Shading::kPhong: return "at pixels";
+        case Shading::kExact: return "at pixels of the exact surface";
+    }
+    return "";
+}
+
+// The variants that the frame uses.
+std::vector<std::string> variants_of(const Frame& frame) {
+    std::vector<std::string> names;
+    const auto add = [&](const char* name, const auto& uses) {
+        if (std::ranges::any_of(frame.draws(), [&](const Draw* draw) { return uses(*draw); })) names.emplace_back(name);
+    };
+    const LightModel gl;
+    add("reflected ray", [&](const Draw& draw) { return draw.lighting.light_model.specular != gl.specular; });
+    add("ambient not attenuated",
+        [&](const Draw& draw) { return draw.lighting.light_model.light_ambient != gl.light_ambient; });
+    add("spectra", [](const Draw& draw) { return draw.lighting.light_model.spectrum != nullptr; });
+    add("sRGB", [](const Draw& draw) { return draw.fragment.srgb_coded; });
+    add("more lights", [](const Draw& draw) { return draw.lighting.lights.size() > kMaxLights; });
+    add("smooth cones", [](const Draw& draw) {
+        return std::ranges::any_of(draw.lighting.lights,
+                                   [](const LightSource& l) { return l.smooth_cone.has_value(); });
+    });
+    return names;
+}
+
+}  // namespace
+
+std::vector<SideRow> side_rows(const Session& session) {
+    if (switched_pane(session) == kPanes) return {};
+    const Shading left = shown_shading(session, session.slider.a), right = shown_shading(session, session.slider.b);
+    SideRow shading{SideRow::Kind::kShading, left != right};
+    shading.short_text = shading.differs
+                             ? fmt::format("Light: {} | {}", place_of_lighting(left), place_of_lighting(right))
+                             : fmt::format("Light: {} on both sides", place_of_lighting(left));
+    shading.text = "Where light is computed" + shading.short_text.substr(5);
+    std::vector<SideRow> rows = {shading};
+    if (has_variants(session.scene.frame)) {
+        SideRow variants{SideRow::Kind::kVariants,
+                         shows_variants(session, session.slider.a) != shows_variants(session, session.slider.b)};
+        const std::string names = fmt::format("{}", fmt::join(variants_of(session.scene.frame), ", "));
+        variants.text = "The lecture's variants: " + names;
+        variants.short_text = "Variants: " + names;
+        rows.push_back(variants);
+    }
+    return rows;
+}
+
+void switch_side(Session& session, const SideRow& row) {
+    const std::size_t changed = switched_pane(session);
+    if (changed == kPanes) return;
+    Pane& pane = session.panes[changed];
+    const std::size_t other = other_pane(session);
+    if (row.kind == SideRow::Kind::kShading) {
+        // The variants stay as they are.
+        pane.lecture_variants = look_of(session, pane).lecture_variants;
+        const std::optional<Shading> same = shading_of(session, session.panes[other]);
+        pane.shading = row.differs ? same : lights_every_pixel(same) ? std::nullopt : std::optional(Shading::kPhong);
+        if (is_flat(session.scene.frame)) say(session, "glShadeModel(GL_FLAT) makes every picture flat; f switches it");
+    } else {
+        pane.lecture_variants = row.differs == shows_variants(session, other);
+    }
+}
+
+}  // namespace twinlight::session
