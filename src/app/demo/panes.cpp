@@ -114,8 +114,11 @@ void Panes::request_reference(const Session& session, const std::array<bool, kPa
             std::ranges::find(job.looks, look) == job.looks.end())
             job.looks.push_back(look);
     }
-    job.wants_allowed = shows_difference(session);
-    if (job.looks.empty() && !job.wants_allowed) return;
+    if (shows_difference(session)) job.allowed_of = common_look(session);
+    // The verdict on two pictures of the driver needs the reference's, too.
+    if (job.allowed_of && std::ranges::find(job.looks, *job.allowed_of) == job.looks.end())
+        job.looks.push_back(*job.allowed_of);
+    if (job.looks.empty()) return;
     job.commands = session.history.now();
     worker_.request(std::move(job));
 }
@@ -156,19 +159,29 @@ void Panes::update_difference(const Session& session) {
     const bool has_both = !a.image.pixels.empty() && a.image.width == b.image.width &&
                           a.image.height == b.image.height && a.revision == b.revision;
     if (!has_both) return;
-    const bool has_allowed =
-        allowed_ && allowed_->revision == a.revision && allowed_->difference.edge.size() == a.image.pixels.size();
+    const std::optional<Look> look = common_look(session);
+    const auto is_right = [&](const auto& picture) {
+        return picture->look == look && picture->revision == a.revision && picture->divisor == 1;
+    };
+    const auto right = std::ranges::find_if(references_, is_right);
+    const bool has_allowed = right != references_.end() && allowed_ && allowed_->look == look &&
+                             allowed_->revision == a.revision &&
+                             allowed_->difference.edge.size() == a.image.pixels.size();
     const std::array<const void*, 2> images = {a.image.pixels.data(), b.image.pixels.data()};
     if (difference_.revision == a.revision && difference_.pair == session.difference && difference_.images == images &&
         difference_.has_allowed == has_allowed &&
         (session.amplification == 0 || session.amplification == difference_.amplification))
         return;
     AllowedDifference allowed(a.image.width, a.image.height);
-    if (has_allowed) allowed = allowed_->difference;
+    if (has_allowed) {
+        compare::Render render{.path = Path::kReference, .name = {}, .meaning = {}, .image = (*right)->image};
+        render.other_cut = (*right)->other_cut;
+        allowed = allowed_of_pair(session, *look, allowed_->difference, render);
+    }
     // Each picture is compared with the nearer of the reference's two cuts of quadrilaterals.
-    const auto nearer = [&allowed](const Drawn& reference, const Image& image) {
-        const auto& other = reference.reference ? reference.reference->other_cut : std::nullopt;
-        return other ? nearer_of(image, reference.image, *other, allowed.channels()) : reference.image;
+    const auto nearer = [&](const Drawn& reference, const Image& image) {
+        if (!has_allowed || !(*right)->other_cut) return reference.image;
+        return nearer_of(image, reference.image, *(*right)->other_cut, allowed.channels());
     };
     const Image first = a.reference ? nearer(a, b.image) : a.image;
     const Image second = b.reference ? nearer(b, a.image) : b.image;
@@ -177,6 +190,9 @@ void Panes::update_difference(const Session& session) {
     difference_.images = images;
     difference_.has_allowed = has_allowed;
     difference_.numbers = difference(first, second, allowed);
+    difference_.verdict.reset();
+    if (has_allowed) difference_.verdict = verdict_on_pair(session, difference_.numbers, allowed);
+    if (!look) difference_.verdict = meant_to_differ(difference_.numbers);
     difference_.amplification =
         session.amplification != 0 ? session.amplification : amplification_for(difference_.numbers.interior.max);
     difference_.texture.upload(difference_picture(first, second, difference_.amplification));

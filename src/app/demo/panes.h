@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/demo/overlays.h"
+#include "app/demo/pair_verdict.h"
 #include "app/demo/texture.h"
 #include "app/demo/world_view.h"
 #include "app/session/layout.h"
@@ -75,6 +76,7 @@ class Panes {
         bool has_allowed = false;
         std::array<const void*, 2> images{};  // what it was made from
         ImageDifference numbers{};
+        std::optional<PairVerdict> verdict{};  // empty while the reference is at work
         Texture texture{GL_NEAREST};
     };
 
@@ -87,7 +89,7 @@ class Panes {
     const Rectangle& time_bar(const session::Session& session, const session::Cell& cell) const;
     void show_header(session::Session& session, const session::Cell& cell);
     void show_footer(session::Session& session, const session::Cell& cell);
-    std::pair<std::string, unsigned> footer_of(const session::Session& session, std::size_t pane) const;
+    std::pair<std::string, unsigned> footer_of(const session::Session& session, std::size_t pane, float room) const;
     void show_amplification(session::Session& session, const Rectangle& picture);
     void show_slider(session::Session& session, const session::Cell& cell);
     void show_slider_bars(session::Session& session, const session::Cell& cell);

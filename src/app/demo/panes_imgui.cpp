@@ -124,6 +124,26 @@ void show_pair_menu(Session& session) {
     ImGui::EndPopup();
 }
 
+// The colours of compare's page.
+ImU32 verdict_color(compare::Verdict verdict) {
+    switch (verdict) {
+        case compare::Verdict::kWithin: return kGood;
+        case compare::Verdict::kBeyond: return kBad;
+        case compare::Verdict::kUnjudged:
+        case compare::Verdict::kPartial:
+        case compare::Verdict::kInformative: break;
+    }
+    return kDim;
+}
+
+void show_sentences(const std::vector<std::string>& sentences) {
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(26 * ImGui::GetFontSize());
+    for (const std::string& sentence : sentences) ImGui::TextUnformatted(sentence.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
 // The text at the right end of a bar.
 void right_text(const Rectangle& bar, ImU32 color, const std::string& text) {
     const float width = ImGui::CalcTextSize(text.c_str()).x;
@@ -194,17 +214,13 @@ void Panes::show_header(Session& session, const Cell& cell) {
 }
 
 // The sentence in a pane's footer.
-std::pair<std::string, unsigned> Panes::footer_of(const Session& session, std::size_t number) const {
+std::pair<std::string, unsigned> Panes::footer_of(const Session& session, std::size_t number, float room) const {
     if (number == kDifferencePane) {
-        if (!has_difference(session)) return {"waiting for both pictures ...", kDim};
-        const RegionDifference& region = difference_.numbers.interior;
-        if (region.differing == 0) return {"Equal everywhere, to the last of 255 steps", kGood};
-        const std::string pixels = fmt::format("{} pixel{}", region.differing, region.differing == 1 ? "" : "s");
-        if (region.max * 255 < 1.5 && region.differing_share() < 0.001)  // the bar of twinlight compare
-            return {fmt::format("Equal to 1/255 everywhere ({} off)", pixels), kGood};
-        return {fmt::format("Up to {:.0f}/255; {} differ ({:.2f} %)", region.max * 255, pixels,
-                            100 * region.differing_share()),
-                kAccent};
+        if (!has_difference(session) || !difference_.verdict) return {"Not known yet: the reference is at work", kDim};
+        const PairVerdict& verdict = *difference_.verdict;
+        const auto fits = [room](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x < room; };
+        const auto text = std::ranges::find_if(verdict.texts, fits);
+        return {text == verdict.texts.end() ? verdict.texts.back() : *text, verdict_color(verdict.verdict)};
     }
     const Drawn& drawn = drawn_[number];
     const session::Pane& pane = session.panes[number];
@@ -225,10 +241,14 @@ void Panes::show_footer(Session& session, const Cell& cell) {
     float right = far_corner(bar).x - 6;
     if (cell.pane != kDifferencePane && &time_bar(session, cell) == &bar)
         right -= ImGui::CalcTextSize(time_of(session, cell.pane).c_str()).x + 12;
-    const auto [text, color] = footer_of(session, cell.pane);
+    const float left = static_cast<float>(bar.x) + 10;
+    const auto [text, color] = footer_of(session, cell.pane, right - left);
     draw.PushClipRect(corner(bar), {right, far_corner(bar).y});
-    draw.AddText({static_cast<float>(bar.x) + 10, text_y(bar)}, color, text.c_str());
+    draw.AddText({left, text_y(bar)}, color, text.c_str());
     draw.PopClipRect();
+    const bool is_hovered = ImGui::IsMouseHoveringRect(corner(bar), far_corner(bar), false);
+    if (cell.pane == kDifferencePane && has_difference(session) && difference_.verdict && is_hovered)
+        show_sentences(difference_.verdict->sentences);
     if (cell.pane != kDifferencePane) right_text(time_bar(session, cell), kDim, time_of(session, cell.pane));
     if (cell.pane == kDifferencePane && has_difference(session)) show_amplification(session, cell.picture);
 }
@@ -322,8 +342,10 @@ void Panes::show_picture(Session& session, const Cell& cell) {
     show_footer(session, cell);
     if (is_difference && has_difference(session)) {
         show_color_scale(cell.picture, difference_.amplification);
-        const RegionDifference& region = difference_.numbers.interior;
-        if (region.differing > 0)
+        // The worst pixel, once it is known whether that is an error.
+        const bool is_wrong = difference_.verdict && difference_.verdict->verdict == compare::Verdict::kBeyond;
+        const RegionDifference& region = is_wrong ? difference_.numbers.beyond_allowed : difference_.numbers.interior;
+        if (difference_.verdict && region.differing > 0)
             draw.AddCircle(middle_of_pixel(cell.picture, region.worst_x, region.worst_y), 9, kAccent, 24, 2);
     }
     if (session.probe && !session.probe->is_vertex)

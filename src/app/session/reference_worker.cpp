@@ -35,7 +35,7 @@ reference::Options options_of(const Look& look) {
 }  // namespace
 
 bool ReferenceJob::is_same_work(const ReferenceJob& other) const {
-    return revision == other.revision && size == other.size && wants_allowed == other.wants_allowed &&
+    return revision == other.revision && size == other.size && allowed_of == other.allowed_of &&
            looks == other.looks;
 }
 
@@ -148,7 +148,7 @@ void ReferenceWorker::draw(const ReferenceJob& job) {
         picture->divisor = divisor;
         picture->image = reference::render(frame, options);
         picture->ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-        if (divisor == 1 && job.wants_allowed && reference::has_quadrilaterals(frame)) {
+        if (divisor == 1 && job.allowed_of == look && reference::has_quadrilaterals(frame)) {
             options.quad_cut = reference::QuadCut::kSecondToFourth;
             picture->other_cut = reference::render(frame, options);
         }
@@ -161,10 +161,11 @@ void ReferenceWorker::draw(const ReferenceJob& job) {
         for (const Look& look : job.looks)
             if (!is_outdated()) draw_one(frame, look, divisor);
     }
-    if (!job.wants_allowed || is_outdated()) return;
+    if (!job.allowed_of || is_outdated()) return;
     auto allowed = std::make_shared<ReferenceAllowed>();
+    allowed->look = *job.allowed_of;
     allowed->revision = job.revision;
-    allowed->difference = reference::allowed_difference(frame_of(job, 1), options_of(Look{{}, false}));
+    allowed->difference = reference::allowed_difference(frame_of(job, 1), options_of(*job.allowed_of));
     const std::lock_guard lock(mutex_);
     allowed_ = std::move(allowed);
 }

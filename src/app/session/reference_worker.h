@@ -19,13 +19,13 @@
 
 namespace twinlight::session {
 
-// What is wanted: the pictures of one scene, one for each look, and how much right pictures of it may differ.
+// What is wanted: the pictures of one scene, one for each look, and how much right pictures of one look may differ.
 struct ReferenceJob {
     int revision = -1;  // of the session
     std::shared_ptr<const CommandList> commands;
     WindowSize size;
     std::vector<Look> looks;
-    bool wants_allowed = false;
+    std::optional<Look> allowed_of{};
 
     bool is_same_work(const ReferenceJob& other) const;
 };
@@ -40,6 +40,7 @@ struct ReferencePicture {
 };
 
 struct ReferenceAllowed {
+    Look look;
     int revision = -1;
     AllowedDifference difference;
 };

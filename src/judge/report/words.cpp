@@ -159,17 +159,18 @@ void add_undefined(const Comparison& comparison, std::vector<std::string>& detai
 
 Answer agreeing_answer(const Comparison& comparison) {
     const Pair* worst = worst_pair(comparison, Verdict::kWithin, &ImageDifference::interior);
+    const std::string subject = comparison.renders.size() == 2 ? "Both" : "All three";
     std::vector<std::string> details;
     if (comparison.missing_changes_nothing())
         details.emplace_back("Not every renderer draws all commands, but leaving those out changes no pixel.");
     add_undefined(comparison, details);
     if (!worst || worst->difference.interior.differing == 0)
-        return {"All three agree: no pixel away from edges differs.", "", details};
+        return {subject + " agree: no pixel away from edges differs.", "", details};
     add_precision(comparison, details);
     const RegionDifference& region = worst->difference.interior;
     const double largest = largest_difference(comparison);
     std::string headline =
-        fmt::format("All three agree: the largest difference away from edges is {}", in_255ths(largest));
+        fmt::format("{} agree: the largest difference away from edges is {}", subject, in_255ths(largest));
     if (largest > comparison.tolerance.max * (1 + 1e-9)) {
         const Pair* beyond = worst_pair(comparison, Verdict::kWithin, &ImageDifference::beyond_allowed);
         const bool is_explained = beyond->difference.beyond_allowed.differing == 0;
@@ -220,7 +221,8 @@ Answer differing_answer(const Comparison& comparison) {
     const Pair& worst = *worst_pair(comparison, Verdict::kBeyond, &ImageDifference::beyond_allowed);
     const RegionDifference& region = worst.difference.beyond_allowed;
     Answer answer{
-        .headline = fmt::format("Not all agree: {} and {} differ by up to {}{}.", comparison.a(worst).name,
+        .headline = fmt::format("{}{} and {} differ by up to {}{}.",
+                                comparison.renders.size() == 2 ? "" : "Not all agree: ", comparison.a(worst).name,
                                 comparison.b(worst).name, in_255ths(region.max),
                                 has_allowed_difference(worst) ? ", more than OpenGL leaves open" : ""),
         .where = fmt::format("{}; the worst is at ({}, {}). Allowed: {}.", count_of(comparison, worst, region),

@@ -17,7 +17,7 @@ ReferenceJob job_of(int revision, WindowSize size) {
     job.commands = std::make_shared<const CommandList>(read_scene("glutSolidSphere(1, 8, 8);", "test.gl", "test"));
     job.size = size;
     job.looks = {Look{}};
-    job.wants_allowed = true;
+    job.allowed_of = Look{{}, false};
     return job;
 }
 
