@@ -53,29 +53,37 @@ std::string wrapped(const std::string& text) {
 void paragraph(const std::string& markdown) { ImGui::TextUnformatted(wrapped(session::plain_text(markdown)).c_str()); }
 void colored_paragraph(ImU32 color, const std::string& text) { colored_text_line(color, wrapped(text)); }
 
+void draw_tick(const ImVec2& at) {
+    const float size = ImGui::GetFontSize();
+    const ImVec2 points[] = {{at.x + 0.15F * size, at.y + 0.55F * size},
+                             {at.x + 0.4F * size, at.y + 0.8F * size},
+                             {at.x + 0.9F * size, at.y + 0.2F * size}};
+    ImGui::GetWindowDrawList()->AddPolyline(points, 3, kGood, ImDrawFlags_None, at_scale(2));
+}
+
 lesson::Language language() { return has_chinese_letters() ? lesson::Language::kChinese : lesson::Language::kEnglish; }
 
 }  // namespace
 
-void LessonPanel::check(const session::Session& session) {
-    running_ = std::async(kThreadIfPossible, [state = session.lesson, revision = session.history.revision(),
-                                              list = session.history.now()] {
-        Checked checked{state, revision, {}};
-        try {
-            checked.grade = lesson::Grader(state->page).grade(list);
-        } catch (const std::exception& error) {
-            checked.grade.reason = reason_of(error);
-        }
-        return checked;
-    });
+void LessonPanel::check(session::Session& session) {
+    const auto answer = answer_of(session);
+    running_ =
+        std::async(kThreadIfPossible, [state = session.lesson, revision = session.history.revision(), list = answer] {
+            Checked checked{state, revision, {}};
+            try {
+                checked.grade = lesson::Grader(state->page).grade(list);
+            } catch (const std::exception& error) {
+                checked.grade.reason = reason_of(error);
+            }
+            return checked;
+        });
 }
 
 void LessonPanel::update(session::Session& session) {
     if (!running_.valid() || !is_ready(running_)) return;
     Checked checked = running_.get();
     if (checked.state != session.lesson) return;  // another lesson was opened
-    session.lesson->grade = std::move(checked.grade);
-    session.lesson->graded = checked.revision;
+    session::take_grade(session, std::move(checked.grade), checked.revision);
 }
 
 void LessonPanel::show_list(session::Session& session) {
@@ -85,8 +93,10 @@ void LessonPanel::show_list(session::Session& session) {
         std::string& title = titles[name];
         if (title.empty()) title = lesson::load_lesson(name, language()).title;
         ImGui::PushID(name.data());
+        const ImVec2 at = ImGui::GetCursorScreenPos();
         if (ImGui::Selectable("##open")) session::start_lesson(session, lesson::load_lesson(name, language()));
-        ImGui::SameLine();
+        if (session::is_solved(session, name)) draw_tick(at);
+        ImGui::SameLine(1.6F * ImGui::GetFontSize());
         ImGui::TextUnformatted(title.c_str());
         ImGui::PopID();
     }
@@ -132,9 +142,12 @@ void LessonPanel::show_task(session::Session& session) {
         check(session);
     }
     if (!state.grade) return;
-    colored_text(state.grade->is_right ? kGood : kBad, state.grade->is_right ? words.right : words.not_yet);
-    if (!state.grade->reason.empty()) paragraph(state.grade->reason);
-    if (session::is_outdated(session)) dim_text(words.outdated);
+    // Grey as soon as it is no longer about the scene on show.
+    const bool is_outdated = session::is_outdated(session), is_right = state.grade->is_right;
+    if (is_outdated) dim_text(words.outdated);
+    colored_paragraph(is_outdated ? kDim : is_right ? kGood : kBad, is_right ? words.right : words.not_yet);
+    const std::string why = is_right ? session::because_of(state.page) : session::plain_text(state.grade->reason);
+    colored_paragraph(is_outdated ? kDim : kText, why);
 }
 
 void LessonPanel::show(session::Session& session) {
@@ -145,7 +158,6 @@ void LessonPanel::show(session::Session& session) {
     const std::shared_ptr<session::LessonState> state = session.lesson;
     const session::LessonWords& words = session::words_of(state->page.language);
     bold_text(wrapped(state->page.title));
-    colored_paragraph(kDim, session::plain_text(state->page.about));
     ImGui::Dummy({0, ImGui::GetFontSize() / 4});
     paragraph(state->page.question);
     show_prediction(session);

@@ -24,7 +24,7 @@ class LessonPanel {
     };
 
     // Grades the commands in a thread.
-    void check(const session::Session& session);
+    void check(session::Session& session);
     void show_list(session::Session& session);
     void show_prediction(session::Session& session);
     void show_task(session::Session& session);

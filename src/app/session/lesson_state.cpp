@@ -1,6 +1,7 @@
 #include "app/session/lesson_state.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/session/session.h"
 #include "base/text/input_text.h"
@@ -14,15 +15,16 @@ constexpr LessonWords kEnglishWords = {
     "Task",
     "Change the scene in the tabs Commands and Lights, or by keys.",
     "Check my answer",
-    "Right.",
+    "Right, because:",
     "Not yet.",
     "The scene has changed since this check.",
     "Show the change",
-    "Back to the start",
+    "Back to my scene",
     "Start again",
     "Next lesson",
     "All lessons",
     "Checking ...",
+    " About ten minutes.",
 };
 constexpr LessonWords kChineseWords = {
     "每个练习大约十分钟：一个问题、一次预测，以及一个由程序检查的任务。",
@@ -30,15 +32,16 @@ constexpr LessonWords kChineseWords = {
     "任务",
     "在 Commands 和 Lights 标签里改场景，或者用按键。",
     "检查答案",
-    "正确。",
+    "正确，因为：",
     "还不对。",
     "检查之后场景又改过了。",
     "显示这个改动",
-    "回到起始场景",
+    "回到我的场景",
     "重新开始",
     "下一个练习",
     "所有练习",
     "正在检查……",
+    "大约十分钟。",
 };
 
 // Chinese has no blanks between words.
@@ -70,10 +73,34 @@ void predict(Session& session, std::size_t choice) {
 bool shows_change(const Session& session) { return commands(session).commands == session.lesson->changed->commands; }
 
 void show_change(Session& session, bool is_shown) {
-    const LessonState& state = *session.lesson;
-    edit(session, is_shown ? *state.changed : *state.start, is_shown ? "the lesson's change" : "the lesson's scene");
-    say(session, is_shown ? "this is the change that you predicted; z brings your own scene back"
-                          : "this is the scene to start from; z brings your own scene back");
+    LessonState& state = *session.lesson;
+    if (is_shown) state.own = session.history.now();
+    edit(session, is_shown ? *state.changed : *(state.own ? state.own : state.start),
+         is_shown ? "the lesson's change" : "your own scene");
+    say(session, is_shown ? "this is the change that you predicted" : "this is your own scene again");
+}
+
+std::shared_ptr<const CommandList> answer_of(Session& session) {
+    if (session.lesson->own && shows_change(session)) show_change(session, false);
+    return session.history.now();
+}
+
+void take_grade(Session& session, lesson::Grade grade, int revision) {
+    LessonState& state = *session.lesson;
+    if (grade.is_right && !is_solved(session, state.page.name)) session.solved_lessons.push_back(state.page.name);
+    state.grade = std::move(grade);
+    state.graded = revision;
+}
+
+bool is_solved(const Session& session, std::string_view lesson) {
+    return std::ranges::find(session.solved_lessons, lesson) != session.solved_lessons.end();
+}
+
+std::string because_of(const lesson::Lesson& page) {
+    std::string text = plain_text(page.about);
+    const std::string_view minutes = words_of(page.language).minutes;
+    if (text.ends_with(minutes)) text.resize(text.size() - minutes.size());
+    return text;
 }
 
 bool is_outdated(const Session& session) { return session.lesson->graded != session.history.revision(); }
@@ -91,8 +118,9 @@ const LessonWords& words_of(lesson::Language language) {
 std::vector<const char*> all_words(lesson::Language language) {
     const LessonWords& w = words_of(language);
     const lesson::PredictionWords& verdicts = lesson::prediction_words(language);
-    return {w.lessons,     w.prediction, w.task,  w.how,  w.check, w.right,    w.not_yet,      w.outdated,
-            w.show_change, w.show_start, w.again, w.next, w.all,   w.checking, verdicts.right, verdicts.wrong};
+    return {w.lessons, w.prediction, w.task,        w.how,          w.check,       w.right,
+            w.not_yet, w.outdated,   w.show_change, w.show_start,   w.again,       w.next,
+            w.all,     w.checking,   w.minutes,     verdicts.right, verdicts.wrong};
 }
 
 std::string verdict_on_prediction(const LessonState& state) {

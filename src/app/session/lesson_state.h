@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "judge/lesson/lesson.h"
@@ -16,6 +17,7 @@ struct Session;
 struct LessonState {
     lesson::Lesson page;
     std::shared_ptr<const CommandList> start, changed;  // Lesson::scene and Lesson::changed
+    std::shared_ptr<const CommandList> own{};           // the student's scene, while the change is shown
     std::optional<std::size_t> predicted{};             // the first choice; later ones do not count
     std::optional<lesson::Grade> grade{};               // of the commands of the history's revision `graded`
     int graded = -1;
@@ -27,9 +29,17 @@ void start_lesson(Session& session, const lesson::Lesson& page);
 void leave_lesson(Session& session);
 // Remembers the first prediction.
 void predict(Session& session, std::size_t choice);
-// Whether the commands are those of the change that the prediction is about; and an edit that shows them, or the start again.
+// Whether the commands are those of the change that the prediction is about; and an edit that shows them, or the student's own scene
+// again.
 bool shows_change(const Session& session);
 void show_change(Session& session, bool is_shown);
+// The student's own scene, which a check grades: the change is hidden first if it is shown.
+std::shared_ptr<const CommandList> answer_of(Session& session);
+// Remembers the grade of these commands' revision. Right: the lesson has its tick.
+void take_grade(Session& session, lesson::Grade grade, int revision);
+bool is_solved(const Session& session, std::string_view lesson);
+// Why a right answer is right: the lesson's explanation.
+std::string because_of(const lesson::Lesson& page);
 // Whether the commands have changed since they were checked.
 bool is_outdated(const Session& session);
 // The lesson after this one; empty after the last.
@@ -38,7 +48,7 @@ std::string next_lesson(const LessonState& state);
 // What the panel says, in the lesson's language.
 struct LessonWords {
     const char *lessons, *prediction, *task, *how, *check, *right, *not_yet, *outdated, *show_change, *show_start,
-        *again, *next, *all, *checking;
+        *again, *next, *all, *checking, *minutes;
 };
 const LessonWords& words_of(lesson::Language language);
 // All of them, for loading their letters.

@@ -51,10 +51,38 @@ TEST(SessionLesson, ShowsTheChangeAsAnEdit) {
     EXPECT_TRUE(shows_change(session));
     EXPECT_NE(commands(session).commands, own);
     show_change(session, false);
-    EXPECT_EQ(commands(session).commands, session.lesson->start->commands);
+    EXPECT_EQ(commands(session).commands, own);
     session.history.undo();
     session.history.undo();
     EXPECT_EQ(commands(session).commands, own);
+}
+
+// The change of this lesson moves the camera, which is no answer to the task.
+TEST(SessionLesson, AnAnswerIsNeverTheChangeThatIsShown) {
+    Session session = session_with_lesson("light-and-camera");
+    const lesson::Grader grader(session.lesson->page);
+    const lesson::Grade own = grader.grade(answer_of(session));
+    show_change(session, true);
+    EXPECT_NE(grader.grade(session.history.now()).reason, own.reason);
+    EXPECT_EQ(grader.grade(answer_of(session)).reason, own.reason);
+    EXPECT_FALSE(shows_change(session));
+}
+
+TEST(SessionLesson, ARightAnswerGivesATickAndAReason) {
+    Session session = session_with_lesson("scaled-normals");
+    take_grade(session, {false, "normals", "no"}, 0);
+    EXPECT_FALSE(is_solved(session, "scaled-normals"));
+    take_grade(session, {true}, 0);
+    take_grade(session, {true}, 0);
+    EXPECT_TRUE(is_solved(session, "scaled-normals"));
+    EXPECT_EQ(session.solved_lessons.size(), 1u);
+    for (const Language language : {Language::kEnglish, Language::kChinese}) {
+        for (const std::string_view name : lesson::names()) {
+            const std::string because = because_of(lesson::load_lesson(name, language));
+            EXPECT_GT(because.size(), 20u) << name;
+            EXPECT_EQ(because.find(language == Language::kEnglish ? "minutes" : "分钟"), std::string::npos) << because;
+        }
+    }
 }
 
 // What the window checks is what `twinlight lesson --check` checks: the key x turns GL_NORMALIZE on.
