@@ -267,6 +267,45 @@ TEST_F(DemoEditing, MakesLettersLargerAndTheWindowFull) {
     EXPECT_TRUE(wait_for([&] { return picture().width == first.width; }));
 }
 
+// The screen has 1280 x 1024 pixels, of which frames and bars take some.
+TEST_F(DemoEditing, FitsTheScreenAndRemembersItsSizeAndPanel) {
+    std::filesystem::remove_all(folder() / "config");
+    const auto start = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> options{scene_, "--scale", "1", "--view", "single", "--screenshot", picture_};
+        options.insert(options.end(), more.begin(), more.end());
+        demo_.emplace(server_->display(), options);
+        ASSERT_TRUE(wait_for([&] { return xdo("search --onlyvisible --name twinlight").status == 0; }));
+        xdo("mousemove 700 300");
+    };
+    const auto panel = [&](const Image& image) {
+        std::vector<Rgba> pixels;
+        for (int y = 0; y < 500; ++y)
+            for (int x = 0; x < 350; ++x) pixels.push_back(image.at(x, y));
+        return pixels;
+    };
+    const auto end = [&] {
+        xdo("key Escape");
+        EXPECT_EQ(demo_->ended(), 0);
+    };
+    start({});
+    const Image first = picture();
+    EXPECT_EQ(first.width, 1264);
+    EXPECT_EQ(first.height, 800);
+    end();
+    start({"--panel", "save"});
+    xdo("search --onlyvisible --name twinlight windowsize --sync 900 700");
+    Image resized;
+    EXPECT_TRUE(wait_for([&] { return (resized = picture()).width == 900; }));
+    end();
+    start({});
+    const Image again = picture();
+    EXPECT_EQ(again.width, 900);
+    EXPECT_EQ(again.height, 700);
+    EXPECT_EQ(panel(again), panel(resized));
+    EXPECT_NE(panel(again), panel(first));
+    end();
+}
+
 // The menu of a click with the right button: its first line is under the pointer, and resets the scene.
 TEST_F(DemoEditing, TheMenuOpensAtThePointer) {
     open({scene_});

@@ -20,6 +20,7 @@
 #include "app/demo/window.h"
 #include "app/session/keys.h"
 #include "app/session/layout.h"
+#include "app/session/preferences.h"
 #include "app/session/recovery.h"
 #include "app/session/session.h"
 #include "base/text/reason.h"
@@ -37,6 +38,10 @@ class Window {
     using Clock = std::chrono::steady_clock;
     static constexpr int kFramesAfterEvent = 3;  // ImGui settles sizes and highlights in so many frames
 
+    // A script starts and leaves the window as if it were the first.
+    bool is_script() const { return options_.quit_after > 0; }
+    WindowSize first_size() const;
+    void remember();
     void start_imgui();
     void end_imgui();
     void end();
@@ -93,6 +98,7 @@ class Window {
     void after(unsigned ms, Timer& timer);
 
     WindowOptions options_;
+    session::Preferences preferences_;
     session::Session session_;
     std::unique_ptr<Panes> panes_;
     std::unique_ptr<Panels> panels_;

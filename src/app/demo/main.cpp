@@ -67,7 +67,7 @@ int run(int argc, char** argv) {
 
     std::string scene = "report";
     demo::WindowOptions options;
-    Size size{options.width, options.height};
+    std::optional<Size> size;
     app.add_option("SCENE", scene, "a built-in scene, a .gl file, or - for standard input")
         ->capture_default_str()
         ->type_name("")
@@ -96,7 +96,7 @@ int run(int argc, char** argv) {
         ->option_text(keys_of(session::kViews, "|"));
     app.add_option_function<std::string>(
            "--panel", [&](const std::string& name) { options.panel = value_of(session::kPanels, name, "--panel"); },
-           "the tab to open (default: commands)")
+           "the tab to open (default: the last one)")
         ->option_text(keys_of(session::kPanels, "|"));
     app.add_option_function<std::string>(
            "--probe",
@@ -106,7 +106,7 @@ int run(int argc, char** argv) {
            },
            "explain the pixel at X,Y of the picture, from its top left")
         ->option_text("X,Y");
-    add_size_option(app, size);
+    add_size_option(app, size, "as it was last, or what fits the screen");
     app.add_option("--scale", options.scale, "the size of letters: 1 for 96 dots per inch (default: the screen's)")
         ->check(number_from(0.5, kMaxScale))
         ->option_text("NUMBER");
@@ -123,10 +123,11 @@ int run(int argc, char** argv) {
         ->check(not_empty());
 
     if (!parse_command_line(app, argc, argv)) return kFine;
-    options.width = size.width;
-    options.height = size.height;
+    if (size) options.size = {size->width, size->height};
     constexpr std::size_t kBytesOfPixel = 60;  // measured: 52, in all views
-    check_fits({.has_option = false}, size.width, size.height, pixels_of(size.width, size.height) * kBytesOfPixel);
+    if (size)
+        check_fits({.has_option = false}, size->width, size->height,
+                   pixels_of(size->width, size->height) * kBytesOfPixel);
     if (!lesson_name.empty()) {
         if (app.count("SCENE") > 0) throw UsageError("give either SCENE or --lesson");
         options.lesson = lesson_named(lesson_name, options.language);

@@ -1,5 +1,6 @@
 #include "app/demo/theme.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -10,7 +11,8 @@ namespace {
 
 // Debian's package fonts-dejavu-core.
 constexpr const char* kFolder = "/usr/share/fonts/truetype/dejavu/";
-constexpr float kTextSize = 15, kCodeSize = 14;  // in pixels at scale 1
+constexpr float kTextSize = 15, kCodeSize = 14, kLargeCodeSize = 20;
+constexpr float kSmallestSize = 13;  // smaller letters are hard to read  // in pixels at scale 1
 
 // Of Debian's packages fonts-noto-cjk, fonts-droid-fallback, fonts-wqy-microhei and fonts-wqy-zenhei.
 constexpr const char* kChineseFonts[] = {"/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc",
@@ -30,7 +32,7 @@ ImFont* load(const char* name, float size) {
     // Letters with accents, Greek, dashes, arrows and signs of mathematics.
     static const ImWchar kRanges[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2027, 0x2190,
                                       0x2199, 0x2200, 0x22ff, 0x25a0, 0x25ff, 0};
-    const float pixels = size * static_cast<float>(used_scale);
+    const float pixels = std::max(kSmallestSize, size * static_cast<float>(used_scale));
     return atlas.AddFontFromFileTTF(file.c_str(), pixels, nullptr, kRanges);
 }
 

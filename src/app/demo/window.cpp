@@ -68,11 +68,38 @@ double Window::screen_scale() {
     return std::clamp(std::floor(2 * dots_per_inch / 96) / 2, 1.0, 3.0);
 }
 
+// As it was last, or 1280 x 800 for letters of the usual size; never larger than the screen, whose bars and frames need room, too.
+WindowSize Window::first_size() const {
+    if (options_.size) return *options_.size;
+    constexpr WindowSize kUsual{1280, 800};
+    if (is_script()) return kUsual;
+    const auto fit = [&](int last, int usual, int screen, int room) {
+        const int wanted = last > 0 ? last : static_cast<int>(std::lround(usual * scale_));
+        return screen > 0 ? std::min(wanted, std::max(screen - room, 1)) : wanted;
+    };
+    constexpr int kFrame = 16, kBars = 64;
+    return {fit(preferences_.width, kUsual.width, glutGet(GLUT_SCREEN_WIDTH), kFrame),
+            fit(preferences_.height, kUsual.height, glutGet(GLUT_SCREEN_HEIGHT), kBars)};
+}
+
+void Window::remember() {
+    if (is_script()) return;
+    preferences_.solved_lessons = session_.solved_lessons;
+    for (const session::PanelName& panel : session::kPanels)
+        if (panel.value == session_.panel) preferences_.panel = panel.key;
+    session::write_preferences(session::preferences_file(), preferences_);
+}
+
 Window::Window(std::shared_ptr<const CommandList> scene, const WindowOptions& options)
     : options_(options), session_(std::move(scene), options.file), recovery_(recovery_folder_of(options)) {
+    if (!is_script()) preferences_ = session::read_preferences(session::preferences_file());
+    session_.solved_lessons = preferences_.solved_lessons;
     session_.view = options.view;
-    session_.panel = options.panel;
+    for (const session::PanelName& panel : session::kPanels)
+        if (panel.key == preferences_.panel) session_.panel = panel.value;
+    session_.panel = options.panel.value_or(session_.panel);
     session_.probe = options.probe;
+    if (!options.tutor.empty()) session::open_tutor(session_, options.tutor);
     if (options.lesson) session::start_lesson(session_, *options.lesson);
     const WindowSize size = session::natural_size(commands(session_));
     refresh(session_, size.width, size.height);
@@ -122,9 +149,10 @@ int Window::run() {
     // No GLUT_MULTISAMPLE: one sample, as in OSMesa. With alpha, since the reference's pictures have it, too.
     glutInitDisplayMode(GLUT_RGBA | GLUT_ALPHA | GLUT_DOUBLE | GLUT_DEPTH | GLUT_STENCIL);
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
-    glutInitWindowSize(options_.width, options_.height);
-    glutCreateWindow("twinlight-demo");
     scale_ = options_.scale.value_or(screen_scale());
+    const WindowSize size = first_size();
+    glutInitWindowSize(size.width, size.height);
+    glutCreateWindow("twinlight-demo");
     start_imgui();
     panes_ = std::make_unique<Panes>();
     panels_ = std::make_unique<Panels>();
@@ -265,8 +293,9 @@ void Window::write_times() const {
     write_file_atomically(options_.times, nlohmann::json{{"frame_ms", frame_ms_}, {"pane_ms", pane_ms_}}.dump() + "\n");
 }
 
-// Textures and programs are deleted while their context is current.
+// Also remembers what the next window starts with. Textures and programs are deleted while their context is current.
 void Window::end() {
+    if (panes_) remember();
     panels_.reset();
     panes_.reset();
     end_imgui();

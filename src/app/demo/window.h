@@ -12,10 +12,11 @@
 namespace twinlight::demo {
 
 struct WindowOptions {
-    int width = 1280, height = 800;  // of the window
+    std::optional<WindowSize> size{};  // of the window; empty: as it was last, or what fits the screen
     session::View view = session::View::kSlider;
-    session::Panel panel = session::Panel::kCommands;
+    std::optional<session::Panel> panel{};  // empty: the last one
     std::optional<session::Probe> probe{};
+    std::string tutor;                                       // a tutor's name: opened instead of the scene
     std::optional<lesson::Lesson> lesson{};                  // opened instead of the scene
     lesson::Language language = lesson::Language::kEnglish;  // of the tab Lesson
     std::optional<double> scale{};      // of letters and lines; empty: from the screen's dots per inch

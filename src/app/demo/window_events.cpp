@@ -139,6 +139,10 @@ void Window::register_callbacks() {
 void Window::reshape(int width, int height) {
     width_ = std::max(width, 1);
     height_ = std::max(height, 1);
+    if (!glutGet(GLUT_FULL_SCREEN)) {
+        preferences_.width = width_;
+        preferences_.height = height_;
+    }
     ImGui_ImplGLUT_ReshapeFunc(width, height);
     wake();
 }

@@ -5,13 +5,13 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <memory>
 #include <utility>
 
 #include "app/session/edited_text.h"
+#include "app/session/preferences.h"
 #include "app/session/saving.h"
 #include "base/image/file.h"
 #include "base/text/json.h"
@@ -54,12 +54,7 @@ Json read_recovery(const std::string& path) {
 
 }  // namespace
 
-std::string recovery_folder() {
-    const char* state = std::getenv("XDG_STATE_HOME");
-    if (state && *state == '/') return std::string(state) + "/twinlight";
-    const char* home = std::getenv("HOME");
-    return home && *home == '/' ? std::string(home) + "/.local/state/twinlight" : "";
-}
+std::string recovery_folder() { return users_folder("XDG_STATE_HOME", ".local/state"); }
 
 RecoveryFile::RecoveryFile(std::string folder)
     : path_(folder.empty() ? "" : fmt::format("{}/{}{}.json", folder, kRecoveryName, ::getpid())) {}
