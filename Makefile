@@ -172,7 +172,7 @@ SOURCES_some_tests := $(if $(FOLDERS),$(filter $(FOLDERS:%=%/%),$(SOURCES_tests)
 SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egls) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_web) $(SOURCES_tests) $(SOURCES_recorder) \
     $(SOURCES_bench) $(SOURCES_fuzz))
 HEADERS := $(sort $(shell find src tests -name '*.h'))
-EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes scene_assets shaders webgl pages cases lessons lessons-zh recorder)
+EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes scene_assets shaders webgl pages cases lessons lessons-zh tutors recorder)
 # The scenes that only tests need come last.
 SCENES_of_tests := $(patsubst %,src/scene/scenes/%.gl,commands legacy)
 FILES_scenes := $(sort $(filter-out $(SCENES_of_tests),$(wildcard src/scene/scenes/*.gl))) $(SCENES_of_tests)
@@ -184,6 +184,7 @@ FILES_webgl := $(addprefix src/render/webgl/,exported_page.html gl.js viewer.js)
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
 CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
 FILES_cases := $(wildcard golden/hard/*.gl)
+FILES_tutors := $(wildcard src/app/session/tutors/*.gl)
 FILES_lessons := $(filter-out %/README.md,$(wildcard docs/lessons/*.md))
 FILES_lessons_zh := $(filter-out %/README.md,$(wildcard docs/zh-CN/lessons/*.md))
 FILES_pages := $(wildcard src/judge/report/pages/*) $(BUILD)/embedded/chart.js
@@ -334,7 +335,7 @@ include src/app/web/web.mk
 
 # Files that are rewritten when their content changes: the compiler's flags, the list of files, and the folders of tests.
 flags := $(compile) $(CXXFLAGS_all) $(OPTIMISATION_less) $(LESS) $(LDFLAGS_all)
-files := $(SOURCES_all) $(FILES_scenes) $(FILES_scene_assets) $(FILES_shaders) $(FILES_webgl) $(FILES_pages) $(FILES_cases) $(FILES_lessons) $(FILES_lessons_zh)
+files := $(SOURCES_all) $(FILES_scenes) $(FILES_scene_assets) $(FILES_shaders) $(FILES_webgl) $(FILES_pages) $(FILES_cases) $(FILES_lessons) $(FILES_lessons_zh) $(FILES_tutors)
 tests := $(FOLDERS)
 # (make 4.3 leaves some files' last line break in place.)
 changed = $(if $(subst |$(strip $($(1)))|,,|$(strip $(file <$(BUILD)/$(1)))|),force)
@@ -430,6 +431,8 @@ $(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files tools/embed.sh
 	$(call embed,kPageFiles,$(sort $(FILES_pages)))
 $(BUILD)/embedded/cases.cpp: $(FILES_cases) $(BUILD)/files tools/embed.sh
 	$(call embed,kCaseFiles,$(sort $(FILES_cases)))
+$(BUILD)/embedded/tutors.cpp: $(FILES_tutors) $(BUILD)/files tools/embed.sh
+	$(call embed,kTutorFiles,$(FILES_tutors))
 $(BUILD)/embedded/lessons.cpp: $(FILES_lessons) $(BUILD)/files tools/embed.sh
 	$(call embed,kLessonFiles,$(sort $(FILES_lessons)))
 $(BUILD)/embedded/lessons-zh.cpp: $(FILES_lessons_zh) $(BUILD)/files tools/embed.sh

@@ -11,5 +11,6 @@ shoot grid report --view grid --panel lights
 shoot world lab --view world
 shoot probe report --view grid --probe 250,170
 shoot overlays report --view single --keys "mn---" --panel overlays
+shoot tutor --tutor light
 shoot lesson --lesson shininess --language en
 shoot lint tests/window/mistakes.gl --view grid --panel lint

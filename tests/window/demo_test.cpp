@@ -154,7 +154,7 @@ class DemoWindow : public testing::Test {
         const auto context = make_offscreen_context(width, height);
         const PixelMask edges = reference::allowed_difference(session.scene.frame, {}).edge;
         for (const Cell& cell : places.cells) {
-            if (cell.pane == kDifferencePane) continue;
+            if (cell.pane >= kPanes) continue;
             const Pane& pane = session.panes[cell.pane];
             SCOPED_TRACE(title_of(session, pane));
             // The window bakes numbers into shaders, which lets the driver fold them: lighting per pixel may then round to
@@ -524,6 +524,53 @@ TEST_F(DemoWindow, ADraggedNumberChangesTheCallThePictureAndTheSavedFile) {
     expect_panes(picture(), session_after(""));
 }
 
+// The first number of the first of the six lines is dragged, which moves the light; z undoes that. Tab draws with shaders.
+TEST_F(DemoWindow, TheTutorsNumbersAreDragged) {
+    if (run("command -v xdotool").status != 0) GTEST_SKIP() << "xdotool is missing (Debian's package xdotool)";
+    const auto exported = [&] {
+        const std::string file = (folder() / "tutor-spot.c").string();
+        std::filesystem::remove(file);
+        xdotool("key e");
+        EXPECT_TRUE(wait_for([&] { return std::filesystem::exists(file); }));
+        return *load_commands(file);
+    };
+    const auto light_x = [](const CommandList& list) {
+        return std::ranges::find(list.commands, CommandId::glLightfv, &Command::id)->number(2);
+    };
+    const RunningDemo demo(server_->display(),
+                           {"--tutor", "spot", "--scale", "1", "--size", "800x600", "--screenshot", picture_file_});
+    ASSERT_EQ(xdotool("search --sync --onlyvisible --name twinlight").status, 0);
+    const auto expect_picture = [&](const CommandList& list) {
+        scene_ = list;
+        xdotool("mousemove 790 10 key p");
+        Session session = session_after("", View::kTutor);
+        session.active = 0;
+        expect_panes(picture(), session);
+    };
+    xdotool("mousemove 790 10");
+    const CommandList start = exported();
+    expect_picture(start);
+    EXPECT_EQ(light_x(start), -1.5);
+    for (const std::string& step :
+         {std::string("mousemove 505 342"), std::string("mousedown 1"), std::string("mousemove_relative 40 0"),
+          std::string("mousemove_relative 40 0"), std::string("mouseup 1")}) {
+        xdotool(step);
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    xdotool("mousemove 790 10");
+    const CommandList dragged = exported();
+    EXPECT_GT(light_x(dragged), -1.5);
+    expect_picture(dragged);
+    xdotool("key z");
+    EXPECT_EQ(light_x(exported()), -1.5);
+    xdotool("key y key Tab key p");
+    scene_ = dragged;
+    Session session = session_after("", View::kTutor);
+    session.active = 0;
+    session.panes[0].renderer = Path::kProgrammable;
+    expect_panes(picture(), session);
+}
+
 // The lesson's check, by its button: wrong at the start; right after x, which turns GL_NORMALIZE on.
 TEST_F(DemoWindow, ChecksTheAnswerToALesson) {
     const RunningDemo demo(server_->display(), {"--scale", "1", "--size", "1000x800", "--lesson", "scaled-normals",
@@ -627,6 +674,9 @@ TEST_F(DemoWindow, RefusesBadInputInOneLine) {
     expect_refusal(run(program() + " --quit-after 0"), "--quit-after: '0' is not a whole number from 1 to 1000000");
     expect_refusal(run(program() + " --lesson shinines"), "there is no lesson 'shinines'; did you mean 'shininess'?");
     expect_refusal(run(program() + " report --lesson shininess"), "give either SCENE or --lesson");
+    expect_refusal(run(program() + " report --tutor light"), "give either SCENE or --tutor");
+    expect_refusal(run(program() + " --tutor fog"),
+                   "--tutor: 'fog' is not one of light, material, normals, spot, attenuation");
     expect_refusal(run(program() + " --language fr"), "--language: 'fr' is not one of en, zh");
     expect_refusal(run(program() + " --screenshoot a.png"), "did you mean '--screenshot'?");
     expect_refusal(run(program() + " \"$(printf 'a\\033[31mb\\nc.gl')\""), "a\\x1b[31mb\\x0ac.gl: ");

@@ -67,6 +67,7 @@ class Window {
     void save_screenshot();
     void write_times() const;
     void register_callbacks();
+    bool is_in_world(int x, int y) const;
     void press(int button, int x, int y);
     void release(int x, int y);
     void settle();

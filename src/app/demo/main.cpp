@@ -12,6 +12,7 @@
 #include "app/memory.h"
 #include "app/program.h"
 #include "app/session/keys.h"
+#include "app/session/tutor.h"
 #include "judge/lesson/lesson.h"
 #include "scene/command/names.h"
 #include "scene/scenes/load.h"
@@ -76,6 +77,10 @@ int run(int argc, char** argv) {
     app.add_option("--lesson", lesson_name, "open a lesson instead of a scene; 'twinlight lesson' lists them")
         ->option_text("NAME")
         ->check(not_empty());
+    app.add_option_function<std::string>(
+           "--tutor", [&](const std::string& name) { options.tutor = value_of(session::kTutors, name, "--tutor"); },
+           "open a tutor instead of a scene: six calls whose numbers you drag, the world and the picture")
+        ->option_text(keys_of(session::kTutors, "|"));
     options.language = lesson::users_language();
     app.add_option_function<std::string>(
            "--language",
@@ -132,6 +137,10 @@ int run(int argc, char** argv) {
         if (app.count("SCENE") > 0) throw UsageError("give either SCENE or --lesson");
         options.lesson = lesson_named(lesson_name, options.language);
         return demo::show(lesson::commands_of(*options.lesson, options.lesson->scene), options);
+    }
+    if (!options.tutor.empty()) {
+        if (app.count("SCENE") > 0) throw UsageError("give either SCENE or --tutor");
+        return demo::show(session::tutor_scene(options.tutor), options);
     }
     std::error_code ignored;
     if (std::filesystem::is_regular_file(scene, ignored)) options.file = scene;

@@ -90,7 +90,7 @@ void CommandsPanel::refresh_rows(const Session& session, int columns, double lin
     shown_unfolded_ = unfolded_.size();
 }
 
-// The gutter: folds glBegin, and moves calls by a drag.
+// Moves a call by a drag of its gutter.
 void CommandsPanel::drag_row(const Session& session, const Row& row, double list_top) {
     const std::size_t number = row_of(row.command);
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, kDragThreshold)) moved_row_ = number;
@@ -111,26 +111,10 @@ void CommandsPanel::drag_row(const Session& session, const Row& row, double list
     to_move_ = Move{row.command, before > row.command ? before - count : before, count};
 }
 
-void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
-    const std::shared_ptr<const CommandList> list = session.history.now();  // edits below must not free it
-    const Command& command = list->commands[row.command];
-    const ImVec2 start = ImGui::GetCursorScreenPos();
-    const float line_height = ImGui::GetTextLineHeightWithSpacing();
-    const float width = ImGui::GetContentRegionAvail().x, height = line_height * static_cast<float>(row.lines);
-    const float gutter = at_scale(kGutter), column_width = width_of_column();
+// Folds glBegin, and moves calls by a drag.
+void CommandsPanel::show_gutter(const Session& session, const Row& row, const ImVec2& start) {
+    const float line_height = ImGui::GetTextLineHeightWithSpacing(), gutter = at_scale(kGutter);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    ImGui::PushID(static_cast<int>(row.command));
-
-    const bool is_selected = session.selected_command && *session.selected_command >= row.command &&
-                             *session.selected_command < row.command + row.count;
-    const ImVec2 end = plus(start, {width, height});
-    const bool is_under_mouse = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(start, end);
-    if (is_selected) draw.AddRectFilled(start, end, kRowSelected, 3);
-    if (is_under_mouse) draw.AddRectFilled(start, end, kRowHovered, 3);
-    const bool is_wrong = !session.error.empty() && !session::error_of(command).empty();
-    if (is_wrong) draw.AddRectFilled(start, {start.x + 3, end.y}, kErrorLine);
-    if (is_wrong && is_under_mouse) help_ = session::error_of(command);
-
     const bool clicked = ImGui::InvisibleButton("gutter", {gutter, line_height});
     const bool gutter_hovered = ImGui::IsItemHovered();
     drag_row(session, row, static_cast<double>(start.y) - row.top);
@@ -156,6 +140,30 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
             unfolded_.erase(row.fold);
         shown_columns_ = 0;
     }
+}
+
+void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
+    const std::shared_ptr<const CommandList> list = session.history.now();  // edits below must not free it
+    const Command& command = list->commands[row.command];
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float line_height = ImGui::GetTextLineHeightWithSpacing();
+    const float width = ImGui::GetContentRegionAvail().x, height = line_height * static_cast<float>(row.lines);
+    const float gutter = has_gutter_ ? at_scale(kGutter) : 0, column_width = width_of_column();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    ImGui::PushID(static_cast<int>(row.command));
+
+    const bool is_selected = session.selected_command && *session.selected_command >= row.command &&
+                             *session.selected_command < row.command + row.count;
+    const ImVec2 end = plus(start, {width, height});
+    const bool is_under_mouse = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(start, end);
+    if (is_selected) draw.AddRectFilled(start, end, kRowSelected, 3);
+    if (is_under_mouse) draw.AddRectFilled(start, end, kRowHovered, 3);
+    const bool is_wrong = !session.error.empty() && !session::error_of(command).empty();
+    if (is_wrong) draw.AddRectFilled(start, {start.x + 3, end.y}, kErrorLine);
+    if (is_wrong && is_under_mouse) help_ = session::error_of(command);
+
+    is_over_part_ = false;
+    if (has_gutter_) show_gutter(session, row, start);
 
     constexpr int kInsideColumns = 4;
     if (row.is_inside) columns -= kInsideColumns;
@@ -286,13 +294,13 @@ void CommandsPanel::show_tools(Session& session) {
     ImGui::NewLine();
 }
 
-void CommandsPanel::show_help(const Session& session) {
+// `otherwise`: what to say if nothing is under the mouse.
+void CommandsPanel::show_help(const Session& session, const char* otherwise) {
     ImGui::Separator();
     if (!session.error.empty() && help_.empty()) {
         colored_text(kBad, session.error);
     } else {
-        dim_text(help_.empty() ? "Drag a number, or click it to type. Click a name to choose. Changed values are bold."
-                               : help_);
+        dim_text(help_.empty() ? otherwise : help_);
     }
 }
 
@@ -311,7 +319,40 @@ void CommandsPanel::show(Session& session) {
     show_argument_menu(session);
     if (replaced_) show_insert(session);
     ImGui::EndChild();
-    show_help(session);
+    show_help(session, "Drag a number, or click it to type. Click a name to choose. Changed values are bold.");
+}
+
+void CommandsPanel::show_calls(Session& session, const std::vector<std::size_t>& calls) {
+    help_.clear();
+    ImGui::PushFont(fonts().code_large);
+    const std::shared_ptr<const CommandList> list = session.history.now();
+    std::size_t longest = 1;
+    for (const std::size_t call : calls) longest = std::max(longest, print_command(list->commands[call]).size() + 4);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float needed_x = static_cast<float>(longest) * width_of_column(), gap = at_scale(7);
+    const float lines = static_cast<float>(calls.size()), help = 2.5F * height_of(*fonts().text);
+    const float needed_y = lines * (ImGui::GetFontSize() + gap);
+    const float fit = std::min({1.0F, room.x / needed_x, (room.y - help) / needed_y});
+    ImGui::SetWindowFontScale(std::max(fit, 0.5F));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, fit * gap});
+    constexpr int kOneLine = 1000;  // columns
+    refresh_rows(session, kOneLine, static_cast<double>(ImGui::GetTextLineHeightWithSpacing()));
+    has_gutter_ = false;
+    for (const std::size_t call : calls) show_row(session, {.command = call}, kOneLine);
+    has_gutter_ = true;
+    if (to_open_) ImGui::OpenPopup(std::exchange(to_open_, nullptr));
+    ImGui::SetWindowFontScale(1);
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    ImGui::PushFont(fonts().code);
+    show_choices(session);
+    ImGui::PopFont();
+    show_argument_menu(session);
+    if (replaced_) show_insert(session);
+    show_help(session,
+              "Drag a number, or click it to type. Drag the light at the left. Point at the picture to see why a pixel "
+              "has its "
+              "colour.");
 }
 
 }  // namespace twinlight::demo

@@ -2,6 +2,8 @@
 // calls are moved, deleted and inserted.
 #pragma once
 
+#include <imgui.h>
+
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -17,6 +19,8 @@ namespace twinlight::demo {
 class CommandsPanel {
   public:
     void show(session::Session& session);
+    // These calls only, one line each, as large as the width allows; and what is under the mouse.
+    void show_calls(session::Session& session, const std::vector<std::size_t>& calls);
     // Whether a number is being typed.
     bool is_typing() const { return typed_.has_value(); }
 
@@ -40,12 +44,13 @@ class CommandsPanel {
     void refresh_rows(const session::Session& session, int columns, double line_height);
     void show_tools(session::Session& session);
     void show_list(session::Session& session);
+    void show_gutter(const session::Session& session, const Row& row, const ImVec2& start);
     void show_row(session::Session& session, const Row& row, int columns);
     void show_argument(session::Session& session, ArgumentAt at, const std::string& text);
     void show_swatch(session::Session& session, ArgumentAt at);
     void show_input(session::Session& session);
     void drag_row(const session::Session& session, const Row& row, double list_top);
-    void show_help(const session::Session& session);
+    void show_help(const session::Session& session, const char* otherwise);
     void show_argument_menu(session::Session& session);
     void show_choices(session::Session& session);
     void show_insert(session::Session& session);
@@ -60,6 +65,7 @@ class CommandsPanel {
     int shown_columns_ = 0;
     std::size_t shown_unfolded_ = 0;
     double height_ = 0;
+    bool has_gutter_ = true;
 
     bool is_over_part_ = false;          // the mouse is over an argument, a swatch or the gutter of the row
     std::string help_;                   // of what is under the mouse

@@ -254,6 +254,20 @@ void ProbePanel::show_fragment(Session& session) {
     if (!rulings.empty()) colored_text(kAccent, rulings);
 }
 
+void ProbePanel::show_under_pointer(const Session& session) {
+    if (!update(session) || !answer_->trouble.empty() || fragments_.empty()) return;
+    const std::vector<ProbePoint> points = session::points_of(session.scene, *answer_, fragment_);
+    if (!fragments_[fragment_].is_lit || points.empty()) return;
+    ImGui::SetNextWindowSize({30 * ImGui::GetFontSize(), 0});
+    ImGui::BeginTooltip();
+    const std::vector<SumRow> mean = session::mean_rows(points);
+    dim_text(fmt::format("Pixel {}, {}: {}", session.probe->x, session.probe->y,
+                         mean.empty() ? "the lighting equation" : "a mix of its corners; at " + points[point_].name));
+    sum_table("sum under the pointer", session::sum_rows(points[std::min(point_, points.size() - 1)].derivation, {}));
+    if (!mean.empty()) sum_table("mean under the pointer", {mean.back()});
+    ImGui::EndTooltip();
+}
+
 void ProbePanel::show(Session& session, const std::array<std::optional<Rgba>, session::kPanes>& colors) {
     if (!session.probe) {
         dim_text(

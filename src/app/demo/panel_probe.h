@@ -13,6 +13,8 @@ namespace twinlight::demo {
 
 class ProbePanel {
   public:
+    // A tooltip with the sum for the probed pixel.
+    void show_under_pointer(const session::Session& session);
     // `colors`: what each pane shows at the probed pixel, where that is known.
     void show(session::Session& session, const std::array<std::optional<Rgba>, session::kPanes>& colors);
 

@@ -8,6 +8,7 @@
 #include "app/demo/overlays.h"
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
+#include "app/session/tutor.h"
 
 namespace twinlight::demo {
 namespace {
@@ -80,6 +81,17 @@ void Panels::show(session::Session& session, const Rectangle& box, const Panes& 
     }
     ImGui::EndChild();
     ImGui::End();
+}
+
+void Panels::show_tutor(session::Session& session, const Rectangle& box) {
+    ImGui::SetNextWindowPos(corner(box));
+    ImGui::SetNextWindowSize(size_of(box));
+    ImGui::Begin("tutor", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    commands_.show_calls(session, session::tutor_calls(commands(session)));
+    ImGui::End();
+    if (session.probe && !session.probe->is_vertex && !ImGui::GetIO().WantCaptureMouse)
+        probe_.show_under_pointer(session);
 }
 
 }  // namespace twinlight::demo

@@ -20,6 +20,8 @@ class Panels {
     // To be called in every frame, also when the panels are hidden.
     void update(session::Session& session);
     void show(session::Session& session, const Rectangle& box, const Panes& panes);
+    // The tutor's calls, and the pixel under the pointer.
+    void show_tutor(session::Session& session, const Rectangle& box);
     // Whether a panel works in the background, so that the window must go on drawing frames.
     bool is_busy(const session::Session& session) const {
         return lint_.is_busy() || lesson_.is_busy() || save_.is_busy() || accuracy_.is_busy() ||

@@ -27,6 +27,9 @@ bool shows_difference(const Session& session) {
            (session.view == session::View::kSingle && session.active == kDifferencePane);
 }
 
+// Whether the panel Probe shows the colours of all panes. The tutor has only one, which follows the pointer.
+bool has_probe(const Session& session) { return session.probe && session.view != session::View::kTutor; }
+
 // Whether the difference needs no picture of the reference, which comes later.
 bool compares_live(const Session& session) {
     return session.panes[session.difference.a].renderer != Path::kReference &&
@@ -58,7 +61,7 @@ Panes::Panes() : programmable_(std::make_unique<programmable::Renderer>()) {}
 
 bool Panes::wants_image(const Session& session, std::size_t pane) const {
     const bool in_difference = pane == session.difference.a || pane == session.difference.b;
-    return session.probe || (in_difference && shows_difference(session));
+    return has_probe(session) || (in_difference && shows_difference(session));
 }
 
 void Panes::draw_pane(const Session& session, std::size_t number) {
@@ -209,13 +212,13 @@ bool Panes::lacks_images(const Session& session) const {
 void Panes::update(const Session& session, const session::Layout& layout) {
     std::array<bool, kPanes> shown{};
     for (const Cell& cell : layout.cells) {
-        if (cell.pane != kDifferencePane)
+        if (cell.pane < kPanes)
             shown[cell.pane] = true;
-        else
+        else if (cell.pane == kDifferencePane)
             shown[session.difference.a] = shown[session.difference.b] = true;
     }
     if (session.view == session::View::kSlider) shown[session.slider.a] = shown[session.slider.b] = true;
-    if (session.probe) shown.fill(true);
+    if (has_probe(session)) shown.fill(true);
     for (std::size_t i = 0; i < kPanes; ++i)
         if (shown[i] && session.panes[i].renderer != Path::kReference) draw_pane(session, i);
     request_reference(session, shown);
@@ -226,7 +229,8 @@ void Panes::update(const Session& session, const session::Layout& layout) {
         if (shown[i] && any(session.overlays) && drawn.revision == session.revision)
             drawn.overlaid.update(session, drawn.look, drawn.texture.name(), drawn.version);
     }
-    if (session.view == session::View::kWorld) world_.update(session, *programmable_);
+    if (session.view == session::View::kWorld || session.view == session::View::kTutor)
+        world_.update(session, *programmable_);
 }
 
 std::array<std::optional<Rgba>, kPanes> Panes::colors_at(int x, int y) const {

@@ -361,6 +361,12 @@ void Panes::show(Session& session, const session::Layout& layout) {
                 show_slider_bars(session, cell);
                 show_sides(session, layout.sides);
                 break;
+            case session::View::kTutor:
+                if (cell.pane == session::kWorldPane) {
+                    world_.show(session, cell, 0);
+                    break;
+                }
+                [[fallthrough]];
             case session::View::kSingle:
             case session::View::kGrid: show_picture(session, cell); break;
         }

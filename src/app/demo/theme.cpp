@@ -73,6 +73,7 @@ void set_theme(double scale, lesson::Language language) {
     loaded.bold = load("DejaVuSans-Bold.ttf", kTextSize);
     if (chinese_loaded) add_chinese(kTextSize);
     loaded.code = load("DejaVuSansMono.ttf", kCodeSize);
+    loaded.code_large = load("DejaVuSansMono.ttf", kLargeCodeSize);
     loaded.code_bold = load("DejaVuSansMono-Bold.ttf", kCodeSize);
 
     ImGui::StyleColorsDark();

@@ -14,10 +14,11 @@ struct Fonts {
     ImFont* bold = nullptr;
     ImFont* code = nullptr;  // every letter has the same width
     ImFont* code_bold = nullptr;
+    ImFont* code_large = nullptr;  // the tutor's
 };
 
 // Loads the fonts and sets colours and spacing; `scale` is 1 for 96 dots per inch. Needs an ImGui context. Without the
-// DejaVu fonts, all four are ImGui's own.
+// DejaVu fonts, all of them are ImGui's own.
 // The Chinese letters of the lessons are loaded if that is the language and a font has them.
 void set_theme(double scale, lesson::Language language);
 bool has_chinese_letters();

@@ -37,7 +37,7 @@ void bold_text(const std::string& text) {
 
 void draw_code(ImVec2 at, ImU32 color, const std::string& text, bool is_bold) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    ImFont* const font = is_bold ? fonts().code_bold : fonts().code;
+    ImFont* const font = is_bold && ImGui::GetFont() == fonts().code ? fonts().code_bold : ImGui::GetFont();
     list.AddText(font, ImGui::GetFontSize(), at, color, text.c_str());
 }
 

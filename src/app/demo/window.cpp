@@ -19,6 +19,7 @@
 #include "app/demo/theme.h"
 #include "app/session/clip.h"
 #include "app/session/lesson_state.h"
+#include "app/session/tutor.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
 #include "base/text/json.h"
@@ -259,6 +260,7 @@ void Window::frame() {
     panes_->show(session_, layout_);
     panels_->update(session_);
     if (layout_.panel.width > 0) panels_->show(session_, layout_.panel, *panes_);
+    if (layout_.code.height > 0) panels_->show_tutor(session_, layout_.code);
     status_line_.show(session_, layout_.status, options_.quit_after > 0);
     if (session_.keys_shown) show_keys(width_, height_);
     dialogs_.show(session_);

@@ -16,6 +16,7 @@
 #include "app/session/saving.h"
 #include "app/session/scenes.h"
 #include "app/session/steps.h"
+#include "app/session/tutor.h"
 #include "app/session/typed_calls.h"
 #include "base/image/file.h"
 #include "base/text/reason.h"
@@ -175,6 +176,7 @@ void Window::carry_out_requests() {
         return;
     }
     if (session_.scene_requested != 0) show_neighbour(std::exchange(session_.scene_requested, 0));
+    if (std::exchange(session_.tutor_requested, false)) session::next_tutor(session_);
     if (session_.step_requested != 0) open_step(std::exchange(session_.step_requested, 0));
     if (std::exchange(session_.export_requested, false)) panels_->saving().save(session_, session::Form::kC);
     if (std::exchange(session_.save_requested, false)) save();
@@ -306,7 +308,7 @@ void Window::mouse(int button, int state, int x, int y) {
     wake();
     // The world view has its own drags and wheel; the right button opens the menu.
     if (only_leaves) return;
-    const bool in_world = session_.view == session::View::kWorld && hit(layout_, x, y);
+    const bool in_world = is_in_world(x, y);
     if (in_world ? button != GLUT_RIGHT_BUTTON : down && ImGui::GetIO().WantCaptureMouse) return;
     if (wheel) {
         if (down && hit(layout_, x, y)) session::zoom(session_, button == kWheelUp ? 1 : -1);
@@ -316,6 +318,11 @@ void Window::mouse(int button, int state, int x, int y) {
         press(button, x, y);
     else
         release(x, y);
+}
+
+bool Window::is_in_world(int x, int y) const {
+    const auto where = hit(layout_, x, y);
+    return where && (session_.view == session::View::kWorld || where->pane == session::kWorldPane);
 }
 
 void Window::press(int button, int x, int y) {
@@ -369,8 +376,12 @@ void Window::motion(int x, int y) {
 
 void Window::passive_motion(int x, int y) {
     ImGui_ImplGLUT_MotionFunc(x, y);
-    // Over a picture nothing lights up under the mouse, except the lights of the world view.
-    if (!hit(layout_, x, y) || ImGui::GetIO().WantCaptureMouse || session_.view == session::View::kWorld) wake();
+    const auto where = hit(layout_, x, y);
+    const bool is_tutor = session_.view == session::View::kTutor;
+    if (is_tutor) session_.probe.reset();
+    if (is_tutor && where && !is_in_world(x, y)) session_.probe = session::Probe{false, where->x, where->y};
+    // Over other pictures nothing lights up under the mouse, except the lights of the world view.
+    if (!where || ImGui::GetIO().WantCaptureMouse || is_tutor || is_in_world(x, y)) wake();
 }
 
 }  // namespace twinlight::demo

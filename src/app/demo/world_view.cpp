@@ -162,7 +162,8 @@ void WorldView::show_markers(const session::Session& session, const Rectangle& b
         if (const auto at = place(*world_.camera_world)) {
             draw.AddCircleFilled(*at, 5, kShadow);
             draw.AddCircleFilled(*at, 4, kAccent);
-            text({at->x - ImGui::CalcTextSize("camera").x - 16, at->y - ImGui::GetFontSize() / 2}, kAccent, "camera");
+            const float left = at->x - ImGui::CalcTextSize("camera").x - 16;
+            text({left < corner(box).x ? at->x + 12 : left, at->y - ImGui::GetFontSize() / 2}, kAccent, "camera");
         }
     struct Name {
         ImVec2 at;
@@ -250,13 +251,15 @@ void WorldView::show(session::Session& session, const session::Cell& cell, unsig
                          ImFont* font) {
         draw.AddRectFilled(corner(at), far_corner(at), kBar, 4, corners);
         const float y = static_cast<float>(at.y) + (static_cast<float>(at.height) - height_of(*font)) / 2;
+        draw.PushClipRect(corner(at), {far_corner(at).x - 6, far_corner(at).y});
         draw.AddText(font, height_of(*font), {static_cast<float>(at.x) + 10, y}, color, words.c_str());
+        draw.PopClipRect();
     };
     carry_out_mouse(session, box);
 
     add_picture(draw, texture_.name(), corner(box), far_corner(box));
     draw.PushClipRect(corner(box), far_corner(box), true);
-    show_inside(box, inside);
+    if (inside != 0) show_inside(box, inside);
     show_markers(session, box);
     draw.PopClipRect();
 

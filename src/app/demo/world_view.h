@@ -18,7 +18,7 @@ class WorldView {
     // Draws the scene at the session's size, if something changed, at the back buffer's lower left corner.
     void update(const session::Session& session, programmable::Renderer& renderer);
     // Puts the picture on ImGui's background, with markers and bars, and carries out what the mouse does: a drag turns the
-    // view or moves a light, the wheel zooms, a click selects a light. `inside` is the texture of the scene's own picture.
+    // view or moves a light, the wheel zooms, a click selects a light. `inside` is the texture of the scene's own picture, or 0.
     void show(session::Session& session, const session::Cell& cell, unsigned inside);
 
   private:

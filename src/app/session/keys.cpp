@@ -65,8 +65,13 @@ void next_renderer(Session& session, int) {
 }
 
 void next_view(Session& session, int) {
+    // The tutor is the last, and has a key of its own.
+    constexpr std::size_t kCount = std::size(kViews) - 1;
+    static_assert(kViews[kCount].value == View::kTutor);
     const auto here = std::ranges::find(kViews, session.view, &ViewName::value);
-    session.view = kViews[static_cast<std::size_t>(here - std::begin(kViews) + 1) % std::size(kViews)].value;
+    session.view = here == std::end(kViews) - 1
+                       ? kViews[0].value
+                       : kViews[static_cast<std::size_t>(here - std::begin(kViews) + 1) % kCount].value;
 }
 
 void next_shading(Session& session, int) {
@@ -139,6 +144,8 @@ constexpr Key kKeys[] = {
     {'\t', '\t', "Tab", "next renderer: fixed function, shaders, reference", next_renderer, Menu::kView, false},
     {kShiftTab, kShiftTab, "Shift+Tab", "next view: slider, grid, single, world", next_view, Menu::kView, false},
     {'g', 'g', "g", "shading: flat, Gouraud, Phong, exact surfaces", next_shading, Menu::kView, false},
+    {'u', 'u', "u", "the tutor: six calls, the world and the picture; the next tutor",
+     [](Session& s, int) { s.tutor_requested = true; }, Menu::kView, false},
     {'w', 'w', "w a s d", "move the camera", [](Session& s, int) { walk(s, 1, 0); }},
     {'a', 'a', "", "", [](Session& s, int) { walk(s, 0, -1); }},
     {'s', 's', "", "", [](Session& s, int) { walk(s, -1, 0); }},

@@ -10,13 +10,15 @@ namespace {
 
 // In pixels at scale 1.
 constexpr double kPanelWidth = 420, kBar = 26, kGap = 6;
-constexpr double kMostOfWindow = 0.45;  // of the window's width, for the panel
+constexpr double kTutorCode = 252;      // the height of six large lines and what they mean
+constexpr double kMostOfWindow = 0.45;  // of the window's width, for the panel; of its height, for the tutor's code
 
 // The panes that the view shows, row by row.
 std::vector<std::vector<std::size_t>> rows_of(const Session& session) {
     switch (session.view) {
         case View::kGrid: return {{0, 1}, {2, kDifferencePane}};
         case View::kSingle: return {{session.active}};
+        case View::kTutor: return {{kWorldPane, std::min(session.active, kPanes - 1)}};
         case View::kSlider:
         case View::kWorld: break;
     }
@@ -30,11 +32,14 @@ Layout layout(const Session& session, int width, int height, double scale) {
     const int bar = pixels(kBar), gap = pixels(kGap);
     Layout result;
     result.status = {0, height - bar, width, bar};
-    if (session.panel_shown)
+    const bool is_tutor = session.view == View::kTutor;
+    if (session.panel_shown && !is_tutor)
         result.panel = {0, 0, std::min(pixels(kPanelWidth), static_cast<int>(kMostOfWindow * width)), height - bar};
 
+    const int code = is_tutor ? std::min(pixels(kTutorCode), static_cast<int>(kMostOfWindow * height)) : 0;
+    result.code = {0, height - bar - code, width, code};
     const int sides = session.view == View::kSlider ? bar * static_cast<int>(side_rows(session).size()) : 0;
-    const Rectangle area{result.panel.width, 0, width - result.panel.width, height - bar - sides};
+    const Rectangle area{result.panel.width, 0, width - result.panel.width, height - bar - sides - code};
     const auto rows = rows_of(session);
     const int across = static_cast<int>(rows.front().size()), down = static_cast<int>(rows.size());
     const int room_x = std::max((area.width - gap * (across + 1)) / across, 1);

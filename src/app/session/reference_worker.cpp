@@ -35,8 +35,7 @@ reference::Options options_of(const Look& look) {
 }  // namespace
 
 bool ReferenceJob::is_same_work(const ReferenceJob& other) const {
-    return revision == other.revision && size == other.size && allowed_of == other.allowed_of &&
-           looks == other.looks;
+    return revision == other.revision && size == other.size && allowed_of == other.allowed_of && looks == other.looks;
 }
 
 ReferenceWorker::ReferenceWorker() : thread_(try_start_thread([this] { run(); })) {}

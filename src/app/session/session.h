@@ -21,14 +21,17 @@
 namespace twinlight::session {
 
 // kSlider: two pictures, one on each side of a line that can be dragged. kGrid: three pictures and a difference.
-// kWorld: the scene from outside, with its camera and lights.
-enum class View : std::uint8_t { kSingle, kGrid, kSlider, kWorld };
+// kWorld: the scene from outside, with its camera and lights. kTutor: that, a picture, and six calls (tutor.h).
+enum class View : std::uint8_t { kSingle, kGrid, kSlider, kWorld, kTutor };
 struct ViewName {
     View value;
     const char* key;
 };
-inline constexpr ViewName kViews[] = {
-    {View::kSlider, "slider"}, {View::kGrid, "grid"}, {View::kSingle, "single"}, {View::kWorld, "world"}};
+inline constexpr ViewName kViews[] = {{View::kSlider, "slider"},
+                                      {View::kGrid, "grid"},
+                                      {View::kSingle, "single"},
+                                      {View::kWorld, "world"},
+                                      {View::kTutor, "tutor"}};
 
 // The tabs beside the pictures.
 enum class Panel : std::uint8_t { kCommands, kLights, kProbe, kShaders, kOverlays, kLint, kAccuracy, kSave, kLesson };
@@ -55,6 +58,7 @@ struct Pane {
 };
 inline constexpr std::size_t kPanes = 3;
 inline constexpr std::size_t kDifferencePane = kPanes;  // the number of the difference, after those of the panes
+inline constexpr std::size_t kWorldPane = kPanes + 1;   // the number of the scene from outside, in the tutor
 
 enum class Wireframe : std::uint8_t { kOff, kOver, kAlone };
 struct Overlays {
@@ -145,6 +149,7 @@ struct Session : OpenScene {
     bool export_requested = false, screenshot_requested = false, save_requested = false, full_screen_requested = false;
     bool copy_requested = false, paste_requested = false;  // of the selected call
     std::optional<int> letters_requested{};                // 1: larger, -1: smaller, 0: as at the start
+    bool tutor_requested = false;                          // the next one
     int scene_requested = 0;  // -1: the built-in scene before this one, 1: the one after it
     int step_requested = 0;   // -1: the scene's step before this one, 1: the one after it
 

@@ -312,7 +312,7 @@ TEST(SessionLayout, NothingOverlapsInAnyWindow) {
         for (const auto& [width, height] : {std::pair{800, 600}, {1280, 800}, {1920, 1080}, {3840, 2160}}) {
             for (const double scale : {1.0, 1.5, 2.0}) {
                 const Layout places = layout(session, width, height, scale);
-                std::vector<Rectangle> boxes{places.panel, places.status, places.sides};
+                std::vector<Rectangle> boxes{places.panel, places.status, places.sides, places.code};
                 for (const Cell& cell : places.cells) {
                     boxes.insert(boxes.end(), {cell.header, cell.picture, cell.footer});
                     EXPECT_EQ(cell.picture.width, places.picture.width);
