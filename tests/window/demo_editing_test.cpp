@@ -53,6 +53,7 @@ class DemoEditing : public testing::Test {
         if (!server_->running()) GTEST_SKIP() << server_->reason();
         if (run("command -v xdotool").status != 0) GTEST_SKIP() << "xdotool is missing (Debian's package xdotool)";
         std::filesystem::remove_all(folder() / "state");
+        std::filesystem::remove_all(folder() / "config");
         std::filesystem::remove(picture_);
         write_file_atomically(scene_, kLamp);
     }
@@ -241,7 +242,17 @@ TEST_F(DemoEditing, OpensAnotherScene) {
     xdo("key ctrl+o type --delay 20 lab");
     xdo("key Return");
     EXPECT_TRUE(answers());
-    EXPECT_NE(xdo("search --name twinlight getwindowname").output.find("lab - twinlight"), std::string::npos);
+    const auto title = [&] { return xdo("search --name twinlight getwindowname").output; };
+    EXPECT_NE(title().find("lab - twinlight"), std::string::npos);
+    xdo("key ctrl+o type --delay 20 second-light");  // a lesson
+    xdo("key Return");
+    EXPECT_TRUE(answers());
+    EXPECT_NE(title().find("second-light - twinlight"), std::string::npos);
+    // The first line of the list that has this word: the tutor of materials.
+    xdo("key ctrl+o type --delay 20 'each kind of light'");
+    xdo("mousemove 300 100 click 1");
+    EXPECT_TRUE(answers());
+    EXPECT_NE(title().find("tutor-material - twinlight"), std::string::npos);
 }
 
 TEST_F(DemoEditing, MakesLettersLargerAndTheWindowFull) {
@@ -304,6 +315,61 @@ TEST_F(DemoEditing, FitsTheScreenAndRemembersItsSizeAndPanel) {
     EXPECT_EQ(panel(again), panel(resized));
     EXPECT_NE(panel(again), panel(first));
     end();
+}
+
+// The button Insert... again: the pointer has left it before the next frame.
+TEST_F(DemoEditing, AClickCountsIfThePointerMovesOnAtOnce) {
+    open({scene_});
+    for (int times = 0; times < 3; ++times) {
+        xdo("mousemove 43 113 click 1 mousemove 600 300");
+        xdo("type --delay 20 'glEnable(GL_FOG);'");
+        xdo("key Return mousemove 620 310");
+    }
+    xdo("key ctrl+s");
+    EXPECT_TRUE(file_becomes(kLamp + "glEnable(GL_FOG);\nglEnable(GL_FOG);\nglEnable(GL_FOG);\n")) << read_file(scene_);
+}
+
+// The call that a key changes is far below those that the list shows; changed calls are orange.
+TEST_F(DemoEditing, TheListGoesToTheCallThatAKeyChanges) {
+    std::string text;
+    for (int i = 0; i < 80; ++i) text += "glTranslatef(0, 0, 0);\n";
+    text += kLamp;
+    write_file_atomically(scene_, text);
+    open({scene_});
+    ASSERT_TRUE(demo_->comes_to_rest());
+    const auto shows_orange = [&] {
+        const Image image = picture();
+        for (int y = 135; y < 490; ++y)
+            for (int x = 0; x < 330; ++x)
+                if (image.at(x, y)[0] > 0.85F && image.at(x, y)[2] < 0.4F) return true;
+        return false;
+    };
+    EXPECT_FALSE(shows_orange());
+    xdo("key 1");
+    EXPECT_TRUE(wait_for(shows_orange));
+}
+
+// The list's letters end before the scrollbar.
+TEST_F(DemoEditing, NoCodeIsUnderTheScrollbar) {
+    open({"report"});
+    ASSERT_TRUE(demo_->comes_to_rest());
+    const Image image = picture();
+    for (int y = 135; y < 490; ++y)
+        for (int x = 331; x < 336; ++x) ASSERT_LT(image.at(x, y)[0], 0.2F) << x << ", " << y;
+}
+
+// A drag of the panel's edge.
+TEST_F(DemoEditing, ThePanelCanBeMadeWider) {
+    open({scene_});
+    const auto width = [&] {
+        const Image image = picture();
+        int x = 0;
+        while (x < image.width && image.at(x, 560) == image.at(0, 560)) ++x;
+        return x;
+    };
+    EXPECT_EQ(width(), 360);
+    xdo("mousemove 363 300 mousedown 1 mousemove 400 300 mousemove 464 300 mouseup 1 mousemove 700 300");
+    EXPECT_TRUE(wait_for([&] { return width() > 440; }));
 }
 
 // The menu of a click with the right button: its first line is under the pointer, and resets the scene.

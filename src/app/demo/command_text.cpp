@@ -39,7 +39,13 @@ std::vector<Piece> pieces_of(const Command& command) {
                 pieces.push_back({"", part.argument, after_comma, true});
                 after_comma = false;
             }
-            pieces.push_back({shortened(part.text), part.argument, after_comma});
+            // Bits may be on several lines.
+            std::string text = shortened(part.text);
+            for (std::size_t bar = 0; (bar = text.find(" | ")) != std::string::npos; text.erase(0, bar + 3)) {
+                pieces.push_back({text.substr(0, bar + 2), part.argument, after_comma});
+                after_comma = true;
+            }
+            pieces.push_back({text, part.argument, after_comma});
             after_comma = false;
             continue;
         }

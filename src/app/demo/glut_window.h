@@ -68,6 +68,7 @@ class Window {
     void write_times() const;
     void register_callbacks();
     bool is_in_world(int x, int y) const;
+    bool is_on_panels_edge(int x, int y) const;
     void press(int button, int x, int y);
     void release(int x, int y);
     void settle();
@@ -90,7 +91,7 @@ class Window {
             self.quit();
         }
     }
-    enum class Drag { kNone, kOrbit, kLook, kSlider };
+    enum class Drag { kNone, kOrbit, kLook, kSlider, kPanel };
     struct Timer {
         void (*action)(Window&);
         Window* window = nullptr;
@@ -123,6 +124,7 @@ class Window {
     bool moved_ = false;          // since the button was pressed
     bool input_changed_ = false;  // a button, or a key in a field, since the last frame
     bool leaves_field_ = false;   // the button that is down was pressed while something was typed or open
+    bool on_edge_ = false;        // the mouse is between the panel and the pictures
     bool close_pressed_ = false;  // the window's button
     double scale_ = 1;            // of letters and lines
     std::string file_read_;       // the file that file_time_ is of

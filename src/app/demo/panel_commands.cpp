@@ -82,6 +82,13 @@ void CommandsPanel::refresh_rows(const Session& session, int columns, double lin
     height_ = top;
     constexpr std::size_t kMostCompared = 100'000;
     if (now != shown_) {
+        // The first call that an edit changed. The camera changes all the time.
+        changed_.reset();
+        if (shown_ && shown_->name == now->name) {
+            const auto [before, after] = std::ranges::mismatch(shown_->commands, list);
+            if (after != list.end() && after->id != CommandId::gluLookAt)
+                changed_ = static_cast<std::size_t>(after - list.begin());
+        }
         opened_.clear();
         if (list.size() <= kMostCompared) opened_ = session::opened_commands(*session.opened, *now);
     }
@@ -171,16 +178,19 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
     const Command* const before = opened_command(session, row.command);
     const bool is_other = !opened_.empty() && (!before || before->id != command.id);
     const ImVec2 text_start = plus(start, {gutter + indent, 0});
+    int pieces = 0;
     for (const PlacedPiece& placed : placed_pieces(command, row.is_folded ? 1000 : columns)) {
         const ImVec2 at = plus(text_start, {static_cast<float>(placed.column) * column_width,
                                             static_cast<float>(placed.line) * line_height});
         ImGui::SetCursorScreenPos(at);
         const Piece& piece = placed.piece;
-        if (piece.is_swatch)
+        if (piece.is_swatch) {
             show_swatch(session, {row.command, *piece.argument});
-        else if (piece.argument)
+        } else if (piece.argument) {
+            ImGui::PushID(++pieces);  // bits have several
             show_argument(session, {row.command, *piece.argument}, piece.text);
-        else if (placed.line == 0 && placed.column == 0)
+            ImGui::PopID();
+        } else if (placed.line == 0 && placed.column == 0)
             draw_code(at, is_other ? kAccent : kFunctionColor, piece.text, is_other);
         else
             draw_code(at, kSignColor, piece.text, false);
@@ -221,14 +231,15 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
 void CommandsPanel::show_list(Session& session) {
     const float column_width = width_of_column(), line_height = ImGui::GetTextLineHeightWithSpacing();
     const float room = ImGui::GetContentRegionAvail().x - at_scale(kGutter);
-    const int columns = std::max(20, static_cast<int>(room / column_width));
+    const int columns = std::max(20, static_cast<int>(room / column_width) - 1);  // one stays free before the scrollbar
     refresh_rows(session, columns, static_cast<double>(line_height));
     if (session.selected_command != last_selected_) {
         last_selected_ = session.selected_command;
         scroll_to_selected_ = last_selected_.has_value();
     }
-    if (std::exchange(scroll_to_selected_, false) && last_selected_)
-        scroll_to(*last_selected_, static_cast<double>(ImGui::GetWindowHeight()));
+    const auto visible_height = static_cast<double>(ImGui::GetWindowHeight());
+    if (std::exchange(scroll_to_selected_, false) && last_selected_) scroll_to(*last_selected_, visible_height);
+    if (const auto changed = std::exchange(changed_, std::nullopt)) scroll_to(*changed, visible_height);
 
     const ImVec2 start = ImGui::GetCursorPos();
     const double top = static_cast<double>(ImGui::GetScrollY()),

@@ -85,6 +85,7 @@ class CommandsPanel {
     std::optional<Move> to_move_;  // after the list is shown
     std::optional<std::size_t> last_selected_;
     bool scroll_to_selected_ = false;
+    std::optional<std::size_t> changed_;  // the first call that the last edit changed: to be scrolled to
     char inserted_text_[512] = "";
     bool insert_takes_focus_ = false;
     std::string insert_error_;

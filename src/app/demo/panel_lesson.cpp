@@ -53,14 +53,6 @@ std::string wrapped(const std::string& text) {
 void paragraph(const std::string& markdown) { ImGui::TextUnformatted(wrapped(session::plain_text(markdown)).c_str()); }
 void colored_paragraph(ImU32 color, const std::string& text) { colored_text_line(color, wrapped(text)); }
 
-void draw_tick(const ImVec2& at) {
-    const float size = ImGui::GetFontSize();
-    const ImVec2 points[] = {{at.x + 0.15F * size, at.y + 0.55F * size},
-                             {at.x + 0.4F * size, at.y + 0.8F * size},
-                             {at.x + 0.9F * size, at.y + 0.2F * size}};
-    ImGui::GetWindowDrawList()->AddPolyline(points, 3, kGood, ImDrawFlags_None, at_scale(2));
-}
-
 lesson::Language language() { return has_chinese_letters() ? lesson::Language::kChinese : lesson::Language::kEnglish; }
 
 }  // namespace
@@ -94,10 +86,15 @@ void LessonPanel::show_list(session::Session& session) {
         if (title.empty()) title = lesson::load_lesson(name, language()).title;
         ImGui::PushID(name.data());
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        if (ImGui::Selectable("##open")) session::start_lesson(session, lesson::load_lesson(name, language()));
+        const float indent = 1.6F * ImGui::GetFontSize();
+        ImGui::Indent(indent);
+        const std::string lines = wrapped(title);
+        ImGui::Unindent(indent);
+        if (ImGui::Selectable("##open", false, 0, {0, ImGui::CalcTextSize(lines.c_str()).y}))
+            session::start_lesson(session, lesson::load_lesson(name, language()));
         if (session::is_solved(session, name)) draw_tick(at);
-        ImGui::SameLine(1.6F * ImGui::GetFontSize());
-        ImGui::TextUnformatted(title.c_str());
+        ImGui::SameLine(indent);
+        ImGui::TextUnformatted(lines.c_str());
         ImGui::PopID();
     }
 }

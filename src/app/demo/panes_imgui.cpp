@@ -195,7 +195,8 @@ void Panes::show_header(Session& session, const Cell& cell) {
     ImGui::SetCursorPos({10, (static_cast<float>(cell.header.height) - ImGui::GetFontSize()) / 2});
     ImGui::PushFont(fonts().bold);
     if (cell.pane == kDifferencePane) {
-        const std::string title = "Difference of " + difference_title(session);
+        const std::string title = fitting({"Difference of " + difference_title(session), "Difference"},
+                                          static_cast<float>(cell.header.width) - 20);
         if (ImGui::Selectable(title.c_str(), false, 0, {static_cast<float>(cell.header.width) - 20, 0}))
             ImGui::OpenPopup("pair");
     } else {
@@ -218,9 +219,7 @@ std::pair<std::string, unsigned> Panes::footer_of(const Session& session, std::s
     if (number == kDifferencePane) {
         if (!has_difference(session) || !difference_.verdict) return {"Not known yet: the reference is at work", kDim};
         const PairVerdict& verdict = *difference_.verdict;
-        const auto fits = [room](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x < room; };
-        const auto text = std::ranges::find_if(verdict.texts, fits);
-        return {text == verdict.texts.end() ? verdict.texts.back() : *text, verdict_color(verdict.verdict)};
+        return {fitting(verdict.texts, room), verdict_color(verdict.verdict)};
     }
     const Drawn& drawn = drawn_[number];
     const session::Pane& pane = session.panes[number];
@@ -228,10 +227,14 @@ std::pair<std::string, unsigned> Panes::footer_of(const Session& session, std::s
     const auto lacks_here = [&](const Unsupported& item) { return lacks(pane.renderer, item); };
     const auto missing = std::ranges::find_if(session.scene.frame.unsupported, lacks_here);
     if (missing != session.scene.frame.unsupported.end()) return {"not drawn: " + missing->name, kAccent};
-    if (pane.renderer == Path::kReference) return {"double precision, without a driver", kDim};
-    if (pane.renderer == Path::kFixed) return {"the driver executes glLight, glMaterial, ...", kDim};
+    const auto described = [room](const char* text, const char* short_text) {
+        return std::pair(fitting({text, short_text}, room), kDim);
+    };
+    if (pane.renderer == Path::kReference) return described("double precision, without a driver", "double precision");
+    if (pane.renderer == Path::kFixed) return described("the driver executes glLight, glMaterial, ...", "the driver");
     const bool per_pixel = lights_every_pixel(look_of(session, pane).shading);
-    return {per_pixel ? "GLSL that lights every pixel" : "GLSL that lights every vertex", kDim};
+    return per_pixel ? described("GLSL that lights every pixel", "GLSL, every pixel")
+                     : described("GLSL that lights every vertex", "GLSL, every vertex");
 }
 
 void Panes::show_footer(Session& session, const Cell& cell) {
@@ -318,10 +321,9 @@ void Panes::show_sides(Session& session, const Rectangle& bar) {
         const session::SideRow& row = rows[i];
         ImGui::SetCursorPos({10, (static_cast<float>(i) + 0.5F) * height - ImGui::GetFontSize() / 2});
         const float room = static_cast<float>(bar.width) - 20 - 2 * ImGui::GetFontSize();
-        const bool fits = ImGui::CalcTextSize(row.text.c_str()).x < room;
         ImGui::PushStyleColor(ImGuiCol_Text, row.differs ? kText : kDim);
         bool differs = row.differs;
-        if (ImGui::Checkbox((fits ? row.text : row.short_text).c_str(), &differs)) switch_side(session, row);
+        if (ImGui::Checkbox(fitting({row.text, row.short_text}, room).c_str(), &differs)) switch_side(session, row);
         ImGui::PopStyleColor();
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip(row.differs ? "The two sides differ in this. Click to make them equal in it."

@@ -45,7 +45,8 @@ void StatusLine::show(session::Session& session, const Rectangle& bar, bool keep
     } else if (!session.message.empty()) {
         draw.AddText({after_name, y}, kAccent, session.message.c_str());
     } else {
-        draw.AddText({after_name, y}, kDim, session::lights_summary(session.scene.frame).c_str());
+        draw.AddText({after_name, y}, kDim,
+                     fitting({session::lights_summary(session.scene.frame)}, help_x - 12 - after_name).c_str());
     }
     draw.PopClipRect();
 }

@@ -1,6 +1,7 @@
 #include "app/demo/widgets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -54,6 +55,70 @@ bool text_field(const char* label, const char* hint, std::span<char> text, bool&
     return ImGui::InputTextWithHint(label, hint, text.data(), text.size(),
                                     ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways,
                                     took_focus, &takes_focus);
+}
+
+std::string fitting(const std::vector<std::string>& texts, float room) {
+    const auto fits = [room](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x <= room; };
+    for (const std::string& text : texts)
+        if (fits(text)) return text;
+    std::string cut = texts.back();
+    // A character of UTF-8 is cut as a whole.
+    while (!cut.empty() && !fits(cut + "...")) {
+        while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0) == 0x80) cut.pop_back();
+        if (!cut.empty()) cut.pop_back();
+    }
+    return cut + "...";
+}
+
+void draw_arrow(ImDrawList& draw, const ImVec2& from, const ImVec2& to, ImU32 color) {
+    const ImVec2 along{to.x - from.x, to.y - from.y};
+    const float length = std::sqrt(along.x * along.x + along.y * along.y);
+    if (length < 1) return;
+    const float head = std::min(at_scale(11), length);
+    const ImVec2 dir{along.x / length, along.y / length};
+    const ImVec2 neck{to.x - head * dir.x, to.y - head * dir.y};
+    for (const auto& [ink, width] : {std::pair{kShadow, 5.0F}, {color, 2.5F}}) draw.AddLine(from, neck, ink, width);
+    draw.AddTriangleFilled(to, {neck.x - head * 0.5F * dir.y, neck.y + head * 0.5F * dir.x},
+                           {neck.x + head * 0.5F * dir.y, neck.y - head * 0.5F * dir.x}, color);
+}
+
+void draw_label(ImDrawList& draw, const ImVec2& at, ImU32 color, const std::string& text) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    draw.AddRectFilled({at.x - 4, at.y - 1}, {at.x + size.x + 4, at.y + size.y + 1}, kShadow, 4);
+    draw.AddText(at, color, text.c_str());
+}
+
+void draw_tick(const ImVec2& at) {
+    const float size = ImGui::GetFontSize();
+    const ImVec2 points[] = {{at.x + 0.15F * size, at.y + 0.55F * size},
+                             {at.x + 0.4F * size, at.y + 0.8F * size},
+                             {at.x + 0.9F * size, at.y + 0.2F * size}};
+    ImGui::GetWindowDrawList()->AddPolyline(points, 3, kGood, ImDrawFlags_None, at_scale(2));
+}
+
+void draw_cross(ImDrawList& draw, const ImVec2& at) {
+    for (const auto& [color, width] : {std::pair{IM_COL32(0, 0, 0, 200), 3.0F}, {IM_COL32_WHITE, 1.0F}}) {
+        draw.AddLine({at.x - 12, at.y}, {at.x - 4, at.y}, color, width);
+        draw.AddLine({at.x + 4, at.y}, {at.x + 12, at.y}, color, width);
+        draw.AddLine({at.x, at.y - 12}, {at.x, at.y - 4}, color, width);
+        draw.AddLine({at.x, at.y + 4}, {at.x, at.y + 12}, color, width);
+    }
+}
+
+void draw_probe(ImDrawList& draw, const session::ProbeArrows& arrows,
+                const std::function<std::optional<ImVec2>(const glm::dvec3&)>& place_of) {
+    const auto from = place_of(arrows.place_eye);
+    if (!from) return;
+    draw_cross(draw, *from);
+    for (const session::ProbeArrow& arrow : arrows.arrows) {
+        constexpr std::array kColors = {IM_COL32(89, 230, 128, 255), IM_COL32(120, 180, 255, 255),
+                                        IM_COL32(255, 225, 120, 255), IM_COL32(255, 120, 210, 255)};
+        const ImU32 color = kColors[static_cast<std::size_t>(arrow.kind)];
+        const auto to = place_of(arrows.tip_eye(arrow));
+        if (!to) continue;
+        draw_arrow(draw, *from, *to, color);
+        draw_label(draw, plus(*to, {5, -ImGui::GetFontSize()}), color, arrow.name);
+    }
 }
 
 void heading(const std::string& text) {

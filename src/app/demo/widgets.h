@@ -3,12 +3,16 @@
 
 #include <imgui.h>
 
+#include <functional>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/demo/theme.h"
 #include "app/session/layout.h"
+#include "app/session/probe_arrows.h"
 #include "base/math/vec3.h"
 
 namespace twinlight::demo {
@@ -47,6 +51,21 @@ void draw_code(ImVec2 at, ImU32 color, const std::string& text, bool is_bold);
 bool text_field(const char* label, const char* hint, std::span<char> text, bool& takes_focus);
 // The title of a part of a panel.
 void heading(const std::string& text);
+
+inline constexpr ImU32 kShadow = IM_COL32(0, 0, 0, 150);
+void draw_arrow(ImDrawList& draw, const ImVec2& from, const ImVec2& to, ImU32 color);
+// Text on a dark box.
+void draw_label(ImDrawList& draw, const ImVec2& at, ImU32 color, const std::string& text);
+// As high as a line of text.
+void draw_tick(const ImVec2& at);
+// Marks the probed pixel: white lines on dark ones, visible on every picture.
+void draw_cross(ImDrawList& draw, const ImVec2& at);
+// The cross, and the arrows with their names. `place_of`: where a point in eye coordinates is in the window.
+void draw_probe(ImDrawList& draw, const session::ProbeArrows& arrows,
+                const std::function<std::optional<ImVec2>(const glm::dvec3&)>& place_of);
+
+// The first of these texts that is not wider than `room`; if none fits, the last one, cut, with dots.
+std::string fitting(const std::vector<std::string>& texts, float room);
 
 // A square of this colour, as high as a line of text. Channels are clamped to [0, 1].
 void swatch(const Vec3<double>& color);

@@ -41,6 +41,7 @@ static_assert(GLUT_KEY_F1 == 1 && GLUT_KEY_LEFT == 100 && GLUT_KEY_UP == 101 && 
               "the codes of the keys in keys.cpp");
 constexpr int kWheelUp = 3, kWheelDown = 4;  // how freeglut reports the wheel as buttons
 constexpr int kClickPixels = 4;              // a drag that is shorter is a click
+constexpr int kEdgePixels = 8;               // beside the panel, where a drag makes it wider
 constexpr int kLinePixels = 14;              // how near to the slider's line a drag takes it
 
 // The session's code of a key. With Ctrl, a letter comes as its number in the alphabet, in which Tab, Enter and Backspace are too.
@@ -325,6 +326,12 @@ bool Window::is_in_world(int x, int y) const {
     return where && (session_.view == session::View::kWorld || where->pane == session::kWorldPane);
 }
 
+// The gap between the panel and the pictures.
+bool Window::is_on_panels_edge(int x, int y) const {
+    return layout_.panel.width > 0 && y < layout_.panel.height && x >= layout_.panel.width &&
+           x <= layout_.panel.width + static_cast<int>(kEdgePixels * scale());
+}
+
 void Window::press(int button, int x, int y) {
     pressed_x_ = x;
     pressed_y_ = y;
@@ -332,8 +339,9 @@ void Window::press(int button, int x, int y) {
     drag_start_ = session::start_drag(session_);
     drag_start_.may_go_under = (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0;
     session_.history.end_group();
+    if (button == GLUT_LEFT_BUTTON && is_on_panels_edge(x, y)) drag_ = Drag::kPanel;
     const auto where = hit(layout_, x, y);
-    if (!where) return;
+    if (drag_ == Drag::kPanel || !where) return;
     const Rectangle& box = layout_.cells.front().picture;
     const bool on_line = session_.view == session::View::kSlider && button == GLUT_LEFT_BUTTON &&
                          std::abs(x - (box.x + session_.slider_at * box.width)) < kLinePixels;
@@ -346,6 +354,7 @@ void Window::press(int button, int x, int y) {
 void Window::release(int x, int y) {
     if (drag_ == Drag::kNone) return;
     session_.history.end_group();
+    if (drag_ == Drag::kPanel) widen_panel(session_, x, width_, scale());
     const Drag ended = std::exchange(drag_, Drag::kNone);
     if (moved_) return;
     if (ended == Drag::kLook) session_.dialog = session::Dialog::kMenu;
@@ -361,6 +370,8 @@ void Window::release(int x, int y) {
 }
 
 void Window::motion(int x, int y) {
+    if (input_changed_) settle();  // a click or a key that the motion before a frame would take away
+    if (!imgui_runs_) return;
     ImGui_ImplGLUT_MotionFunc(x, y);
     wake();
     if (drag_ == Drag::kNone) return;
@@ -368,6 +379,7 @@ void Window::motion(int x, int y) {
     moved_ = true;
     if (drag_ == Drag::kOrbit) session::orbit(session_, drag_start_, x - pressed_x_, y - pressed_y_);
     if (drag_ == Drag::kLook) session::look(session_, drag_start_, x - pressed_x_, y - pressed_y_);
+    if (drag_ == Drag::kPanel) widen_panel(session_, x, width_, scale());
     if (drag_ == Drag::kSlider) {
         const Rectangle& box = layout_.cells.front().picture;
         session_.slider_at = std::clamp(static_cast<double>(x - box.x) / box.width, 0.0, 1.0);
@@ -375,6 +387,11 @@ void Window::motion(int x, int y) {
 }
 
 void Window::passive_motion(int x, int y) {
+    if (input_changed_) settle();
+    if (!imgui_runs_) return;
+    const bool on_edge = is_on_panels_edge(x, y);
+    if (std::exchange(on_edge_, on_edge) != on_edge)
+        glutSetCursor(on_edge ? GLUT_CURSOR_LEFT_RIGHT : GLUT_CURSOR_INHERIT);
     ImGui_ImplGLUT_MotionFunc(x, y);
     const auto where = hit(layout_, x, y);
     const bool is_tutor = session_.view == session::View::kTutor;

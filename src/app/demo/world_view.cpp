@@ -277,7 +277,10 @@ void WorldView::show(session::Session& session, const session::Cell& cell, unsig
         bar(cell.footer, ImDrawFlags_RoundCornersBottom, kText, described(session, *light), fonts().text);
     else
         bar(cell.footer, ImDrawFlags_RoundCornersBottom, kDim,
-            "Drag to turn, wheel to zoom; drag a light, or the tip of its cone, to move it", fonts().text);
+            fitting({"Drag to turn, wheel to zoom; drag a light, or the tip of its cone, to move it",
+                     "Drag to turn; drag a light to move it"},
+                    static_cast<float>(cell.footer.width) - 20),
+            fonts().text);
 }
 
 }  // namespace twinlight::demo

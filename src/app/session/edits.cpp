@@ -39,6 +39,21 @@ bool starts_drawing(const Command& command) {
 
 bool is_initially_on(Enum cap) { return State().capability(cap).value_or(false); }
 
+// The place of commands that the window made.
+const std::shared_ptr<const std::string>& windows_file() {
+    static const auto kFile = std::make_shared<const std::string>("the window");
+    return kFile;
+}
+
+// Without the calls that keys inserted at the start and that now set GL's initial value, so that a key pressed twice leaves no trace.
+template <class SetsInitialValue>
+CommandList without_idle(CommandList commands, const SetsInitialValue& sets_initial_value) {
+    auto& list = commands.commands;
+    for (auto at = list.begin(); at != list.end() && at->place.file == windows_file();)
+        at = sets_initial_value(*at) ? list.erase(at) : at + 1;
+    return commands;
+}
+
 constexpr double kMostSlices = 10'000;
 
 int scaled_count(int count, int steps) {
@@ -101,8 +116,7 @@ double as_kind(double value, Kind kind) {
 }
 
 Command new_command(CommandId id, std::vector<double> arguments) {
-    static const auto kWindow = std::make_shared<const std::string>("the window");
-    Command command{id, std::move(arguments), {kWindow, 0, 0}};
+    Command command{id, std::move(arguments), {windows_file(), 0, 0}};
     const std::vector<Parameter>& parameters = command.sig().parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const std::size_t first = command.first(i);
@@ -123,8 +137,8 @@ CommandList toggle_capability(const CommandList& commands, Enum cap) {
         command.id = command.id == CommandId::glEnable ? CommandId::glDisable : CommandId::glEnable;
         found = true;
     }
-    if (found) return result;
     const CommandId id = is_initially_on(cap) ? CommandId::glDisable : CommandId::glEnable;
+    if (found) return without_idle(std::move(result), [&](const Command& c) { return switches(c, cap) && c.id != id; });
     return with_inserted(commands, 0, new_command(id, {static_cast<double>(cap)}));
 }
 
@@ -140,7 +154,9 @@ CommandList toggle_light_model(const CommandList& commands, Enum pname) {
         command.arguments[1] = command.arguments[1] == 0 ? 1 : 0;
         found = true;
     }
-    if (found) return result;
+    if (found)
+        return without_idle(std::move(result),
+                            [&](const Command& c) { return sets_light_model(c, pname) && c.arguments[1] == 0; });
     return with_inserted(commands, 0, new_command(CommandId::glLightModeli, {static_cast<double>(pname), 1}));
 }
 
@@ -155,7 +171,7 @@ CommandList toggle_shade_model(const CommandList& commands) {
     for (Command& command : result.commands)
         if (sets(command)) command.arguments[0] = other;
     if (starts_with_initial) return with_inserted(result, 0, new_command(CommandId::glShadeModel, {other}));
-    return result;
+    return without_idle(std::move(result), [&](const Command& c) { return sets(c) && c.enumerant(0) == kGL_SMOOTH; });
 }
 
 // ---- Tessellation ----

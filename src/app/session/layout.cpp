@@ -10,8 +10,10 @@ namespace {
 
 // In pixels at scale 1.
 constexpr double kPanelWidth = 420, kBar = 26, kGap = 6;
+constexpr double kCaption = 44;         // the height of two lines
 constexpr double kTutorCode = 252;      // the height of six large lines and what they mean
 constexpr double kMostOfWindow = 0.45;  // of the window's width, for the panel; of its height, for the tutor's code
+constexpr double kNarrowestPanel = 240, kMostDragged = 0.7;  // of the window's width, for a panel that was dragged
 
 // The panes that the view shows, row by row.
 std::vector<std::vector<std::size_t>> rows_of(const Session& session) {
@@ -34,7 +36,10 @@ Layout layout(const Session& session, int width, int height, double scale) {
     result.status = {0, height - bar, width, bar};
     const bool is_tutor = session.view == View::kTutor;
     if (session.panel_shown && !is_tutor)
-        result.panel = {0, 0, std::min(pixels(kPanelWidth), static_cast<int>(kMostOfWindow * width)), height - bar};
+        result.panel = {0, 0,
+                        std::min(pixels(session.panel_width.value_or(kPanelWidth)),
+                                 static_cast<int>((session.panel_width ? kMostDragged : kMostOfWindow) * width)),
+                        height - bar};
 
     const int code = is_tutor ? std::min(pixels(kTutorCode), static_cast<int>(kMostOfWindow * height)) : 0;
     result.code = {0, height - bar - code, width, code};
@@ -68,6 +73,10 @@ Layout layout(const Session& session, int width, int height, double scale) {
     const Rectangle& footer = result.cells.front().footer;
     result.sides = {footer.x, footer.y + footer.height, footer.width, sides};
     return result;
+}
+
+void widen_panel(Session& session, int x, int width, double scale) {
+    session.panel_width = std::max(std::min(static_cast<double>(x), kMostDragged * width) / scale, kNarrowestPanel);
 }
 
 std::optional<Hit> hit(const Layout& layout, int x, int y) {

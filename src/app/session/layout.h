@@ -28,6 +28,9 @@ struct Layout {
 // of the scene's natural size.
 Layout layout(const Session& session, int width, int height, double scale);
 
+// Makes the panel end at this x, within limits.
+void widen_panel(Session& session, int x, int width, double scale);
+
 // The pane whose picture holds this point, and the pixel of its picture from the top left.
 struct Hit {
     std::size_t pane = 0;

@@ -133,6 +133,7 @@ struct Session : OpenScene {
     bool keys_shown = false;
     Dialog dialog = Dialog::kNone;
     bool panel_shown = true;
+    std::optional<double> panel_width{};  // in pixels at scale 1, once it was dragged
     Panel panel = Panel::kCommands;
     bool animating = false;
     // What moves does so from here, so that rounding does not add up. Begins again after any other edit.

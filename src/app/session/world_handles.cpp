@@ -72,6 +72,20 @@ CommandList with_values(const CommandList& commands, int light, Enum pname, cons
     return result;
 }
 
+// What is drawn at the lamp, such as a small cube, moves with it: the translations by just its position.
+CommandList with_lamp_moved(CommandList commands, const glm::dvec4& from, const glm::dvec4& to) {
+    if (from.w != 1 || glm::dvec3(from) == glm::dvec3(0)) return commands;
+    for (Command& command : commands.commands) {
+        if (command.id != CommandId::glTranslatef && command.id != CommandId::glTranslated) continue;
+        bool is_there = true;
+        for (int i = 0; i < 3; ++i)
+            is_there = is_there && as_float(command.number(static_cast<std::size_t>(i))) == as_float(from[i]);
+        if (!is_there) continue;
+        for (int i = 0; i < 3; ++i) command.arguments[static_cast<std::size_t>(i)] = to[i];
+    }
+    return commands;
+}
+
 }  // namespace
 
 glm::dvec3 place_of(const World& world, const Handle& handle) {
@@ -157,8 +171,8 @@ CommandList with_handle_at(const CommandList& commands, const Frame& frame, cons
     const glm::dvec3 value = glm::dvec3(point) * (w / point.w);
     if (!has_numbers(value)) return commands;
     const double size = world.around.radius * std::abs(w);
-    return with_values(commands, light.number, kGL_POSITION, position,
-                       glm::dvec4(nice(value.x, size), nice(value.y, size), nice(value.z, size), w));
+    const glm::dvec4 moved(nice(value.x, size), nice(value.y, size), nice(value.z, size), w);
+    return with_lamp_moved(with_values(commands, light.number, kGL_POSITION, position, moved), position.value, moved);
 }
 
 }  // namespace twinlight::session

@@ -44,8 +44,7 @@ TEST(SessionEdits, TogglingALightThatTheSceneNeverSwitchesEnablesItAtTheStart) {
     EXPECT_EQ(lines(on)[0], "glEnable(GL_LIGHT7);");
     EXPECT_TRUE(first_draw(on).lighting.lights[7].enabled);
     const CommandList off = toggle_light(on, 7);
-    EXPECT_EQ(lines(off)[0], "glDisable(GL_LIGHT7);");
-    EXPECT_EQ(off.commands.size(), commands.commands.size() + 1);
+    EXPECT_EQ(off.commands, commands.commands);
 }
 
 TEST(SessionEdits, ACapabilityThatIsInitiallyOnIsDisabledFirst) {

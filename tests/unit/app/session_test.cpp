@@ -226,6 +226,22 @@ TEST(SessionKeys, TheArrowsUseTheDirectionsOfADrag) {
     EXPECT_NE(commands(arrow).commands, arrow.opened->commands);
 }
 
+TEST(SessionKeys, AKeyPressedTwiceLeavesNoTrace) {
+    for (const std::string& text :
+         {kPoint, "glEnable(GL_LIGHTING);\nglShadeModel(GL_FLAT);\nglEnable(GL_LIGHT2);" + kPoint}) {
+        Session session = session_of(text);
+        for (const char key : std::string("12345678flvtx")) {
+            press(session, key);
+            EXPECT_TRUE(is_edited(session)) << key;
+            press(session, key);
+            EXPECT_FALSE(is_edited(session)) << key;
+        }
+        // Also if other keys come between.
+        for (const char key : std::string("1l2f12lf")) press(session, key);
+        EXPECT_FALSE(is_edited(session));
+    }
+}
+
 // ---- Animation ----
 
 TEST(SessionAnimation, AFullTurnOfTheCameraReturnsItInOneStepOfUndo) {
@@ -312,7 +328,7 @@ TEST(SessionLayout, NothingOverlapsInAnyWindow) {
         for (const auto& [width, height] : {std::pair{800, 600}, {1280, 800}, {1920, 1080}, {3840, 2160}}) {
             for (const double scale : {1.0, 1.5, 2.0}) {
                 const Layout places = layout(session, width, height, scale);
-                std::vector<Rectangle> boxes{places.panel, places.status, places.sides, places.code};
+                std::vector<Rectangle> boxes{places.panel, places.status, places.sides, places.code, places.caption};
                 for (const Cell& cell : places.cells) {
                     boxes.insert(boxes.end(), {cell.header, cell.picture, cell.footer});
                     EXPECT_EQ(cell.picture.width, places.picture.width);
@@ -329,6 +345,15 @@ TEST(SessionLayout, NothingOverlapsInAnyWindow) {
                 EXPECT_NEAR(places.picture.width * 3.0, places.picture.height * 4.0, 4);
             }
         }
+    }
+}
+
+TEST(SessionLayout, ThePanelCanBeMadeWiderAndNarrower) {
+    Session session = session_of(kPoint);
+    EXPECT_EQ(layout(session, 1000, 600, 1).panel.width, 420);
+    for (const auto& [x, width] : {std::pair{600, 600}, {300, 300}, {950, 700}, {10, 240}}) {
+        widen_panel(session, x, 1000, 1);
+        EXPECT_EQ(layout(session, 1000, 600, 1).panel.width, width);
     }
 }
 

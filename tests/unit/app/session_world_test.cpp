@@ -327,5 +327,21 @@ TEST(SessionWorld, OfALoopOnlyTheCallThatSetTheLightChanges) {
     EXPECT_NE(after.world.lights[1].place_world, seen.world.lights[1].place_world);
 }
 
+// A lamp's own cube is where the lamp is; another object stays.
+TEST(SessionWorld, WhatIsDrawnAtALampMovesWithIt) {
+    const Seen seen(kProjection + kLookAt + kLit + on(0) + light(0, "GL_POSITION", "1.2, 0.5, 0.3, 1") + kSquare +
+                    "glPushMatrix(); glTranslatef(1.2, 0.5, 0.3); glutSolidCube(0.1); glPopMatrix();"
+                    "glTranslatef(1.2, 0.5, 0); glutSolidCube(0.2);");
+    const Seen after = seen.dragged({0, false}, {20, 10});
+    std::vector<const Command*> translations;
+    for (const Command& command : after.commands.commands)
+        if (command.id == CommandId::glTranslatef) translations.push_back(&command);
+    ASSERT_EQ(translations.size(), 2u);
+    const glm::dvec4& lamp = after.frame.typed_lights[after.world.lights[0].typed].position.value;
+    EXPECT_NE(lamp.x, 1.2F);
+    for (const int i : {0, 1, 2}) EXPECT_EQ(translations[0]->number(static_cast<std::size_t>(i)), lamp[i]);
+    EXPECT_EQ(translations[1]->number(0), 1.2F);
+}
+
 }  // namespace
 }  // namespace twinlight::session::session_world_test
