@@ -571,6 +571,44 @@ TEST_F(DemoWindow, TheTutorsNumbersAreDragged) {
     expect_panes(picture(), session);
 }
 
+// Two lines above the picture, from the scene's first comment; nothing for a scene without one.
+TEST_F(DemoWindow, SaysWhatTheSceneShowsAndWhatToNotice) {
+    EXPECT_EQ(layout(session_after(""), kWidth, kHeight, 1).caption.height, 0);
+    scene_ = *load_commands("report");
+    const Rectangle box = layout(session_after(""), kWidth, kHeight, 1).caption;
+    ASSERT_EQ(run_demo("report --view single").status, 0);
+    const Image caption = part_of(picture(), box);
+    const auto brightest = [&](int from, int to) {
+        float most = 0;
+        for (int y = from; y < to; ++y)
+            for (int x = 0; x < box.width; ++x) most = std::max(most, caption.at(x, y)[1]);
+        return most;
+    };
+    EXPECT_GT(brightest(0, box.height / 2), 0.8F);
+    EXPECT_GT(brightest(box.height / 2, box.height), 0.5F);
+    EXPECT_LT(brightest(box.height - 3, box.height), 0.2F) << "letters are cut";
+}
+
+// The probe's normal is a green arrow, in every view.
+TEST_F(DemoWindow, TheProbesVectorsAreInEveryView) {
+    for (const ViewName& view : kViews) {
+        if (view.value == View::kTutor) continue;  // it follows the pointer
+        SCOPED_TRACE(view.key);
+        const auto green = [&](const std::string& options) {
+            const Ran ran = run_demo(scene_file_ + " --panel save --view " + view.key + options);
+            EXPECT_EQ(ran.status, 0) << ran.output;
+            const Image image = picture();
+            return std::ranges::count_if(image.pixels, [](const Rgba& pixel) {
+                return channel_code(pixel[0]) == 89 && channel_code(pixel[1]) == 230 && channel_code(pixel[2]) == 128;
+            });
+        };
+        const auto without = green("");
+        // On the sphere, left of its middle.
+        const WindowSize size = layout(session_after("", view.value), kWidth, kHeight, 1).picture;
+        EXPECT_GT(green(fmt::format(" --probe {},{}", size.width / 4, size.height * 2 / 5)), without + 10);
+    }
+}
+
 // The lesson's check, by its button: wrong at the start; right after x, which turns GL_NORMALIZE on.
 TEST_F(DemoWindow, ChecksTheAnswerToALesson) {
     const RunningDemo demo(server_->display(), {"--scale", "1", "--size", "1000x800", "--lesson", "scaled-normals",

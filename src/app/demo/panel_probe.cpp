@@ -72,6 +72,40 @@ void sum_table(const char* name, const std::vector<SumRow>& rows) {
     ImGui::EndTable();
 }
 
+// A bar for red, green and blue: the terms of a sum one after the other, with a line where the sum is clamped.
+void stacked_bars(const std::vector<SumRow>& rows) {
+    double most = 1;
+    for (const SumRow& row : rows)
+        if (row.is_result) most = std::max({most, row.color.x, row.color.y, row.color.z});
+    const float width = ImGui::GetContentRegionAvail().x, height = at_scale(9);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    for (const int channel : {0, 1, 2}) {
+        const auto value_of = [channel](const SumRow& row) {
+            return channel == 0 ? row.color.x : channel == 1 ? row.color.y : row.color.z;
+        };
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const auto x_of = [&](double value) { return at.x + static_cast<float>(value / most) * width; };
+        draw.AddRectFilled(at, plus(at, {width, height}), kBar, 2);
+        double sum = 0;
+        int shade = 0;
+        for (const SumRow& row : rows) {
+            if (row.is_result) break;
+            const double value = std::max(value_of(row), 0.0);
+            const ImVec2 from{x_of(sum), at.y}, to{x_of(sum + value), at.y + height};
+            // Neighbours differ in brightness.
+            const int bright = shade++ % 2 == 0 ? 235 : 165, other = bright / 4;
+            draw.AddRectFilled(from, to,
+                               IM_COL32(channel == 0 ? bright : other, channel == 1 ? bright : other,
+                                        channel == 2 ? bright : other, 255));
+            if (value > 0 && ImGui::IsMouseHoveringRect(from, to))
+                ImGui::SetTooltip("%s", fmt::format("{}: {:.4f}", row.what, value).c_str());
+            sum += value;
+        }
+        draw.AddLine({x_of(1), at.y - 1}, {x_of(1), at.y + height + 1}, kText, 1);
+        ImGui::Dummy({width, height});
+    }
+}
+
 // The lines of a derivation: the symbol at the left; at the right the value, and below it how it is computed.
 void show_lines(const char* name, const std::vector<explain::Line>& lines) {
     using Kind = explain::Line::Kind;
@@ -108,7 +142,7 @@ void show_lines(const char* name, const std::vector<explain::Line>& lines) {
 
 }  // namespace
 
-bool ProbePanel::update(const Session& session) {
+bool ProbePanel::update(Session& session) {
     const Look look = look_of(session, active_pane(session));
     if (answer_ && answer_->probe == *session.probe && revision_ == session.revision && look_ == look) return true;
     const bool is_same_probe = answer_ && answer_->probe == *session.probe;
@@ -119,6 +153,7 @@ bool ProbePanel::update(const Session& session) {
     fragments_ = session::fragments_of(session.scene, *answer_);
     if (is_same_probe && fragment_ < fragments_.size()) return true;
     fragment_ = session::main_fragment(fragments_);
+    session.probe_arrows.reset();
     const auto points = session::points_of(session.scene, *answer_, fragment_);
     const auto heaviest = std::ranges::max_element(points, {}, &ProbePoint::weight);
     point_ = static_cast<std::size_t>(heaviest - points.begin());
@@ -175,11 +210,12 @@ void ProbePanel::show_colors(const Session& session, const std::array<std::optio
     ImGui::EndTable();
 }
 
-void ProbePanel::show_equation(const ProbePoint& point) {
+void ProbePanel::show_equation(Session& session, const ProbePoint& point) {
     ImGui::PushFont(fonts().code);
     ImGui::TextWrapped("%s", session::equation_of(point.derivation).c_str());
     ImGui::PopFont();
     const std::vector<int>& lights = point.derivation.lights;
+    session.probe_arrows = session::arrows_of(point.derivation, light_, session.revision);
     if (light_ && std::ranges::find(lights, *light_) == lights.end()) light_.reset();
     ImGui::SetNextItemWidth(-1);
     if (ImGui::BeginCombo("##light", light_ ? light_name(*light_).c_str() : "all lights")) {
@@ -188,7 +224,9 @@ void ProbePanel::show_equation(const ProbePoint& point) {
             if (ImGui::Selectable(light_name(light).c_str(), light_ == light)) light_ = light;
         ImGui::EndCombo();
     }
-    sum_table("sum", session::sum_rows(point.derivation, light_));
+    const std::vector<SumRow> rows = session::sum_rows(point.derivation, light_);
+    stacked_bars(rows);
+    sum_table("sum", rows);
     if (light_) {
         show_lines("light", session::lines_of(point.derivation, light_));
         return;
@@ -241,8 +279,8 @@ void ProbePanel::show_fragment(Session& session) {
                 if (ImGui::RadioButton(points[i].name.c_str(), i == point_)) point_ = i;
             }
         }
-        heading(fmt::format("The equation at {}", points[point_].name));
-        show_equation(points[point_]);
+        heading(fmt::format("The equation at {}: {}", points[point_].name, title_of(session, active_pane(session))));
+        show_equation(session, points[point_]);
     }
     const std::vector<SumRow> after = session::fragment_rows(session.scene, *answer_, fragment_);
     if (!after.empty()) {
@@ -254,16 +292,18 @@ void ProbePanel::show_fragment(Session& session) {
     if (!rulings.empty()) colored_text(kAccent, rulings);
 }
 
-void ProbePanel::show_under_pointer(const Session& session) {
+void ProbePanel::show_under_pointer(Session& session) {
     if (!update(session) || !answer_->trouble.empty() || fragments_.empty()) return;
     const std::vector<ProbePoint> points = session::points_of(session.scene, *answer_, fragment_);
     if (!fragments_[fragment_].is_lit || points.empty()) return;
+    const ProbePoint& point = points[std::min(point_, points.size() - 1)];
+    session.probe_arrows = session::arrows_of(point.derivation, {}, session.revision);
     ImGui::SetNextWindowSize({30 * ImGui::GetFontSize(), 0});
     ImGui::BeginTooltip();
     const std::vector<SumRow> mean = session::mean_rows(points);
     dim_text(fmt::format("Pixel {}, {}: {}", session.probe->x, session.probe->y,
-                         mean.empty() ? "the lighting equation" : "a mix of its corners; at " + points[point_].name));
-    sum_table("sum under the pointer", session::sum_rows(points[std::min(point_, points.size() - 1)].derivation, {}));
+                         mean.empty() ? "the lighting equation" : "a mix of its corners; at " + point.name));
+    sum_table("sum under the pointer", session::sum_rows(point.derivation, {}));
     if (!mean.empty()) sum_table("mean under the pointer", {mean.back()});
     ImGui::EndTooltip();
 }

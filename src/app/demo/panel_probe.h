@@ -14,7 +14,7 @@ namespace twinlight::demo {
 class ProbePanel {
   public:
     // A tooltip with the sum for the probed pixel.
-    void show_under_pointer(const session::Session& session);
+    void show_under_pointer(session::Session& session);
     // `colors`: what each pane shows at the probed pixel, where that is known.
     void show(session::Session& session, const std::array<std::optional<Rgba>, session::kPanes>& colors);
 
@@ -22,11 +22,11 @@ class ProbePanel {
 
   private:
     // Returns whether there is an answer for the scene as it is now.
-    bool update(const session::Session& session);
+    bool update(session::Session& session);
     void show_choice(session::Session& session);
     void show_colors(const session::Session& session, const std::array<std::optional<Rgba>, session::kPanes>& colors);
     void show_fragment(session::Session& session);
-    void show_equation(const session::ProbePoint& point);
+    void show_equation(session::Session& session, const session::ProbePoint& point);
 
     // The answer is for this scene, look and probe.
     std::optional<session::ProbeAnswer> answer_;

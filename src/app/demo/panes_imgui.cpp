@@ -75,15 +75,21 @@ ImVec2 middle_of_pixel(const Rectangle& picture, int x, int y) {
     return plus(corner(picture), {static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F});
 }
 
-// Marks the probed pixel: white lines on dark ones, visible on every picture.
-void show_cross(ImVec2 at) {
+// The probed pixel, with its vectors if they are known.
+void show_probe(const Session& session, const Rectangle& picture) {
+    if (!session.probe) return;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    for (const auto& [color, width] : {std::pair{IM_COL32(0, 0, 0, 200), 3.0F}, {IM_COL32_WHITE, 1.0F}}) {
-        draw.AddLine({at.x - 12, at.y}, {at.x - 4, at.y}, color, width);
-        draw.AddLine({at.x + 4, at.y}, {at.x + 12, at.y}, color, width);
-        draw.AddLine({at.x, at.y - 12}, {at.x, at.y - 4}, color, width);
-        draw.AddLine({at.x, at.y + 4}, {at.x, at.y + 12}, color, width);
-    }
+    draw.PushClipRect(corner(picture), far_corner(picture), true);
+    const auto& arrows = session.probe_arrows;
+    if (arrows && arrows->revision == session.revision)
+        draw_probe(draw, *arrows, [&](const glm::dvec3& point_eye) -> std::optional<ImVec2> {
+            const auto place = arrows->place_of(point_eye);
+            if (!place) return {};
+            return plus(corner(picture), {static_cast<float>(place->x), static_cast<float>(place->y)});
+        });
+    else if (!session.probe->is_vertex)
+        draw_cross(draw, middle_of_pixel(picture, session.probe->x, session.probe->y));
+    draw.PopClipRect();
 }
 
 // What the header of a pane opens: the renderer and the shading.
@@ -289,6 +295,7 @@ void Panes::show_slider(Session& session, const Cell& cell) {
     };
     half(session.slider.a, static_cast<float>(box.x), x);
     half(session.slider.b, x, far_corner(box).x);
+    show_probe(session, box);
     const float middle = static_cast<float>(box.y) + static_cast<float>(box.height) / 2;
     draw.AddLine({x, static_cast<float>(box.y)}, {x, far_corner(box).y}, IM_COL32(255, 255, 255, 200), 2);
     draw.AddCircleFilled({x, middle}, 13, IM_COL32(255, 255, 255, 235));
@@ -350,8 +357,7 @@ void Panes::show_picture(Session& session, const Cell& cell) {
         if (difference_.verdict && region.differing > 0)
             draw.AddCircle(middle_of_pixel(cell.picture, region.worst_x, region.worst_y), 9, kAccent, 24, 2);
     }
-    if (session.probe && !session.probe->is_vertex)
-        show_cross(middle_of_pixel(cell.picture, session.probe->x, session.probe->y));
+    show_probe(session, cell.picture);
 }
 
 void Panes::show(Session& session, const session::Layout& layout) {

@@ -24,7 +24,6 @@ using session::LightMarker;
 
 constexpr double kInsideShare = 0.25;  // of the picture's width, for the scene's own picture in its corner
 constexpr float kBulb = 7, kDragPixels = 3;
-constexpr ImU32 kShadow = IM_COL32(0, 0, 0, 150);
 
 std::string point_text(const glm::dvec3& point) {
     std::string text;
@@ -51,18 +50,6 @@ void draw_bulb(ImDrawList& draw, const ImVec2& at, const LightMarker& light, boo
     draw.AddCircle(at, size + (bright ? 3.0F : 0.0F), bright ? IM_COL32_WHITE : IM_COL32(255, 255, 255, 170), 24,
                    bright ? 2.0F : 1.0F);
     if (light.is_black) draw.AddLine({at.x - size, at.y + size}, {at.x + size, at.y - size}, kBad, 2);
-}
-
-void draw_arrow(ImDrawList& draw, const ImVec2& from, const ImVec2& to, ImU32 color) {
-    const ImVec2 along{to.x - from.x, to.y - from.y};
-    const float length = std::sqrt(along.x * along.x + along.y * along.y);
-    if (length < 1) return;
-    const float head = std::min(at_scale(11), length);
-    const ImVec2 dir{along.x / length, along.y / length};
-    const ImVec2 neck{to.x - head * dir.x, to.y - head * dir.y};
-    for (const auto& [ink, width] : {std::pair{kShadow, 5.0F}, {color, 2.5F}}) draw.AddLine(from, neck, ink, width);
-    draw.AddTriangleFilled(to, {neck.x - head * 0.5F * dir.y, neck.y + head * 0.5F * dir.x},
-                           {neck.x + head * 0.5F * dir.y, neck.y - head * 0.5F * dir.x}, color);
 }
 
 }  // namespace
@@ -145,9 +132,7 @@ void WorldView::show_markers(const session::Session& session, const Rectangle& b
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const auto place = [&](const glm::dvec3& point_world) { return window_place(projection_, box, point_world); };
     const auto text = [&](const ImVec2& at, ImU32 color, const std::string& words) {
-        const ImVec2 size = ImGui::CalcTextSize(words.c_str());
-        draw.AddRectFilled({at.x - 4, at.y - 1}, {at.x + size.x + 4, at.y + size.y + 1}, kShadow, 4);
-        draw.AddText(at, color, words.c_str());
+        draw_label(draw, at, color, words);
     };
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 tip(0);
@@ -211,6 +196,13 @@ void WorldView::show_markers(const session::Session& session, const Rectangle& b
             same_place->text = light_name(light.number) + ", " + same_place->text;
             same_place->bright = same_place->bright || bright;
         }
+    }
+    if (session.probe && session.probe_arrows && session.probe_arrows->revision == session.revision) {
+        session::ProbeArrows arrows = *session.probe_arrows;
+        arrows.length = std::max(arrows.length, arrow_length(world_));
+        draw_probe(draw, arrows, [&](const glm::dvec3& point_eye) {
+            return place(glm::dvec3(glm::inverse(world_.eye_from_world) * glm::dvec4(point_eye, 1)));
+        });
     }
     for (const Name& name : names) {
         const float beside = at_scale(kBulb + 6);

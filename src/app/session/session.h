@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/session/history.h"
+#include "app/session/probe_arrows.h"
 #include "render/look.h"
 #include "render/path.h"
 #include "scene/frame/scene.h"
@@ -127,6 +128,7 @@ struct Session : OpenScene {
     int amplification = 0;   // of the difference; 0: as large as keeps it below white
     Overlays overlays{};
     std::optional<Probe> probe{};
+    std::optional<ProbeArrows> probe_arrows{};  // its vectors, for the scene of their revision
     std::optional<int> selected_light{};
     std::optional<std::size_t> selected_command{};  // index into the commands
 

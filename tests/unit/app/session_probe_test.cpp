@@ -1,6 +1,9 @@
 // The window's probe: the sums that it shows add up to the colours that it shows.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -175,6 +178,30 @@ TEST(SessionProbe, SortsTheLinesByLight) {
     EXPECT_EQ(equation_of(points[0].derivation),
               "c = e_cm + a_cm a_cs + sum of att spot [ a_cm a_cli + n.VP d_cm d_cli + f(n.h)^s s_cm s_cli ]");
     EXPECT_NE(probe_text(scene, answer, {}).find("GL_LIGHT1: directional (w = 0)"), std::string::npos);
+}
+
+// The surface faces the viewer and the light, so all vectors are (0, 0, 1); they start at the probed pixel.
+TEST(SessionProbe, ItsArrowsStartAtThePixel) {
+    const Scene scene = scene_of("glRotatef(90, 0, 1, 0);" + kState + "glLoadIdentity();" + kSquare);
+    const ProbeAnswer answer = answer_probe(scene, {Shading::kPhong}, {.x = 20, .y = 40});
+    const std::vector<ProbePoint> points = points_of(scene, answer, main_fragment(fragments_of(scene, answer)));
+    ASSERT_EQ(points.size(), 1u);
+    const ProbeArrows arrows = arrows_of(points[0].derivation, {}, 7);
+    EXPECT_EQ(arrows.revision, 7);
+    const auto at = arrows.place_of(arrows.place_eye);
+    ASSERT_TRUE(at);
+    EXPECT_NEAR(at->x, 20.5, 1e-9);
+    EXPECT_NEAR(at->y, 40.5, 1e-9);
+    // The light was placed after a turn by 90 degrees: it is at the left or the right.
+    const std::map<std::string, glm::dvec3> expected = {
+        {"n", {0, 0, 1}}, {"V", {0, 0, 1}}, {"L0", {1, 0, 0}}, {"h0", {std::sqrt(0.5), 0, std::sqrt(0.5)}}};
+    ASSERT_EQ(arrows.arrows.size(), expected.size());
+    for (const ProbeArrow& arrow : arrows.arrows)
+        EXPECT_NEAR(glm::distance(arrow.dir_eye, expected.at(arrow.name)), 0, 1e-7) << arrow.name;
+    // One across is kArrowPixels long in the picture.
+    const auto tip = arrows.place_of(arrows.tip_eye(arrows.arrows[2]));
+    ASSERT_TRUE(tip);
+    EXPECT_NEAR(glm::distance(*tip, *at), kArrowPixels, 1e-6);
 }
 
 }  // namespace
