@@ -103,7 +103,7 @@ class DemoWindow : public testing::Test {
         write_file_atomically(scene_file_, kScene);
         scene_ = read_scene(kScene, scene_file_, "scene.gl");
         std::filesystem::remove(picture_file_);
-        std::filesystem::remove_all(folder() / "state");  // what a test before left that ended its window
+        for (const char* kept : {"state", "config"}) std::filesystem::remove_all(folder() / kept);  // of a test before
     }
 
     std::string on_display(const std::string& command) {

@@ -6,6 +6,7 @@
 
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
+#include "app/session/caption.h"
 #include "app/session/keys.h"
 #include "app/session/steps.h"
 
@@ -49,6 +50,25 @@ void StatusLine::show(session::Session& session, const Rectangle& bar, bool keep
                      fitting({session::lights_summary(session.scene.frame)}, help_x - 12 - after_name).c_str());
     }
     draw.PopClipRect();
+}
+
+void show_caption(const session::Session& session, const Rectangle& box) {
+    const session::Caption caption = session::caption_of(*session.opened);
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const float left = corner(box).x + 16, room = static_cast<float>(box.width) - 26, line = ImGui::GetFontSize() + 4;
+    const float top = corner(box).y + 5;
+    ImGui::PushFont(fonts().bold);
+    draw.AddText({left, top}, kText,
+                 fitting({caption.title, caption.title.substr(0, caption.title.find(':'))}, room).c_str());
+    ImGui::PopFont();
+    draw.AddText({left, top + line}, kDim,
+                 fitting({caption.notice, caption.notice.substr(0, caption.notice.find(". ") + 1)}, room).c_str());
+    if (!ImGui::IsMouseHoveringRect(corner(box), far_corner(box), false)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(36 * ImGui::GetFontSize());
+    ImGui::TextUnformatted(caption.all.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
 void show_keys(int width, int height) {

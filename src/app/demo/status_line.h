@@ -20,6 +20,8 @@ class StatusLine {
 };
 
 // In the middle of a window of this size.
+// What the scene shows, and what to notice: two lines, and the whole comment under the mouse.
+void show_caption(const session::Session& session, const Rectangle& box);
 void show_keys(int width, int height);
 
 }  // namespace twinlight::demo

@@ -260,6 +260,7 @@ void Window::frame() {
     panes_->show(session_, layout_);
     panels_->update(session_);
     if (layout_.panel.width > 0) panels_->show(session_, layout_.panel, *panes_);
+    if (layout_.caption.height > 0) show_caption(session_, layout_.caption);
     if (layout_.code.height > 0) panels_->show_tutor(session_, layout_.code);
     status_line_.show(session_, layout_.status, options_.quit_after > 0);
     if (session_.keys_shown) show_keys(width_, height_);

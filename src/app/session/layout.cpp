@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/caption.h"
 #include "app/session/sides.h"
 
 namespace twinlight::session {
@@ -43,8 +44,13 @@ Layout layout(const Session& session, int width, int height, double scale) {
 
     const int code = is_tutor ? std::min(pixels(kTutorCode), static_cast<int>(kMostOfWindow * height)) : 0;
     result.code = {0, height - bar - code, width, code};
+    const bool has_caption =
+        !is_tutor && session.view != View::kWorld && !session.lesson && !caption_of(*session.opened).title.empty();
+    const int caption = has_caption ? pixels(kCaption) : 0;
+    result.caption = {result.panel.width, 0, width - result.panel.width, caption};
     const int sides = session.view == View::kSlider ? bar * static_cast<int>(side_rows(session).size()) : 0;
-    const Rectangle area{result.panel.width, 0, width - result.panel.width, height - bar - sides - code};
+    const Rectangle area{result.panel.width, caption, width - result.panel.width,
+                         height - bar - sides - code - caption};
     const auto rows = rows_of(session);
     const int across = static_cast<int>(rows.front().size()), down = static_cast<int>(rows.size());
     const int room_x = std::max((area.width - gap * (across + 1)) / across, 1);

@@ -19,6 +19,7 @@ struct Layout {
     Rectangle panel;   // empty if the panel is hidden
     Rectangle status;  // the line at the bottom
     std::vector<Cell> cells;
+    Rectangle caption;   // above the cells: what the scene shows
     Rectangle code;      // below the tutor's cells: its calls
     Rectangle sides;     // below the slider's cell: what differs between its sides, in lines as high as a bar
     WindowSize picture;  // of every cell
