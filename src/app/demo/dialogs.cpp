@@ -11,9 +11,12 @@
 
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
+#include "app/session/caption.h"
 #include "app/session/keys.h"
+#include "app/session/lesson_state.h"
 #include "app/session/saving.h"
 #include "app/session/scenes.h"
+#include "app/session/tutor.h"
 #include "app/session/typed_calls.h"
 #include "base/image/file.h"
 #include "base/text/reason.h"
@@ -74,13 +77,7 @@ void Dialogs::begin(const Session& session) {
         text_[std::min(path.size(), text_.size() - 1)] = '\0';
     }
     if (session.dialog == Dialog::kOpen) {
-        names_.clear();
-        std::error_code error;
-        for (const auto& entry : fs::directory_iterator(".", error))
-            if (entry.path().extension() == ".gl" || entry.path().extension() == ".c")
-                names_.push_back(entry.path().filename().string());
-        std::ranges::sort(names_);
-        for (const EmbeddedFile& file : kSceneFiles) names_.push_back(built_in_name(file));
+        list_openable();
     }
 }
 
@@ -172,15 +169,72 @@ void Dialogs::menu(Session& session) {
     if (!is_chosen) session.dialog = Dialog::kMenu;
 }
 
+void Dialogs::list_openable() {
+    openable_.clear();
+    std::error_code error;
+    std::vector<std::string> files;
+    for (const auto& entry : fs::directory_iterator(".", error))
+        if (entry.path().extension() == ".gl" || entry.path().extension() == ".c")
+            files.push_back(entry.path().filename().string());
+    std::ranges::sort(files);
+    for (std::string& name : files) openable_.push_back({Group::kFiles, std::move(name), ""});
+    for (const session::TutorName& tutor : session::kTutors)
+        openable_.push_back(
+            {Group::kTutors, std::string(tutor.key), session::caption_of(session::tutor_text(tutor.key)).title});
+    const auto language = has_chinese_letters() ? lesson::Language::kChinese : lesson::Language::kEnglish;
+    for (const std::string_view name : lesson::names())
+        openable_.push_back({Group::kLessons, std::string(name), lesson::load_lesson(name, language).title});
+    for (const EmbeddedFile& file : kSceneFiles)
+        openable_.push_back({Group::kScenes, built_in_name(file), session::caption_of(std::string(file.text)).title});
+}
+
+void Dialogs::open_entry(Session& session, const Openable& entry) {
+    switch (entry.group) {
+        case Group::kTutors: session::open_tutor(session, entry.name); break;
+        case Group::kLessons: {
+            const auto language = has_chinese_letters() ? lesson::Language::kChinese : lesson::Language::kEnglish;
+            session::start_lesson(session, lesson::load_lesson(entry.name, language));
+            break;
+        }
+        case Group::kFiles:
+        case Group::kScenes: session::show_scene(session, entry.name); break;
+    }
+}
+
+// A start page as well: your files, tutors, lessons with ticks, and the built-in scenes with what they show.
 void Dialogs::open_scene(Session& session) {
-    std::string chosen;
-    ImGui::SetNextItemWidth(at_scale(460));
-    if (text_field("##file", "a file, or the name of a built-in scene", text_, takes_focus_)) chosen = text_.data();
-    ImGui::BeginChild("names", {0, at_scale(260)}, false);
-    for (const std::string& name : names_)
-        if (session::has_text(name, text_.data()) && ImGui::Selectable(name.c_str())) chosen = name;
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float width = std::min(at_scale(760), 0.9F * window.x);
+    ImGui::SetNextItemWidth(width);
+    const bool is_typed = text_field("##file", "a file, or a word to look for in the list", text_, takes_focus_);
+    std::optional<Openable> chosen;
+    if (is_typed) {
+        // Of those with one name, the scene.
+        const auto named =
+            std::ranges::find(openable_.rbegin(), openable_.rend(), std::string(text_.data()), &Openable::name);
+        chosen = named == openable_.rend() ? Openable{Group::kFiles, text_.data(), ""} : *named;
+    }
+    ImGui::BeginChild("names", {width, std::min(at_scale(420), 0.55F * window.y)}, false);
+    constexpr const char* kTitles[] = {"Files in this folder", "Tutors", "Lessons", "Scenes"};
+    std::optional<Group> last;
+    for (const Openable& entry : openable_) {
+        if (!session::has_text(entry.name + " " + entry.title, text_.data())) continue;
+        if (last != entry.group) heading(kTitles[static_cast<std::size_t>(entry.group)]);
+        last = entry.group;
+        ImGui::PushID(&entry);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float name_at = 1.6F * ImGui::GetFontSize(), title_at = name_at + at_scale(160);
+        if (ImGui::Selectable("##open")) chosen = entry;
+        if (entry.group == Group::kLessons && session::is_solved(session, entry.name)) draw_tick(at);
+        ImGui::SameLine(name_at);
+        ImGui::TextUnformatted(entry.name.c_str());
+        ImGui::SameLine(title_at);
+        colored_text_line(kDim,
+                          fitting({entry.title, entry.title.substr(0, entry.title.find(':'))}, width - title_at - 24));
+        ImGui::PopID();
+    }
     ImGui::EndChild();
-    if (!chosen.empty()) attempt(session, [&] { session::show_scene(session, chosen); });
+    if (chosen) attempt(session, [&] { open_entry(session, *chosen); });
 }
 
 void Dialogs::save_as(Session& session) {

@@ -35,10 +35,18 @@ class Dialogs {
 
     session::Dialog shown_ = session::Dialog::kNone;
     bool takes_focus_ = false, enter_ = false;
-    std::array<char, 4096> text_{};   // of the field; ends with 0
-    std::string error_;               // of the last attempt
-    std::string replaced_;            // the file that exists, whose replacement was asked
-    std::vector<std::string> names_;  // of the scenes to open
+    std::array<char, 4096> text_{};  // of the field; ends with 0
+    std::string error_;              // of the last attempt
+    std::string replaced_;           // the file that exists, whose replacement was asked
+    // What can be opened, in groups.
+    enum class Group : std::uint8_t { kFiles, kTutors, kLessons, kScenes };
+    struct Openable {
+        Group group;
+        std::string name, title;
+    };
+    void list_openable();
+    void open_entry(session::Session& session, const Openable& entry);
+    std::vector<Openable> openable_;
     std::optional<session::LostScenes> lost_;
 };
 

@@ -145,7 +145,7 @@ struct Session : OpenScene {
         double seconds = 0;
     };
     std::optional<Animation> animation{};
-    std::shared_ptr<LessonState> lesson{};  // null outside lessons (lesson_state.h)
+    std::shared_ptr<LessonState> lesson{};      // null outside lessons (lesson_state.h)
     std::vector<std::string> solved_lessons{};  // their names
     bool quit_requested = false;
     // Requests that the window carries out and clears.

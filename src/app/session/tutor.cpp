@@ -20,9 +20,12 @@ std::string scene_name(std::string_view tutor) { return "tutor-" + std::string(t
 
 }  // namespace
 
+std::string tutor_text(std::string_view tutor) {
+    return std::string(std::ranges::find(kTutorFiles, std::string(tutor) + ".gl", &EmbeddedFile::name)->text);
+}
+
 std::shared_ptr<const CommandList> tutor_scene(std::string_view tutor) {
-    const auto file = std::ranges::find(kTutorFiles, std::string(tutor) + ".gl", &EmbeddedFile::name);
-    return std::make_shared<const CommandList>(read_text_of("", scene_name(tutor), std::string(file->text)));
+    return std::make_shared<const CommandList>(read_text_of("", scene_name(tutor), tutor_text(tutor)));
 }
 
 void open_tutor(Session& session, std::string_view tutor) {

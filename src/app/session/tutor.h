@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,6 +24,7 @@ inline constexpr TutorName kTutors[] = {{"light", "light"},
                                         {"spot", "spot"},
                                         {"attenuation", "attenuation"}};
 // A tutor's scene.
+std::string tutor_text(std::string_view tutor);
 std::shared_ptr<const CommandList> tutor_scene(std::string_view tutor);
 // Opens it in the tutor's view, drawn by the fixed function. Its changes and its undo are kept while others are shown.
 void open_tutor(Session& session, std::string_view tutor);
