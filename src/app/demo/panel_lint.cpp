@@ -92,7 +92,7 @@ bool LintPanel::show(session::Session& session) {
                              warning.count > 1 ? fmt::format(" and {} more places", warning.count - 1) : "",
                              warning.rule->name)
                      .c_str());
-        ImGui::TextWrapped("%s", without_marks(warning.rule->why).c_str());
+        ImGui::TextUnformatted(wrapped(without_marks(warning.rule->why)).c_str());
         ImGui::PushFont(fonts().code);
         colored_text(kGood, warning.fix);
         ImGui::PopFont();

@@ -131,7 +131,7 @@ void show_lines(const char* name, const std::vector<explain::Line>& lines) {
             ImGui::TextUnformatted(
                 fmt::format("{:.4f} {:.4f} {:.4f}", line.color.x, line.color.y, line.color.z).c_str());
         } else {
-            ImGui::TextWrapped("%s", line.value.c_str());
+            ImGui::TextUnformatted(wrapped(line.value).c_str());
         }
         if (!line.how.empty() && line.kind == Kind::kColor) dim_text(line.how);
         ImGui::PopFont();
@@ -212,7 +212,7 @@ void ProbePanel::show_colors(const Session& session, const std::array<std::optio
 
 void ProbePanel::show_equation(Session& session, const ProbePoint& point) {
     ImGui::PushFont(fonts().code);
-    ImGui::TextWrapped("%s", session::equation_of(point.derivation).c_str());
+    ImGui::TextUnformatted(wrapped(session::equation_of(point.derivation)).c_str());
     ImGui::PopFont();
     const std::vector<int>& lights = point.derivation.lights;
     session.probe_arrows = session::arrows_of(point.derivation, light_, session.revision);

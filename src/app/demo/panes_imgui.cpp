@@ -144,9 +144,8 @@ ImU32 verdict_color(compare::Verdict verdict) {
 
 void show_sentences(const std::vector<std::string>& sentences) {
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(26 * ImGui::GetFontSize());
-    for (const std::string& sentence : sentences) ImGui::TextUnformatted(sentence.c_str());
-    ImGui::PopTextWrapPos();
+    for (const std::string& sentence : sentences)
+        ImGui::TextUnformatted(wrapped(sentence, 26 * ImGui::GetFontSize()).c_str());
     ImGui::EndTooltip();
 }
 

@@ -65,9 +65,7 @@ void show_caption(const session::Session& session, const Rectangle& box) {
                  fitting({caption.notice, caption.notice.substr(0, caption.notice.find(". ") + 1)}, room).c_str());
     if (!ImGui::IsMouseHoveringRect(corner(box), far_corner(box), false)) return;
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(36 * ImGui::GetFontSize());
-    ImGui::TextUnformatted(caption.all.c_str());
-    ImGui::PopTextWrapPos();
+    ImGui::TextUnformatted(wrapped(caption.all, 36 * ImGui::GetFontSize()).c_str());
     ImGui::EndTooltip();
 }
 

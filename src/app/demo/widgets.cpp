@@ -3,9 +3,45 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace twinlight::demo {
+namespace {
+
+// The byte after the character of UTF-8 at this byte.
+std::size_t after_character(const std::string& text, std::size_t at) {
+    for (++at; at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80;) ++at;
+    return at;
+}
+
+}  // namespace
+
+std::string wrapped(const std::string& text, float width) {
+    if (width <= 0) width = ImGui::GetContentRegionAvail().x;
+    std::string result, line;
+    std::size_t last_break = 0;  // in `line`
+    const auto width_of = [](const std::string& part) { return ImGui::CalcTextSize(part.c_str()).x; };
+    for (std::size_t at = 0, next = 0; at < text.size(); at = next) {
+        next = after_character(text, at);
+        const std::string character = text.substr(at, next - at);
+        const bool is_closing = std::string_view("，。、；：？！）”……").find(character) != std::string_view::npos;
+        const bool is_chinese = character.size() > 2 && !is_closing;
+        if (is_chinese || (!line.empty() && line.back() == ' ')) last_break = line.size();
+        if (character == "\n") {
+            result += line + "\n";
+            line.clear();
+            last_break = 0;
+            continue;
+        }
+        line += character;
+        if (last_break == 0 || width_of(line) <= width) continue;
+        result += line.substr(0, last_break) + "\n";
+        line.erase(0, last_break);
+        last_break = 0;
+    }
+    return result + line;
+}
 
 float text_y(const Rectangle& bar) {
     return static_cast<float>(bar.y) + (static_cast<float>(bar.height) - ImGui::GetFontSize()) / 2;
@@ -18,7 +54,7 @@ ImU32 color_of(const glm::dvec3& color, int alpha) {
 
 void colored_text(ImU32 color, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::TextUnformatted(wrapped(text).c_str());
     ImGui::PopStyleColor();
 }
 
@@ -32,7 +68,7 @@ void dim_text(const std::string& text) { colored_text(kDim, text); }
 
 void bold_text(const std::string& text) {
     ImGui::PushFont(fonts().bold);
-    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::TextUnformatted(wrapped(text).c_str());
     ImGui::PopFont();
 }
 

@@ -49,6 +49,10 @@ void draw_code(ImVec2 at, ImU32 color, const std::string& text, bool is_bold);
 // A field for one line. Returns whether Enter was pressed. If `takes_focus`, it gets the keys, with the cursor at the end, and then
 // clears that.
 bool text_field(const char* label, const char* hint, std::span<char> text, bool& takes_focus);
+// Breaks lines for the room that is left, as ImGui does not: only at blanks, so that "2.14.6" stays whole; Chinese text after each
+// character, but not before a closing mark.
+// `width`: instead of that room.
+std::string wrapped(const std::string& text, float width = 0);
 // The title of a part of a panel.
 void heading(const std::string& text);
 

@@ -12,6 +12,7 @@
 
 #include "app/demo/clipboard.h"
 #include "app/demo/glut_window.h"
+#include "app/demo/theme.h"
 #include "app/demo/window_close_button.h"
 #include "app/session/saving.h"
 #include "app/session/scenes.h"
