@@ -61,9 +61,9 @@ void WorldView::update(const session::Session& session, programmable::Renderer& 
         // The view stands still while things move.
         const bool same_scene = opened_ == session.opened;
         opened_ = session.opened;
-        if (!same_scene) camera_ = {};
         world_ =
             world_of(commands(session), session.scene.frame, same_scene ? std::optional(world_.around) : std::nullopt);
+        if (!same_scene) camera_ = first_camera(world_);
     }
     made_ = wanted;
     made_.camera = camera_;

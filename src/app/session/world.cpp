@@ -186,6 +186,16 @@ World world_of(const CommandList& commands, const Frame& frame, const std::optio
     return world;
 }
 
+OutsideCamera first_camera(const World& world) {
+    const glm::dvec3 side_dir = glm::cross(world.up_dir_world, world.around.front_dir_world);
+    double side = 0;
+    for (const LightMarker& light : world.lights)
+        if (!light.is_black) side += glm::dot(light.place_world - world.around.middle_world, side_dir);
+    OutsideCamera camera;
+    if (side < 0) camera.yaw_deg = -camera.yaw_deg;
+    return camera;
+}
+
 void orbit(OutsideCamera& camera, double dx_pixels, double dy_pixels) {
     camera.yaw_deg = std::remainder(camera.yaw_deg - kTurnDegPerPixel * dx_pixels, 360.0);
     camera.pitch_deg = std::clamp(camera.pitch_deg + kTurnDegPerPixel * dy_pixels, 0.0, 89.0);

@@ -56,6 +56,8 @@ struct OutsideCamera {
 
     friend bool operator==(const OutsideCamera&, const OutsideCamera&) = default;
 };
+// The one to start with: from the side of the camera where the lights are, so that it sees lit surfaces.
+OutsideCamera first_camera(const World& world);
 void orbit(OutsideCamera& camera, double dx_pixels, double dy_pixels);
 void zoom(OutsideCamera& camera, double steps);  // of the wheel; positive is nearer
 

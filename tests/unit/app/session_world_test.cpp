@@ -132,6 +132,17 @@ TEST(SessionWorld, TheSurroundingsFitIntoThePicture) {
     }
 }
 
+TEST(SessionWorld, TheOutsideCameraStartsOnTheSideOfTheLights) {
+    for (const double x : {-3.0, 3.0}) {
+        const Seen seen(kProjection + kLookAt + kLit + on(0) + on(1) +
+                        light(0, "GL_POSITION", std::to_string(x) + ", 1, 1, 1") +
+                        light(0, "GL_DIFFUSE", "1, 1, 1, 1") +
+                        light(1, "GL_POSITION", std::to_string(-5 * x) + ", 1, 1, 1") + kSquare);
+        // GL_LIGHT1 is black at first, so it does not count.
+        EXPECT_GT(first_camera(seen.world).yaw_deg * x, 0);
+    }
+}
+
 TEST(SessionWorld, TheOutsideCameraTurnsLikeATurntable) {
     // From the front, world x is to the right; a drag to the right brings the front to the right.
     const Seen seen(kProjection + kLookAt + kSquare, {0, 0});
