@@ -74,7 +74,7 @@ class RunningDemo {
         ::setenv("DISPLAY", display.c_str(), 1);
         ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);  // Xvfb has no GPU; the host may
         ::setenv("ASAN_OPTIONS", kSanitizer, 1);
-        ::setenv("XDG_STATE_HOME", (folder() / "state").c_str(), 1);  // where it keeps unsaved changes
+        ::setenv("XDG_STATE_HOME", (folder() / "state").c_str(), 1);    // where it keeps unsaved changes
         ::setenv("XDG_CONFIG_HOME", (folder() / "config").c_str(), 1);  // and what it remembers
         const std::string path = std::filesystem::absolute(program()).string();
         std::filesystem::current_path(folder());  // where it saves files

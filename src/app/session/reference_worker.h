@@ -77,7 +77,7 @@ class ReferenceWorker {
     std::vector<std::shared_ptr<const ReferencePicture>> pictures_;
     std::shared_ptr<const ReferenceAllowed> allowed_;
     std::exception_ptr failure_;  // of the last job that was not drawn
-    std::thread thread_;  // the last member: it uses the others
+    std::thread thread_;          // the last member: it uses the others
 };
 
 }  // namespace twinlight::session
