@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <future>
 #include <map>
 
 #include "app/cli/command_line.h"
@@ -119,6 +120,9 @@ Compared compared(const Scene& scene, const CompareArguments& arguments, Progres
     const RendererSet set(scene.frame.width, scene.frame.height);
     compare::Renderers renderers = set.functions();
     renderers.precision = precision;
+    // Beside the drawing. Where there is no room for a thread, get() runs it.
+    std::future<std::vector<lint::Warning>> warnings =
+        std::async(std::launch::async | std::launch::deferred, [&scene] { return lint::lint(scene); });
     Compared result;
     result.comparison = compare::compare_scene(
         scene,
@@ -128,7 +132,7 @@ Compared compared(const Scene& scene, const CompareArguments& arguments, Progres
          .per_pixel = arguments.per_pixel,
          .progress = [&](int done, int total, std::string_view next) { bar.show(done, total, next); }},
         renderers);
-    result.warnings = lint::lint(scene);
+    result.warnings = warnings.get();
     for (const lint::Warning& warning : result.warnings)
         result.comparison.warnings.push_back(
             {.line = lint::headline(warning), .why = std::string(warning.rule->why), .fix = warning.fix});
