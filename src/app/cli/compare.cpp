@@ -110,6 +110,12 @@ std::string summary(const compare::Comparison& comparison, const std::string& fo
     return text + "\n" + report_line(folder);
 }
 
+std::size_t count_vertices(const Frame& frame) {
+    std::size_t count = 0;
+    for (const Draw* draw : frame.draws()) count += draw->vertices.size();
+    return count;
+}
+
 struct Compared {
     compare::Comparison comparison;
     std::vector<lint::Warning> warnings;
@@ -120,9 +126,13 @@ Compared compared(const Scene& scene, const CompareArguments& arguments, Progres
     const RendererSet set(scene.frame.width, scene.frame.height);
     compare::Renderers renderers = set.functions();
     renderers.precision = precision;
-    // Beside the drawing. Where there is no room for a thread, get() runs it.
+    // Beside the drawing; get() runs it where there is no room for a thread, or where both together may need more memory than was
+    // counted.
+    constexpr std::size_t kFewVertices = 30'000;
+    const std::launch later = std::launch::deferred;
     std::future<std::vector<lint::Warning>> warnings =
-        std::async(std::launch::async | std::launch::deferred, [&scene] { return lint::lint(scene); });
+        std::async(count_vertices(scene.frame) <= kFewVertices ? std::launch::async | later : later,
+                   [&scene] { return lint::lint(scene); });
     Compared result;
     result.comparison = compare::compare_scene(
         scene,

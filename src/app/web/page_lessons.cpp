@@ -27,7 +27,8 @@ std::string page_lessons(lesson::Language language) {
                         {"choices", lesson.choices},
                         {"verdicts", verdicts},
                         {"seen", lesson.seen},
-                        {"task", lesson.task}});
+                        {"task", lesson.task},
+                        {"because", session::because_of(lesson)}});
     }
     return dumped({{"words",
                     {{"prediction", words.prediction},

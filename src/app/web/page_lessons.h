@@ -9,7 +9,7 @@
 namespace twinlight::web {
 
 // JSON: {"words": {...}, "lessons": [{"name", "title", "about", "question", "scene", "changed", "prediction", "choices": [...], "verdicts": [...],
-// "seen", "task"}]}, in the order of teaching. words: app/session's for the panel of lessons; verdicts: a sentence for each choice.
+// "seen", "task", "because"}]}, in the order of teaching. words: app/session's for the panel of lessons; verdicts: a sentence for each choice.
 std::string page_lessons(lesson::Language language);
 
 // JSON: {"right", "check", "reason"}, as `twinlight lesson NAME --check FILE --json` prints them.

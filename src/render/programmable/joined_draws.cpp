@@ -1,6 +1,7 @@
 #include "render/programmable/joined_draws.h"
 
 #include <algorithm>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <span>
@@ -126,6 +127,40 @@ bool may_be_placed(DrawRun run) {
     for (const Draw* part : run) count += part->vertices.size();
     return count <= kMostPlacedVertices && keeps_w(draw.eye_from_object) && draw.texture.generated.empty() &&
            !needs_edge_flags(draw) && has_only_vertices(draw);
+}
+
+namespace {
+
+bool tests_for_equal_depth(const Draw& draw) {
+    const Enum func = draw.raster.depth_func;
+    return draw.raster.depth_test &&
+           (func == kGL_EQUAL || func == kGL_LEQUAL || func == kGL_GEQUAL || func == kGL_NOTEQUAL);
+}
+
+// A hash of its place and of its first vertex: equal if it is drawn again, even as another primitive.
+std::size_t place_key(const Draw& draw) {
+    const glm::dvec4 place = draw.eye_from_object * draw.vertices[0].position_object;
+    std::size_t key = 0;
+    for (int i = 0; i < 4; ++i) key = (key ^ std::hash<double>()(place[i])) * 0x9E3779B97F4A7C15U;
+    return key;
+}
+
+}  // namespace
+
+DepthRepeats::DepthRepeats(const Frame& frame) {
+    const std::vector<const Draw*> draws = frame.draws();
+    if (std::ranges::none_of(draws, [](const Draw* draw) { return tests_for_equal_depth(*draw); })) return;
+    std::unordered_set<std::size_t> seen;
+    for (const Draw* draw : draws)
+        if (!draw->vertices.empty() && draw->vertices.size() <= kMostPlacedVertices) {
+            const std::size_t key = place_key(*draw);
+            if (!seen.insert(key).second) repeated_.insert(key);
+        }
+}
+
+bool DepthRepeats::contains_any_of(DrawRun run) const {
+    return !repeated_.empty() &&
+           std::ranges::any_of(run, [&](const Draw* draw) { return repeated_.contains(place_key(*draw)); });
 }
 
 JoinedDraws placed_together(DrawRun draws) {

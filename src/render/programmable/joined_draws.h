@@ -4,7 +4,9 @@
 // needs a plan, uniforms and the driver's check of its state, which take longer than a few vertices.
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <unordered_set>
 #include <vector>
 
 #include "render/stages/elements.h"
@@ -38,6 +40,18 @@ JoinedDraws joined(DrawRun run);
 // frame are placed, with neighbours or without, so that the same vertices always get the same floats.
 inline constexpr std::size_t kMostPlacedVertices = 16;
 bool may_be_placed(DrawRun run);  // of Draws with one state
+
+// The Draws of a frame that are drawn more than once at the same place, where depths are tested for being equal: a second pass, such
+// as one that adds light. Each pass may be placed or not, and then the depths would not be equal. So none of them is placed.
+class DepthRepeats {
+  public:
+    explicit DepthRepeats(const Frame& frame);
+    bool contains_any_of(DrawRun run) const;
+
+  private:
+    std::unordered_set<std::size_t> repeated_;  // keys of Draws
+};
+
 JoinedDraws placed_together(DrawRun draws);
 
 inline ElementsPart part_of(const Draw& draw) {

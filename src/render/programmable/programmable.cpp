@@ -72,7 +72,8 @@ class Preparation {
         : take_(take),
           options_(options.precise ? precise_options(options) : options),
           kept_(kept),
-          shares_programs_(has_many_draws(frame)) {
+          shares_programs_(has_many_draws(frame)),
+          repeats_(may_place() ? std::optional<DepthRepeats>(frame) : std::nullopt) {
         if (options_.precise) check_has_precise();
         const Draw* last = nullptr;
         for (const auto& item : frame.items) {
@@ -122,7 +123,7 @@ class Preparation {
     // Adds the Draws of `run_`.
     void end_run() {
         if (run_.empty()) return;
-        const bool is_placed = may_place() && may_be_placed(run_);
+        const bool is_placed = may_place() && may_be_placed(run_) && !repeats_->contains_any_of(run_);
         if (!is_placed) end_placed();
         if (is_placed)
             place_run();
@@ -386,6 +387,7 @@ class Preparation {
     const Options options_;
     KeptMeshes* const kept_;
     const bool shares_programs_;
+    const std::optional<DepthRepeats> repeats_;  // if Draws may be placed
 
     KeptMeshes repeated_{std::size_t{64} << 20};  // of this frame only: the same display list may be called many times
     std::deque<Planned> planned_;                 // by state, of a few Draws of the frame

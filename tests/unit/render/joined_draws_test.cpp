@@ -25,6 +25,7 @@
 namespace twinlight::programmable::joined_draws_test {
 namespace {
 
+constexpr Options kWithConstants = {{{.shading = {}}}, Tier::kBaked};  // Draws are not placed then
 constexpr Options kLive = {{{.shading = {}}}, Tier::kAuto};
 
 LightingState lit() {
@@ -368,7 +369,7 @@ TEST(PlacedDraws, GiveThePictureOfTheDrawsOneByOne) {
     Renderer live, separate;
     live.draw(frame, kLive);
     const Image picture = read_pixels(kSize, kSize);
-    const Image apart = separate.render(one_by_one(frame), {});
+    const Image apart = separate.render(one_by_one(frame), kWithConstants);
     std::size_t covered = 0;
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
         covered += apart.pixels[i][1] > 0;
@@ -398,7 +399,7 @@ TEST(PlacedDraws, KeepTheirOrderThoughThoseOfOneStateAreUploadedTogether) {
     Renderer live, separate;
     live.draw(frame, kLive);
     const Image picture = read_pixels(kSize, kSize);
-    const Image apart = separate.render(one_by_one(frame), {});
+    const Image apart = separate.render(one_by_one(frame), kWithConstants);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i)
         for (int c = 0; c < 4; ++c) EXPECT_NEAR(picture.pixels[i][c], apart.pixels[i][c], 1.01 / 255) << i;
     EXPECT_EQ(live.counters().made + live.counters().hits, frame.items.size()) << "no neighbours have one state";
@@ -406,6 +407,22 @@ TEST(PlacedDraws, KeepTheirOrderThoughThoseOfOneStateAreUploadedTogether) {
     std::ranges::reverse(reversed.items);
     live.draw(reversed, kLive);
     EXPECT_NE(read_pixels(kSize, kSize).pixels, picture.pixels) << "the order does not show";
+}
+
+// The scene's second pass adds light where depths are equal. It generates texture coordinates, so it cannot be placed.
+TEST(PlacedDraws, AreNoneOfThoseThatAreDrawnAgainWhereDepthsAreEqual) {
+    constexpr int kWidth = 160, kHeight = 120;
+    const auto context = make_offscreen_context(kWidth, kHeight);
+    const Frame frame = make_scene(load_commands("shadow-map", "2"), {.width = kWidth, .height = kHeight}).frame;
+    ASSERT_GE(frame.draws().size(), 40u);
+    const Image apart = Renderer().render(frame, kWithConstants);
+    for (const Options& options : {Options{}, kLive}) {
+        const Image picture = Renderer().render(frame, options);
+        std::size_t differing = 0;
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+            differing += std::abs(picture.pixels[i][0] - apart.pixels[i][0]) > 0.03F;
+        EXPECT_LT(differing, picture.pixels.size() / 100);
+    }
 }
 
 // ---- Draws with one plan ----

@@ -84,7 +84,7 @@ export class Lessons {
             if (this.lesson !== lesson) return;
             this.checked = text;
             result.className = right ? "right" : "wrong";
-            result.textContent = right ? words.right : `${words.notYet} ${reason.replaceAll("`", "")}`;
+            result.textContent = right ? `${words.right} ${lesson.because}` : `${words.notYet} ${reason.replaceAll("`", "")}`;
         } catch (error) {
             result.textContent = error.message;
         }
