@@ -24,8 +24,8 @@ struct Growth {
     std::vector<int> counts;
     std::function<std::string(int count)> text;                    // of the scene
     std::function<int(int count)> side = [](int) { return 256; };  // of the picture, in pixels
-    bool is_fixed_able = true;                                     // whether the fixed function can draw so many
-    bool is_compared = true;
+    bool for_fixed = true;                                         // whether the fixed function can draw so many
+    bool for_compare = true;
 };
 
 const std::string kCamera =
@@ -70,8 +70,8 @@ const std::vector<Growth>& growths() {
         {.of_what = "lights",
          .counts = {1, 8, 64, 512, 2048},
          .text = lights,
-         .is_fixed_able = false,
-         .is_compared = false},
+         .for_fixed = false,
+         .for_compare = false},
         {.of_what = "pixels",
          .counts = {64 * 64, 256 * 256, 1024 * 1024, 2048 * 2048},
          .text = [](int) { return sphere(1'000); },
@@ -90,11 +90,11 @@ struct Series {
 std::vector<bench::Way> ways_of(const Growth& growth, const Scene& scene, const cli::RendererSet& set) {
     const compare::Renderers& draw = set.functions();
     std::vector<bench::Way> ways;
-    if (growth.is_fixed_able) ways.push_back({"fixed", [&] { draw.fixed(scene, {}); }});
+    if (growth.for_fixed) ways.push_back({"fixed", [&] { draw.fixed(scene, {}); }});
     ways.push_back({"programmable", [&] { draw.programmable(scene.frame, {}); }});
     // Pictures are kept by frame: each copy is drawn anew.
     ways.push_back({"reference", [&] { reference::render(scene.frame, {}); }});
-    if (growth.is_compared) ways.push_back({"compare", [&] { compare::compare_scene(scene, {}, draw); }});
+    if (growth.for_compare) ways.push_back({"compare", [&] { compare::compare_scene(scene, {}, draw); }});
     return ways;
 }
 
