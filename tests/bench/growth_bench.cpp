@@ -92,7 +92,7 @@ std::vector<bench::Way> ways_of(const Growth& growth, const Scene& scene, const 
     std::vector<bench::Way> ways;
     if (growth.for_fixed) ways.push_back({"fixed", [&] { draw.fixed(scene, {}); }});
     ways.push_back({"programmable", [&] { draw.programmable(scene.frame, {}); }});
-    // Pictures are kept by frame: each copy is drawn anew.
+    // Not through the set, which would keep the picture and not draw it again.
     ways.push_back({"reference", [&] { reference::render(scene.frame, {}); }});
     if (growth.for_compare) ways.push_back({"compare", [&] { compare::compare_scene(scene, {}, draw); }});
     return ways;

@@ -13,9 +13,11 @@
 #include "app/cli/run_program.h"
 #include "base/image/contrast.h"
 #include "base/image/file.h"
+#include "base/threads/async.h"
 #include "judge/report/report.h"
 #include "judge/report/words.h"
 #include "render/context/driver_name.h"
+#include "render/programmable/joined_draws.h"
 #include "scene/command/text.h"
 
 namespace twinlight::cli {
@@ -110,12 +112,6 @@ std::string summary(const compare::Comparison& comparison, const std::string& fo
     return text + "\n" + report_line(folder);
 }
 
-std::size_t count_vertices(const Frame& frame) {
-    std::size_t count = 0;
-    for (const Draw* draw : frame.draws()) count += draw->vertices.size();
-    return count;
-}
-
 struct Compared {
     compare::Comparison comparison;
     std::vector<lint::Warning> warnings;
@@ -129,10 +125,9 @@ Compared compared(const Scene& scene, const CompareArguments& arguments, Progres
     // Beside the drawing; get() runs it where there is no room for a thread, or where both together may need more memory than was
     // counted.
     constexpr std::size_t kFewVertices = 30'000;
-    const std::launch later = std::launch::deferred;
+    const bool has_few = programmable::count_vertices(scene.frame.draws()) <= kFewVertices;
     std::future<std::vector<lint::Warning>> warnings =
-        std::async(count_vertices(scene.frame) <= kFewVertices ? std::launch::async | later : later,
-                   [&scene] { return lint::lint(scene); });
+        std::async(has_few ? kThreadIfPossible : std::launch::deferred, [&scene] { return lint::lint(scene); });
     Compared result;
     result.comparison = compare::compare_scene(
         scene,

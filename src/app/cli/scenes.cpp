@@ -6,6 +6,7 @@
 #include "app/cli/command_line.h"
 #include "base/text/input_text.h"
 #include "base/text/json.h"
+#include "scene/scenes/caption.h"
 #include "scene/scenes/load.h"
 
 namespace twinlight::cli {
@@ -16,18 +17,6 @@ struct ScenesArguments {
     std::string name;
     bool json = false;
 };
-
-// The first sentence of a scene's first comment.
-std::string description_of(const EmbeddedFile& file) {
-    std::string sentence;
-    InputText lines{std::string(file.text)};
-    for (std::string line; std::getline(lines, line) && line.starts_with("// ");) {
-        sentence += (sentence.empty() ? "" : " ") + line.substr(3);
-        if (const std::size_t end = sentence.find(". "); end != std::string::npos) return sentence.substr(0, end + 1);
-        if (sentence.ends_with('.')) break;
-    }
-    return sentence;
-}
 
 // Wraps at 80 columns; all lines but the first are indented.
 std::string wrapped(const std::string& words, std::size_t indent) {
@@ -54,7 +43,7 @@ int list(const ScenesArguments& arguments) {
         for (const EmbeddedFile& file : kSceneFiles) {
             const std::string name = built_in_name(file);
             json["scenes"].push_back(
-                {{"name", name}, {"description", description_of(file)}, {"steps", load_commands(name)->steps}});
+                {{"name", name}, {"description", caption_of(file.text).title}, {"steps", load_commands(name)->steps}});
         }
         write_result(json.dump(2) + "\n");
         return kFine;
@@ -63,7 +52,7 @@ int list(const ScenesArguments& arguments) {
     for (const EmbeddedFile& file : kSceneFiles) width = std::max(width, built_in_name(file).size());
     std::string text;
     for (const EmbeddedFile& file : kSceneFiles) {
-        text += fmt::format("{:{}}  {}\n", built_in_name(file), width, wrapped(description_of(file), width + 2));
+        text += fmt::format("{:{}}  {}\n", built_in_name(file), width, wrapped(caption_of(file.text).title, width + 2));
     }
     write_result(text);
     return kFine;
@@ -75,7 +64,7 @@ int run_scenes(const ScenesArguments& arguments) {
     for (const EmbeddedFile& file : kSceneFiles) {
         names.push_back(built_in_name(file));
         if (names.back() != arguments.name) continue;
-        const Json json = {{"name", arguments.name}, {"description", description_of(file)}, {"text", file.text}};
+        const Json json = {{"name", arguments.name}, {"description", caption_of(file.text).title}, {"text", file.text}};
         write_result(arguments.json ? json.dump(2) + "\n" : std::string(file.text));
         return kFine;
     }

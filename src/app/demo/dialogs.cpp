@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/demo/panel_lesson.h"
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
-#include "app/session/caption.h"
 #include "app/session/keys.h"
 #include "app/session/lesson_state.h"
 #include "app/session/saving.h"
@@ -21,6 +21,7 @@
 #include "base/image/file.h"
 #include "base/text/reason.h"
 #include "scene/command/names.h"
+#include "scene/scenes/caption.h"
 #include "scene/scenes/load.h"
 
 namespace twinlight::demo {
@@ -179,23 +180,19 @@ void Dialogs::list_openable() {
     std::ranges::sort(files);
     for (std::string& name : files) openable_.push_back({Group::kFiles, std::move(name), ""});
     for (const session::TutorName& tutor : session::kTutors)
-        openable_.push_back(
-            {Group::kTutors, std::string(tutor.key), session::caption_of(session::tutor_text(tutor.key)).title});
-    const auto language = has_chinese_letters() ? lesson::Language::kChinese : lesson::Language::kEnglish;
+        openable_.push_back({Group::kTutors, std::string(tutor.key), caption_of(session::tutor_text(tutor.key)).title});
     for (const std::string_view name : lesson::names())
-        openable_.push_back({Group::kLessons, std::string(name), lesson::load_lesson(name, language).title});
+        openable_.push_back({Group::kLessons, std::string(name), lesson::load_lesson(name, lessons_language()).title});
     for (const EmbeddedFile& file : kSceneFiles)
-        openable_.push_back({Group::kScenes, built_in_name(file), session::caption_of(std::string(file.text)).title});
+        openable_.push_back({Group::kScenes, built_in_name(file), caption_of(file.text).title});
 }
 
 void Dialogs::open_entry(Session& session, const Openable& entry) {
     switch (entry.group) {
         case Group::kTutors: session::open_tutor(session, entry.name); break;
-        case Group::kLessons: {
-            const auto language = has_chinese_letters() ? lesson::Language::kChinese : lesson::Language::kEnglish;
-            session::start_lesson(session, lesson::load_lesson(entry.name, language));
+        case Group::kLessons:
+            session::start_lesson(session, lesson::load_lesson(entry.name, lessons_language()));
             break;
-        }
         case Group::kFiles:
         case Group::kScenes: session::show_scene(session, entry.name); break;
     }

@@ -20,9 +20,11 @@ namespace {
 void paragraph(const std::string& markdown) { ImGui::TextUnformatted(wrapped(session::plain_text(markdown)).c_str()); }
 void colored_paragraph(ImU32 color, const std::string& text) { colored_text_line(color, wrapped(text)); }
 
-lesson::Language language() { return has_chinese_letters() ? lesson::Language::kChinese : lesson::Language::kEnglish; }
-
 }  // namespace
+
+lesson::Language lessons_language() {
+    return has_chinese_letters() ? lesson::Language::kChinese : lesson::Language::kEnglish;
+}
 
 void LessonPanel::check(session::Session& session) {
     const auto answer = answer_of(session);
@@ -46,11 +48,11 @@ void LessonPanel::update(session::Session& session) {
 }
 
 void LessonPanel::show_list(session::Session& session) {
-    colored_paragraph(kDim, session::words_of(language()).lessons);
+    colored_paragraph(kDim, session::words_of(lessons_language()).lessons);
     for (const std::string_view name : lesson::names()) {
         static std::map<std::string_view, std::string> titles;  // the pages do not change
         std::string& title = titles[name];
-        if (title.empty()) title = lesson::load_lesson(name, language()).title;
+        if (title.empty()) title = lesson::load_lesson(name, lessons_language()).title;
         ImGui::PushID(name.data());
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float indent = 1.6F * ImGui::GetFontSize();
@@ -58,7 +60,7 @@ void LessonPanel::show_list(session::Session& session) {
         const std::string lines = wrapped(title);
         ImGui::Unindent(indent);
         if (ImGui::Selectable("##open", false, 0, {0, ImGui::CalcTextSize(lines.c_str()).y}))
-            session::start_lesson(session, lesson::load_lesson(name, language()));
+            session::start_lesson(session, lesson::load_lesson(name, lessons_language()));
         if (session::is_solved(session, name)) draw_tick(at);
         ImGui::SameLine(indent);
         ImGui::TextUnformatted(lines.c_str());

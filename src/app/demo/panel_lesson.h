@@ -9,6 +9,9 @@
 
 namespace twinlight::demo {
 
+// Of the lessons that the window lists and opens: the letters that it has decide.
+lesson::Language lessons_language();
+
 class LessonPanel {
   public:
     // To be called in every frame: takes the result of a check.

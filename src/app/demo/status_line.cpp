@@ -6,9 +6,9 @@
 
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
-#include "app/session/caption.h"
 #include "app/session/keys.h"
 #include "app/session/steps.h"
+#include "scene/scenes/caption.h"
 
 namespace twinlight::demo {
 namespace {
@@ -53,7 +53,7 @@ void StatusLine::show(session::Session& session, const Rectangle& bar, bool keep
 }
 
 void show_caption(const session::Session& session, const Rectangle& box) {
-    const session::Caption caption = session::caption_of(*session.opened);
+    const Caption caption = caption_of(*session.opened);
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const float left = corner(box).x + 16, room = static_cast<float>(box.width) - 26, line = ImGui::GetFontSize() + 4;
     const float top = corner(box).y + 5;

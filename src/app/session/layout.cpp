@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/session/caption.h"
 #include "app/session/sides.h"
+#include "scene/scenes/caption.h"
 
 namespace twinlight::session {
 namespace {
@@ -48,7 +48,7 @@ Layout layout(const Session& session, int width, int height, double scale) {
         !is_tutor && session.view != View::kWorld && !session.lesson && !caption_of(*session.opened).title.empty();
     const int caption = has_caption ? pixels(kCaption) : 0;
     result.caption = {result.panel.width, 0, width - result.panel.width, caption};
-    const int sides = session.view == View::kSlider ? bar * static_cast<int>(side_rows(session).size()) : 0;
+    const int sides = session.view == View::kSlider ? bar * static_cast<int>(side_row_count(session)) : 0;
     const Rectangle area{result.panel.width, caption, width - result.panel.width,
                          height - bar - sides - code - caption};
     const auto rows = rows_of(session);

@@ -10,7 +10,7 @@
 namespace twinlight::session {
 namespace {
 
-// The pane that a switch changes; kPanes if there is none.
+// The pane that a switch changes, or kPanes if no pane can change.
 std::size_t switched_pane(const Session& session) {
     for (const std::size_t pane : {session.slider.b, session.slider.a})
         if (session.panes[pane].renderer != Path::kFixed) return pane;
@@ -43,8 +43,9 @@ const char* place_of_lighting(Shading shading) {
 // The variants that the frame uses.
 std::vector<std::string> variants_of(const Frame& frame) {
     std::vector<std::string> names;
+    const std::vector<const Draw*> draws = frame.draws();
     const auto add = [&](const char* name, const auto& uses) {
-        if (std::ranges::any_of(frame.draws(), [&](const Draw* draw) { return uses(*draw); })) names.emplace_back(name);
+        if (std::ranges::any_of(draws, [&](const Draw* draw) { return uses(*draw); })) names.emplace_back(name);
     };
     const LightModel gl;
     add("reflected ray", [&](const Draw& draw) { return draw.lighting.light_model.specular != gl.specular; });
@@ -61,6 +62,11 @@ std::vector<std::string> variants_of(const Frame& frame) {
 }
 
 }  // namespace
+
+std::size_t side_row_count(const Session& session) {
+    if (switched_pane(session) == kPanes) return 0;
+    return has_variants(session.scene.frame) ? 2 : 1;
+}
 
 std::vector<SideRow> side_rows(const Session& session) {
     if (switched_pane(session) == kPanes) return {};

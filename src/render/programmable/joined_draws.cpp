@@ -54,6 +54,12 @@ bool has_only_vertices(const Draw& draw) { return draw.further_units.empty() && 
 
 }  // namespace
 
+std::size_t count_vertices(DrawRun draws) {
+    std::size_t count = 0;
+    for (const Draw* draw : draws) count += draw->vertices.size();
+    return count;
+}
+
 bool have_one_state(const Draw& a, const Draw& b) {
     const bool is_known = is_known_to_be_one_state(a, b);
     // First what mostly differs.
@@ -123,10 +129,8 @@ JoinedDraws joined(DrawRun run) {
 
 bool may_be_placed(DrawRun run) {
     const Draw& draw = *run.front();
-    std::size_t count = 0;
-    for (const Draw* part : run) count += part->vertices.size();
-    return count <= kMostPlacedVertices && keeps_w(draw.eye_from_object) && draw.texture.generated.empty() &&
-           !needs_edge_flags(draw) && has_only_vertices(draw);
+    return count_vertices(run) <= kMostPlacedVertices && keeps_w(draw.eye_from_object) &&
+           draw.texture.generated.empty() && !needs_edge_flags(draw) && has_only_vertices(draw);
 }
 
 namespace {

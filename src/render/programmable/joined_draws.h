@@ -16,6 +16,7 @@ namespace twinlight::programmable {
 
 // Draws that follow each other in a frame.
 using DrawRun = std::span<const Draw* const>;
+std::size_t count_vertices(DrawRun draws);
 
 // Whether both Draws may be drawn by one program with the same numbers, one after the other. They may differ in their
 // vertices, in what is replaced by the vertices' colours (2.14.3), and in whether they draw triangles or other polygons.

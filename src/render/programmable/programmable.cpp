@@ -73,7 +73,7 @@ class Preparation {
           options_(options.precise ? precise_options(options) : options),
           kept_(kept),
           shares_programs_(has_many_draws(frame)),
-          repeats_(may_place() ? std::optional<DepthRepeats>(frame) : std::nullopt) {
+          drawn_again_(may_place() ? std::optional<DepthRepeats>(frame) : std::nullopt) {
         if (options_.precise) check_has_precise();
         const Draw* last = nullptr;
         for (const auto& item : frame.items) {
@@ -123,7 +123,7 @@ class Preparation {
     // Adds the Draws of `run_`.
     void end_run() {
         if (run_.empty()) return;
-        const bool is_placed = may_place() && may_be_placed(run_) && !repeats_->contains_any_of(run_);
+        const bool is_placed = may_place() && may_be_placed(run_) && !drawn_again_->contains_any_of(run_);
         if (!is_placed) end_placed();
         if (is_placed)
             place_run();
@@ -276,7 +276,7 @@ class Preparation {
         if (!kept_) {
             constexpr std::size_t kManyVertices = 128;  // looking for fewer takes longer than to send them again
             if (draws.size() == 1 && draws.front()->vertices.size() >= kManyVertices && !options_.patches)
-                return static_cast<void>(add_kept(draws, repeated_));
+                return static_cast<void>(add_kept(draws, meshes_of_frame_));
             const bool may_join = draws.size() > 1 && shares_programs_ && options_.tier != Tier::kBaked;
             if (may_join && !options_.precise && add_joined(joined(draws))) return;
             return add_one_by_one(draws);
@@ -369,12 +369,6 @@ class Preparation {
         });
     }
 
-    static std::size_t count_vertices(DrawRun draws) {
-        std::size_t count = 0;
-        for (const Draw* draw : draws) count += draw->vertices.size();
-        return count;
-    }
-
     static bool has_many_draws(const Frame& frame) {
         constexpr int kManyDraws = 40;
         int count = 0;
@@ -387,10 +381,10 @@ class Preparation {
     const Options options_;
     KeptMeshes* const kept_;
     const bool shares_programs_;
-    const std::optional<DepthRepeats> repeats_;  // if Draws may be placed
+    const std::optional<DepthRepeats> drawn_again_;  // if Draws may be placed
 
-    KeptMeshes repeated_{std::size_t{64} << 20};  // of this frame only: the same display list may be called many times
-    std::deque<Planned> planned_;                 // by state, of a few Draws of the frame
+    KeptMeshes meshes_of_frame_{std::size_t{64} << 20};  // the same display list may be called many times
+    std::deque<Planned> planned_;                        // by state, of a few Draws of the frame
     // Draws that will be drawn as one.
     std::vector<const Draw*> run_;  // have_one_state()
     std::size_t run_vertices_ = 0;

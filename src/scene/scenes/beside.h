@@ -15,7 +15,7 @@ namespace twinlight {
 std::filesystem::path file_beside(const std::filesystem::path& folder, const std::string& name, std::string_view what,
                                   std::string_view example);
 
-// Finds a file's bytes by its name; nullopt if there is none.
+// Returns the bytes of the file with this name, or nullopt if there is no such file.
 using FileFinder = std::function<std::optional<std::string_view>(std::string_view name)>;
 // The text of a file of kSceneAssets; nullopt if there is none of this name.
 std::optional<std::string_view> built_in_file(std::string_view name);

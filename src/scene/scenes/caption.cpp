@@ -1,12 +1,10 @@
-#include "app/session/caption.h"
+#include "scene/scenes/caption.h"
 
 #include <algorithm>
 #include <cctype>
 #include <vector>
 
-#include "base/text/input_text.h"
-
-namespace twinlight::session {
+namespace twinlight {
 namespace {
 
 // A sentence ends with a full stop, a question or exclamation mark before a capital letter.
@@ -28,16 +26,17 @@ std::vector<std::string> sentences_of(const std::string& text) {
 
 Caption caption_of(const CommandList& scene) { return scene.text ? caption_of(*scene.text) : Caption{}; }
 
-Caption caption_of(const std::string& text) {
+Caption caption_of(std::string_view text) {
     std::vector<std::string> paragraphs(1);
-    InputText lines(text);
-    for (std::string line; std::getline(lines, line) && line.starts_with("//");) {
-        line.erase(0, std::min(line.find_first_not_of("/ "), line.size()));
+    while (text.starts_with("//")) {
+        std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+        line.remove_prefix(std::min(line.find_first_not_of("/ "), line.size()));
         if (line.starts_with("twinlight:")) continue;  // for the linter
         if (line.empty())
             paragraphs.emplace_back();
         else
-            paragraphs.back() += (paragraphs.back().empty() ? "" : " ") + line;
+            paragraphs.back().append(paragraphs.back().empty() ? "" : " ").append(line);
     }
     std::erase(paragraphs, "");
     Caption caption;
@@ -56,4 +55,4 @@ Caption caption_of(const std::string& text) {
     return caption;
 }
 
-}  // namespace twinlight::session
+}  // namespace twinlight

@@ -1,16 +1,17 @@
-// What the window says about a scene.
+// What the window and `twinlight scenes` say about a scene.
+#include "scene/scenes/caption.h"
+
 #include <gtest/gtest.h>
 
-#include "app/session/caption.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
 
-namespace twinlight::session::session_caption_test {
+namespace twinlight::caption_test {
 namespace {
 
 Caption caption(const std::string& text) { return caption_of(read_scene(text, "s.gl", "s.gl")); }
 
-TEST(SessionCaption, IsTheTitleAndWhatToNotice) {
+TEST(SceneCaption, IsTheTitleAndWhatToNotice) {
     const Caption both = caption(
         "// A lamp at (0, 1.5, 0). It is\n// white.\n//\n// Light falls. Notice the edge. It is sharp.\n"
         "// twinlight: allow(lighting-off)\nglutSolidCube(1);  // a cube\n");
@@ -19,13 +20,13 @@ TEST(SessionCaption, IsTheTitleAndWhatToNotice) {
     EXPECT_EQ(both.all, "A lamp at (0, 1.5, 0). It is white.\n\nLight falls. Notice the edge. It is sharp.");
 }
 
-TEST(SessionCaption, WithoutANoticeItIsWhatFollowsTheTitle) {
+TEST(SceneCaption, WithoutANoticeItIsWhatFollowsTheTitle) {
     EXPECT_EQ(caption("// One.\n// Two. Three! Four.\nglutSolidCube(1);").notice, "Two. Three!");
     EXPECT_EQ(caption("// One\nglutSolidCube(1);").notice, "");
     EXPECT_EQ(caption("glutSolidCube(1);\n// One").title, "");
 }
 
-TEST(SessionCaption, EveryBuiltInSceneHasOne) {
+TEST(SceneCaption, EveryBuiltInSceneHasOne) {
     for (const EmbeddedFile& file : kSceneFiles) {
         const Caption found = caption_of(read_built_in(file));
         EXPECT_NE(found.title, "") << file.name;
@@ -34,4 +35,4 @@ TEST(SessionCaption, EveryBuiltInSceneHasOne) {
 }
 
 }  // namespace
-}  // namespace twinlight::session::session_caption_test
+}  // namespace twinlight::caption_test
