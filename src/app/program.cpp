@@ -222,7 +222,26 @@ void write_output(const std::string& file, std::string_view bytes) {
         write_file_atomically(file, bytes);
 }
 
+namespace {
+
+lesson::Lesson lesson_of_file(const std::string& file, lesson::Language language) {
+    constexpr std::size_t kMostBytes = 1U << 20;
+    const std::filesystem::path path = file;
+    const std::string folder = path.parent_path().empty() ? "." : path.parent_path().string();
+    const std::string text = read_file(file, kMostBytes);
+    try {
+        lesson::Lesson lesson = lesson::read_lesson(text, path.stem().string(), folder);
+        lesson.language = language;
+        return lesson;
+    } catch (const std::runtime_error& error) {
+        throw FileError((path.parent_path() / error.what()).string());
+    }
+}
+
+}  // namespace
+
 lesson::Lesson load_lesson(const std::string& name, lesson::Language language) {
+    if (extension_of(name) == ".md") return lesson_of_file(name, language);
     const auto names = lesson::names();
     if (std::ranges::find(names, name) == names.end()) {
         const auto near = nearest(name, {names.begin(), names.end()});

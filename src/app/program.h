@@ -67,7 +67,8 @@ bool parse_command_line(CLI::App& app, int argc, char** argv);
 // Writes to a file, whole or not at all, or to standard output if its name is "-". Throws FileError.
 void write_output(const std::string& file, std::string_view bytes);
 
-// The lesson of this name. Throws UsageError if there is no such lesson.
+// Our lesson of this name, or that of a file, NAME.md, whose own words are in this language. Throws UsageError if there is no such
+// lesson, and FileError for a file that cannot be read or is no lesson, with the line.
 lesson::Lesson load_lesson(const std::string& name, lesson::Language language);
 
 // Runs a program and returns its exit status. If it throws, prints the error on standard error and returns kBadInput.

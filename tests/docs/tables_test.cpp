@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "../unit/run_program.h"
 #include "base/image/file.h"
 #include "judge/check/case.h"
 #include "lighting/rulings.h"
@@ -215,6 +216,8 @@ std::string numbers_table() {
 
 // ---- The pages ----
 
+std::string measures_table() { return run_program("twinlight", {"lesson", "--measures"}).out; }
+
 struct Table {
     const char* page;
     const char* name;
@@ -223,7 +226,7 @@ struct Table {
 constexpr Table kTables[] = {
     {"docs/hard-cases.md", "choices", choices_table}, {"docs/hard-cases.md", "subjects", subjects_table},
     {"docs/driver.md", "bugs", bugs_table},           {"docs/driver.md", "nvidia", nvidia_table},
-    {"docs/driver.md", "numbers", numbers_table},
+    {"docs/driver.md", "numbers", numbers_table},     {"docs/teaching.md", "measures", measures_table},
 };
 
 TEST(DocsTables, AreCurrent) {

@@ -70,7 +70,7 @@ const std::map<std::string, Table>& rooms() {
           {"fuzz", {"compare", "check", "oracle"}},
           {"check", {"compare", "oracle"}},
           {"lint", {}},
-          {"lesson", {}},
+          {"lesson", {"lint"}},
           {"explain", {}},
           {"oracle", {}}}},
         {"app", {{"cli", {}}, {"session", {}}, {"demo", {"session"}}, {"web", {"session"}}, {"web/compat", {}}}},

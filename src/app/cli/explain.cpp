@@ -29,7 +29,7 @@ struct ExplainArguments {
     RunInstead run;
     std::string step;
     MemoryBudget memory;
-    std::string pixel, vertex;
+    std::string pixel, vertex, form, output;
     double budget = PlanOptions{}.budget;
     bool json = false, all = false, calls = false;
 };
@@ -157,10 +157,21 @@ int run_explain(ExplainArguments& arguments) {
         throw UsageError("--pixel and --vertex are two questions; give one of them");
     if (!arguments.vertex.empty() && arguments.shading)
         throw UsageError("--shading does not change how a vertex is lit; leave it out, or use --pixel X,Y");
+    const bool is_exercise = arguments.form == "exercise";
+    if (is_exercise && (arguments.pixel.empty() || arguments.output.empty()))
+        throw UsageError("--as exercise needs --pixel X,Y and -o FILE.html");
+    if (!is_exercise && !arguments.output.empty()) throw UsageError("-o needs --as exercise");
+    if (is_exercise && arguments.json) throw UsageError("choose --json or --as exercise");
     if (!arguments.pixel.empty()) arguments.memory.bytes_of_pixel = 100;
     const std::string file = recorded_first(arguments.run, arguments.scene, arguments.part);
     const Scene scene = load_scene(file, arguments.size, arguments.part, arguments.step, arguments.memory);
     const PlanOptions options{look_of(arguments.shading, arguments.variants), arguments.budget};
+    if (is_exercise) {
+        // One point to calculate, not three vertices, unless the teacher wants these.
+        const Look look = look_of(arguments.shading.value_or(Shading::kPhong), arguments.variants);
+        write_output(arguments.output, exercise_of_pixel(scene, look, arguments.pixel));
+        return kFine;
+    }
     const ExplainOptions of_point{options, arguments.json, arguments.all, arguments.calls};
     if (!arguments.pixel.empty()) {
         write_result(explain_pixel(scene, of_point, arguments.pixel));
@@ -202,6 +213,16 @@ Subcommand add_explain(CLI::App& app) {
         ->check(not_empty());
     command->add_flag("--all", arguments->all,
                       "show also lights and effects that the scene does not turn on, and every vertex of a pixel");
+    command
+        ->add_option("--as", arguments->form,
+                     "exercise: with --pixel, an exam sheet: the equation with its numbers left blank, and a second "
+                     "page with the "
+                     "solution; lit at the pixel, unless --shading says gouraud or flat")
+        ->type_name("exercise")
+        ->check(CLI::IsMember({"exercise"}));
+    command->add_option("-o", arguments->output, "the file of the exam sheet, a page to print; - for standard output")
+        ->type_name("FILE")
+        ->check(not_empty());
     add_calls_flag(*command, arguments->calls);
     command->add_flag("--json", arguments->json, "print one JSON object instead of the text");
     return {command, [arguments] { return run_explain(*arguments); }};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/cli/command_line.h"
+#include "app/cli/exercise.h"
 #include "app/cli/renderers.h"
 #include "judge/explain/explain.h"
 #include "render/context/context.h"
@@ -127,6 +128,10 @@ std::string explain_pixel(const Scene& scene, const ExplainOptions& options, con
     explanation.rendered = rendered(scene, options.plan, explanation.pixel, explanation.history.color);
     explanation.allowed = allowed_at(scene.frame, options.plan, explanation.pixel);
     return printed(scene, options, explanation);
+}
+
+std::string exercise_of_pixel(const Scene& scene, const Look& look, const std::string& pixel) {
+    return exercise_page(scene, explain::explain_pixel(scene.frame, look, parse_pixel(pixel, scene.frame)));
 }
 
 std::string explain_vertex(const Scene& scene, const ExplainOptions& options, const std::string& vertex) {

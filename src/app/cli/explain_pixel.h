@@ -17,6 +17,8 @@ struct ExplainOptions {
 
 // What covers the pixel "X,Y". Throws UsageError unless it is inside the frame.
 std::string explain_pixel(const Scene& scene, const ExplainOptions& options, const std::string& pixel);
+// An exam sheet about the pixel, as HTML (exercise.h).
+std::string exercise_of_pixel(const Scene& scene, const Look& look, const std::string& pixel);
 // The same for the vertex "DRAW,N", both counted from 1. Throws UsageError unless the frame has it and lights it.
 std::string explain_vertex(const Scene& scene, const ExplainOptions& options, const std::string& vertex);
 

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "app/cli/command_line.h"
+#include "app/cli/lesson_class.h"
+#include "app/cli/lint_files.h"
 #include "base/image/file.h"
 #include "base/text/json.h"
 #include "scene/command/text.h"
@@ -20,10 +22,10 @@ using lesson::Language;
 using lesson::Lesson;
 
 struct LessonArguments {
-    std::string name, output, prediction;
+    std::string name, output, prediction, csv;
     std::vector<std::string> answers;
     Language language = lesson::users_language();
-    bool json = false, changed = false;
+    bool json = false, changed = false, measures = false, runs_programs = false;
 };
 
 // What the program itself says in the lesson's language.
@@ -76,7 +78,7 @@ int print(const LessonArguments& arguments) {
             {"choices", lesson.choices}, {"right_choice", lesson::letter_of(lesson.right_choice)},
             {"seen", lesson.seen},       {"changed", lesson.changed},
             {"task", lesson.task}};
-        for (const auto& [key, reason] : lesson.reasons) json["checks"][key] = reason;
+        for (const lesson::Check& check : lesson.checks) json["checks"][check.key] = check.reason;
         write_result(json.dump(2) + "\n");
         return kFine;
     }
@@ -103,6 +105,12 @@ int predict(const LessonArguments& arguments) {
 
 int write_scene(const LessonArguments& arguments) {
     const Lesson lesson = load(arguments);
+    if (extension_of(arguments.output) == ".md") {
+        if (arguments.changed) throw UsageError("--changed writes a scene, not a lesson; give -o FILE.gl");
+        if (!lesson.folder.empty()) throw UsageError("-o: only a built-in lesson can be written; copy the file");
+        write_output(arguments.output, lesson::text_of_lesson(lesson.name, arguments.language));
+        return kFine;
+    }
     const std::string& text = arguments.changed ? lesson.changed : lesson.scene;
     write_output(arguments.output, text);
     return kFine;
@@ -148,7 +156,55 @@ int check(const LessonArguments& arguments) {
     return !all_read ? kBadInput : right == arguments.answers.size() ? kFine : kDifferent;
 }
 
-int run_lesson(const LessonArguments& arguments) {
+// "red(x, y, width, height)"
+std::string usage_of(const lesson::MeasureRow& row) {
+    std::string parameters;
+    for (const lesson::ParameterKind kind : row.parameters) {
+        if (!parameters.empty()) parameters += ", ";
+        switch (kind) {
+            case lesson::ParameterKind::kBox: parameters += "x, y, width, height"; break;
+            case lesson::ParameterKind::kObject: parameters += "object"; break;
+            case lesson::ParameterKind::kObjects: parameters += "object, ..."; break;
+            case lesson::ParameterKind::kVector:
+                parameters += row.name == "color_error" ? "red, green, blue" : "x, y, z";
+                break;
+            case lesson::ParameterKind::kNumber: parameters += "number"; break;
+            case lesson::ParameterKind::kText: parameters += "name"; break;
+            case lesson::ParameterKind::kMaybeText: parameters += "[name]"; break;
+        }
+    }
+    return fmt::format("{}({})", row.name, parameters);
+}
+
+// The table of docs/lessons/own.md.
+int list_measures() {
+    std::string text = "| measure | what it is |\n|---|---|\n";
+    for (const lesson::MeasureRow& row : lesson::measures())
+        text += fmt::format("| `{}` | {} |\n", usage_of(row), row.what);
+    write_result(text);
+    return kFine;
+}
+
+// --check FOLDER
+int check_class(LessonArguments& arguments) {
+    ClassArguments given{.folder = arguments.answers.front(),
+                         .language = arguments.language,
+                         .csv = arguments.csv,
+                         .page = arguments.output,
+                         .json = arguments.json,
+                         .runs_programs = arguments.runs_programs};
+    if (arguments.answers.size() > 1) throw UsageError("--check takes files, or one folder");
+    if (arguments.json && arguments.csv == "-") throw UsageError("choose --json or --csv -");
+    if (!arguments.name.empty()) given.lessons.push_back(load(arguments));
+    return grade_class(given);
+}
+
+int run_lesson(LessonArguments& arguments) {
+    if (arguments.measures) return list_measures();
+    if (!arguments.answers.empty() && is_folder(arguments.answers.front()) && arguments.prediction.empty())
+        return check_class(arguments);
+    if (!arguments.csv.empty()) throw UsageError("--csv needs --check FOLDER");
+    if (arguments.runs_programs) throw UsageError("--run needs --check FOLDER");
     const int wants = !arguments.answers.empty() + !arguments.output.empty() + !arguments.prediction.empty();
     if (wants > 1) throw UsageError("use only one of --check, --predict and -o");
     if (arguments.changed && arguments.output.empty()) throw UsageError("--changed needs -o FILE");
@@ -166,16 +222,31 @@ int run_lesson(const LessonArguments& arguments) {
 Subcommand add_lesson(CLI::App& app) {
     const auto arguments = std::make_shared<LessonArguments>();
     CLI::App* lesson = app.add_subcommand("lesson", "List the lessons, print one, or check answers to it");
-    lesson->add_option("NAME", arguments->name, "print this lesson")->type_name("");
+    lesson->add_option("NAME", arguments->name, "print this lesson: one of ours by its name, or a file, LESSON.md")
+        ->type_name("");
     lesson
-        ->add_option("--check", arguments->answers,
-                     "check answers: scenes in C or whole GLUT programs; prints right or wrong with the reason")
-        ->type_name("FILE...")
+        ->add_option(
+            "--check", arguments->answers,
+            "check answers: scenes in C or whole GLUT programs; prints right or wrong with the reason. Or check "
+            "a class: FOLDER/STUDENT/LESSON.gl or .c; prints a row for each student and lesson, with points")
+        ->type_name("FILE...|FOLDER")
         ->check(not_empty());
     lesson->add_option("--predict", arguments->prediction, "check a prediction: a letter, such as A")
         ->type_name("LETTER")
         ->check(not_empty());
-    lesson->add_option("-o", arguments->output, "write the scene to start from to this file; - for standard output")
+    lesson
+        ->add_option("--csv", arguments->csv,
+                     "with a folder: write the rows as a table for spreadsheets; - for standard output")
+        ->type_name("FILE")
+        ->check(not_empty());
+    lesson->add_flag("--run", arguments->runs_programs,
+                     "with a folder: compile, run and record answers that are programs, also in C++ and Python. They "
+                     "run with all your rights");
+    lesson
+        ->add_option(
+            "-o", arguments->output,
+            "write the scene to start from to this file, or the whole lesson to a file "
+            "LESSON.md, to write your own; - for standard output. With a folder: write a page with all pictures there")
         ->type_name("FILE")
         ->check(not_empty());
     lesson->add_flag("--changed", arguments->changed, "with -o: write the scene with the change that was predicted");
@@ -189,9 +260,12 @@ Subcommand add_lesson(CLI::App& app) {
             },
             "English or Chinese (default: the environment's language)")
         ->type_name("en|zh");
+    lesson->add_flag("--measures", arguments->measures, "list what the checks of your own lessons can measure");
     lesson->add_flag("--json", arguments->json, "print one JSON object instead of text");
     lesson->footer(
         "'twinlight-demo --lesson NAME' opens a lesson in the window.\n"
+        "  twinlight lesson --check answers --csv marks.csv -o marks     a class: answers/STUDENT/LESSON.gl\n"
+        "  twinlight lesson shininess -o glass.md                        a lesson to change into your own\n"
         "Exit status: 0 success; with --check: 0 all answers are right, 1 some are wrong; 2 bad usage, or a "
         "file that\ncannot be read.");
     return {lesson, [arguments] { return run_lesson(*arguments); }};

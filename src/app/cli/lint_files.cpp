@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <new>
 #include <regex>
 #include <set>
 #include <stdexcept>
 
+#include "app/cli/csv.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/run_program.h"
@@ -17,6 +17,7 @@
 #include "app/streams.h"
 #include "base/image/file.h"
 #include "base/text/json.h"
+#include "base/text/reason.h"
 #include "scene/command/cpp_words.h"
 #include "scene/command/text.h"
 #include "scene/record/compile.h"
@@ -74,10 +75,7 @@ std::string without_name(std::string_view text, const std::string& file) {
     return one_line(text);
 }
 
-std::string reason_of(const SceneError& error, const std::string& file, Programs programs) {
-    if (programs == Programs::kAreRead && (has_cpp_name(file) || trace::is_python(file)))
-        return fmt::format("it is {}; run it: twinlight lint --run {}", trace::is_python(file) ? "Python" : "C++",
-                           one_line(shell_word(file)));
+std::string reason_of(const SceneError& error, const std::string& file) {
     if (error.errors.empty()) return without_name(error.what(), file);
     const TextError& first = error.errors.front();
     if (first.place.file && *first.place.file == one_line(file))
@@ -87,15 +85,12 @@ std::string reason_of(const SceneError& error, const std::string& file, Programs
 
 LintedFile linted(const std::string& file, Programs programs,
                   const std::function<LintedFile(const std::string&)>& lint_one) {
-    const auto not_read = [&](std::string reason) { return LintedFile{.file = file, .failure = std::move(reason)}; };
     try {
         return lint_one(file);
-    } catch (const SceneError& error) {
-        return not_read(reason_of(error, file, programs));
-    } catch (const std::bad_alloc&) {
-        return not_read("out of memory");
     } catch (const std::exception& error) {
-        return not_read(without_name(error.what(), file));
+        const bool can_be_run = programs == Programs::kAreRead;
+        const std::string how = can_be_run ? "twinlight lint --run " + one_line(shell_word(file)) : "";
+        return {.file = file, .failure = why_not_read(error, file, how)};
     }
 }
 
@@ -141,17 +136,6 @@ std::string summary(const std::vector<LintedFile>& files, Programs programs) {
 
 // ---- Tables ----
 
-// As RFC 4180 writes it. A spreadsheet would take a field that starts with = for a formula, and names of files come from strangers.
-std::string field(std::string_view text) {
-    std::string written;
-    if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos) written = "'";
-    written += text;
-    if (written.find_first_of(",\"\n\r") == std::string::npos) return written;
-    std::string in_quotes = "\"";
-    for (const char c : written) in_quotes += c == '"' ? "\"\"" : std::string(1, c);
-    return in_quotes + "\"";
-}
-
 std::string json_of(const std::vector<LintedFile>& files) {
     Json json = {{"files", Json::array()}};
     for (const LintedFile& file : files) {
@@ -166,6 +150,15 @@ std::string json_of(const std::vector<LintedFile>& files) {
 }
 
 }  // namespace
+
+std::string why_not_read(const std::exception& error, const std::string& file, std::string_view how_to_run) {
+    if (const auto* scene_error = dynamic_cast<const SceneError*>(&error)) {
+        const bool can_be_read = !has_cpp_name(file) && !trace::is_python(file);
+        if (can_be_read || how_to_run.empty()) return reason_of(*scene_error, file);
+        return fmt::format("it is {}; run it: {}", trace::is_python(file) ? "Python" : "C++", how_to_run);
+    }
+    return without_name(twinlight::reason_of(error), file);
+}
 
 bool is_folder(const std::string& input) {
     std::error_code ignored;
@@ -230,13 +223,13 @@ int lint_files(const std::vector<std::string>& files, LintForm form, Programs pr
 std::string csv_of(const std::vector<LintedFile>& files) {
     std::string text = "file,result,rule,source,line,count,message,fix\n";
     for (const LintedFile& file : files) {
-        const std::string name = field(file.file);
-        if (!file.failure.empty()) text += fmt::format("{},not read,,,,,{},\n", name, field(file.failure));
+        const std::string name = csv_field(file.file);
+        if (!file.failure.empty()) text += fmt::format("{},not read,,,,,{},\n", name, csv_field(file.failure));
         if (file.failure.empty() && file.warnings.empty()) text += fmt::format("{},no warnings,,,,,,\n", name);
         for (const lint::Warning& warning : file.warnings)
             text += fmt::format("{},warning,{},{},{},{},{},{}\n", name, warning.rule->name,
-                                field(warning.place.file ? *warning.place.file : file.file), warning.place.line,
-                                warning.count, field(lint::message_of(warning)), field(warning.fix));
+                                csv_field(warning.place.file ? *warning.place.file : file.file), warning.place.line,
+                                warning.count, csv_field(lint::message_of(warning)), csv_field(warning.fix));
     }
     return text;
 }

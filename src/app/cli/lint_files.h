@@ -1,8 +1,10 @@
 // lint of many files: a line for each, or a table, or JSON.
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "judge/lint/lint.h"
@@ -17,6 +19,10 @@ enum class Programs { kAreRead, kAreRun };
 // kAreRun, the programs. Hidden files do not count, nor sources that are only a part of a program. Throws UsageError if a folder has
 // no such file.
 std::vector<std::string> files_to_lint(const std::vector<std::string>& inputs, Programs programs);
+
+// Why a file could not be read, in one line that does not begin with its name. `how_to_run`: the command that runs a program which
+// only the compiler can read; empty if it was run.
+std::string why_not_read(const std::exception& error, const std::string& file, std::string_view how_to_run);
 
 struct LintedFile {
     std::string file;     // as on the command line

@@ -46,6 +46,7 @@ struct Line {
     std::string how{};
     reference::Vec color{};
     std::optional<int> light{};  // the number of the light that the line belongs to
+    bool is_result = false;      // calculated from the lines above it and the scene's numbers
 };
 // Lines can be added up.
 using Lines = std::vector<Line>;
@@ -57,6 +58,7 @@ inline Lines& operator+=(Lines& a, const Lines& b) { return a = std::move(a) + b
 
 // A name, its value, and how it is computed.
 Lines line(std::string what, std::string value, std::string how = "");
+Lines result_line(std::string what, std::string value, std::string how = "");
 Lines color_line(std::string what, std::string how, const reference::Vec& color);
 
 // `whole`: also the factors that are 1 because the scene does not use them.

@@ -29,8 +29,11 @@ std::string formula_text(const lighting::Formula& formula) {
 Lines line(std::string what, std::string value, std::string how) {
     return {{Line::Kind::kValue, std::move(what), std::move(value), std::move(how)}};
 }
+Lines result_line(std::string what, std::string value, std::string how) {
+    return {{Line::Kind::kValue, std::move(what), std::move(value), std::move(how), {}, {}, true}};
+}
 Lines color_line(std::string what, std::string how, const reference::Vec& color) {
-    return {{Line::Kind::kColor, std::move(what), "", std::move(how), color}};
+    return {{Line::Kind::kColor, std::move(what), "", std::move(how), color, {}, true}};
 }
 
 namespace {
@@ -46,7 +49,7 @@ std::string triple(const Vec& v) {
 }
 std::string short_color(const Vec& c) { return fmt::format("({:.5g} {:.5g} {:.5g})", c.x, c.y, c.z); }
 
-Lines note(std::string words) { return {{Line::Kind::kNote, "", std::move(words)}}; }
+Lines note(std::string words) { return {{Line::Kind::kNote, "", std::move(words), "", {}, {}, true}}; }
 
 Lines place_lines(const Derivation& at) {
     const LitPoint& point = at.point;
@@ -135,10 +138,10 @@ Lines attenuation_lines(const LightAt& light, bool whole) {
     if (s.has_initial_attenuation()) return whole ? line("att", "1", "the attenuation factors are 1, 0, 0") : Lines{};
     const double d = light.geometry.distance;
     return line("att", "1 / (k0 + k1 d + k2 d d)", "the attenuation") +
-           line("", fmt::format("{:.5f}", light.terms.attenuation),
-                fmt::format("1 / ({:.5g} + {:.5g} x {:.5f} + {:.5g} x {:.5f} x {:.5f}) = 1 / {:.5f}",
-                            s.constant_attenuation, s.linear_attenuation, d, s.quadratic_attenuation, d, d,
-                            light.geometry.denominator));
+           result_line("", fmt::format("{:.5f}", light.terms.attenuation),
+                       fmt::format("1 / ({:.5g} + {:.5g} x {:.5f} + {:.5g} x {:.5f} x {:.5f}) = 1 / {:.5f}",
+                                   s.constant_attenuation, s.linear_attenuation, d, s.quadratic_attenuation, d, d,
+                                   light.geometry.denominator));
 }
 
 Lines spot_lines(const LightAt& light, bool whole) {
@@ -165,12 +168,12 @@ Lines spot_lines(const LightAt& light, bool whole) {
         else if (!inside)
             missed = note("the cone misses this point, so the light adds nothing here");
     }
-    return text + line("spot", fmt::format("{:.5f}", light.terms.spot), how) + missed;
+    return text + result_line("spot", fmt::format("{:.5f}", light.terms.spot), how) + missed;
 }
 
 Lines diffuse_angle_lines(const Derivation& at, const LightAt& light) {
     const double cosine = light.geometry.cosine_to_light;
-    if (is_zero(at.point.surface.normal_eye)) return line("n.VP", "0", "n is zero");
+    if (is_zero(at.point.surface.normal_eye)) return result_line("n.VP", "0", "n is zero");
     std::string how = fmt::format("{:.2f} degrees between n and VP", light.normal_to_light_deg);
     Lines behind;
     if (cosine <= 0) {
@@ -178,26 +181,26 @@ Lines diffuse_angle_lines(const Derivation& at, const LightAt& light) {
         behind = note(fmt::format("the light is behind the surface here, so it adds {}",
                                   at.has_reflection() ? "no diffuse light" : "neither diffuse nor specular light"));
     }
-    return line("n.VP", fmt::format("{:.5f}", light.terms.n_dot_vp), how) + behind;
+    return result_line("n.VP", fmt::format("{:.5f}", light.terms.n_dot_vp), how) + behind;
 }
 
 Lines highlight_lines(const Derivation& at, const LightAt& light) {
     const bool reflection = at.has_reflection();
     const char* base = reflection ? "r.v" : "n.h";
     const double cosine = light.geometry.cosine_highlight, s = at.point.material.shininess;
-    Lines text = reflection ? line("r", triple(light.geometry.half_dir), "VP reflected about n (not in GL)")
-                            : line("h", triple(light.geometry.half_dir), "VP + VP_e, scaled to length 1");
+    Lines text = reflection ? result_line("r", triple(light.geometry.half_dir), "VP reflected about n (not in GL)")
+                            : result_line("h", triple(light.geometry.half_dir), "VP + VP_e, scaled to length 1");
     const bool has_angle = reflection || !is_zero(at.point.surface.normal_eye);
-    text += line(base, fmt::format("{:.5f}", std::max(cosine, 0.0)),
-                 has_angle ? fmt::format("{:.2f} degrees between {}{}", light.highlight_deg,
-                                         reflection ? "r and VP_e" : "n and h",
-                                         cosine < 0 ? fmt::format(": max({:.5f}, 0)", cosine) : "")
-                           : "n is zero");
+    text += result_line(base, fmt::format("{:.5f}", std::max(cosine, 0.0)),
+                        has_angle ? fmt::format("{:.2f} degrees between {}{}", light.highlight_deg,
+                                                reflection ? "r and VP_e" : "n and h",
+                                                cosine < 0 ? fmt::format(": max({:.5f}, 0)", cosine) : "")
+                                  : "n is zero");
     const bool facing = reflection || light.geometry.cosine_to_light > 0;
-    return text + line(reflection ? "(r.v)^s" : "f(n.h)^s", fmt::format("{:.5f}", light.terms.highlight),
-                       facing ? fmt::format("{:.5f}^{:.5g}: s is GL_SHININESS{}", std::max(cosine, 0.0), s,
-                                            reflection ? "" : ", f is 1 because n.VP > 0")
-                              : "f is 0 because n.VP is 0");
+    return text + result_line(reflection ? "(r.v)^s" : "f(n.h)^s", fmt::format("{:.5f}", light.terms.highlight),
+                              facing ? fmt::format("{:.5f}^{:.5g}: s is GL_SHININESS{}", std::max(cosine, 0.0), s,
+                                                   reflection ? "" : ", f is 1 because n.VP > 0")
+                                     : "f is 0 because n.VP is 0");
 }
 
 // A formula with its numbers: "0.70423 x 1.00000 x 0.86603 x (0.8 0.5 0.31) x (1 1 1)".
@@ -244,10 +247,10 @@ Lines light_lines(const Derivation& at, std::size_t i, bool whole) {
     const LightAt light(at, i);
     const lighting::Material<double>& material = at.point.material;
     Lines text = light_heading(light) + position_lines(light);
-    text +=
-        line("VP", triple(light.geometry.vp_dir),
-             light.directional() ? "toward the light"
-                                 : fmt::format("from the vertex to the light; d = {:.5f}", light.geometry.distance));
+    text += result_line("VP", triple(light.geometry.vp_dir),
+                        light.directional()
+                            ? "toward the light"
+                            : fmt::format("from the vertex to the light; d = {:.5f}", light.geometry.distance));
     const bool has_specular = !is_zero(material.specular) && !is_zero(light.specular());
     text += attenuation_lines(light, whole) + spot_lines(light, whole) + diffuse_angle_lines(at, light);
     if (has_specular || whole) text += highlight_lines(at, light);

@@ -1,41 +1,22 @@
-// Grades answers; finds lessons in the embedded pages.
+// Grades answers.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <filesystem>
 #include <stdexcept>
 
 #include "judge/lesson/lesson.h"
 #include "scene/command/text.h"
+#include "scene/scenes/load.h"
 
 namespace twinlight::lesson {
 
-std::optional<Language> find_language(std::string_view name) {
-    if (name == "en") return Language::kEnglish;
-    if (name == "zh") return Language::kChinese;
-    return {};
-}
-
-Language users_language() {
-    for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
-        const char* value = std::getenv(name);
-        if (value && *value) return std::string_view(value).starts_with("zh") ? Language::kChinese : Language::kEnglish;
-    }
-    return Language::kEnglish;
-}
-
-Lesson load_lesson(std::string_view name, Language language) {
-    const std::vector<EmbeddedFile>& files = language == Language::kChinese ? kChineseLessonFiles : kLessonFiles;
-    const auto file = std::ranges::find(files, std::string(name) + ".md", &EmbeddedFile::name);
-    if (file == files.end()) throw std::out_of_range(fmt::format("there is no lesson '{}'", name));
-    Lesson lesson = read_lesson(file->text, name);
-    lesson.language = language;
-    return lesson;
-}
-
 std::shared_ptr<const CommandList> commands_of(const Lesson& lesson, const std::string& text) {
-    return std::make_shared<CommandList>(read_scene(text, lesson.name + ".gl", lesson.name));
+    const std::string file = lesson.name + ".gl";
+    if (lesson.folder.empty()) return std::make_shared<CommandList>(read_scene(text, file, lesson.name));
+    return std::make_shared<CommandList>(
+        read_text_of((std::filesystem::path(lesson.folder) / file).string(), lesson.name, text));
 }
 
 std::string letter_of(std::size_t choice) { return {static_cast<char>('A' + choice)}; }
@@ -56,6 +37,7 @@ std::string verdict_on_prediction(const Lesson& lesson, std::size_t choice) {
 namespace {
 
 std::string number_text(double value, Language language) {
+    if (std::isnan(value)) return "?";
     if (std::isinf(value)) return language == Language::kChinese ? "无穷远" : "infinitely far";
     return fmt::format("{:.3g}", value);
 }
@@ -64,6 +46,15 @@ std::string number_text(double value, Language language) {
 
 Grader::Grader(const Lesson& lesson) : lesson_(lesson), start_(commands_of(lesson, lesson.scene)) {}
 
+Marks::Result Grader::result(const Check& check, const Work& work) const {
+    const double value = check.condition.measure(work);
+    if (check.condition.holds(value)) return {check.key, true};
+    std::string text = check.reason;
+    const std::string number = number_text(value, lesson_.language);
+    for (std::size_t at; (at = text.find("{value}")) != std::string::npos;) text.replace(at, 7, number);
+    return {check.key, false, std::move(text)};
+}
+
 Grade Grader::grade(std::shared_ptr<const CommandList> answer) const {
     std::optional<Work> work;
     try {
@@ -71,18 +62,28 @@ Grade Grader::grade(std::shared_ptr<const CommandList> answer) const {
     } catch (const SceneError& error) {
         return {false, "", error.what()};
     }
-    for (const Check& check : checks_of(lesson_.name)) {
-        const double value = check.measure(*work);
-        if (value >= check.low && value <= check.high) continue;  // not for NaN
-        const auto reason = std::ranges::find(lesson_.reasons, check.key, &std::pair<std::string, std::string>::first);
-        if (reason == lesson_.reasons.end())
-            throw std::out_of_range(lesson_.name + " has no check " + std::string(check.key));
-        std::string text = reason->second;
-        const std::string number = number_text(value, lesson_.language);
-        for (std::size_t at; (at = text.find("{value}")) != std::string::npos;) text.replace(at, 7, number);
-        return {false, std::string(check.key), std::move(text)};
-    }
+    for (const Check& check : lesson_.checks)
+        if (const Marks::Result one = result(check, *work); !one.is_passed) return {false, one.key, one.reason};
     return {true};
+}
+
+int Grader::most_points() const {
+    return static_cast<int>(
+        std::ranges::count_if(lesson_.checks, [&](const Check& check) { return !result(check, start_).is_passed; }));
+}
+
+Marks Grader::marks(std::shared_ptr<const CommandList> answer) const {
+    const Work work(std::move(answer), &start_);
+    Marks marks;
+    for (const Check& check : lesson_.checks) {
+        const bool was_passed = result(check, start_).is_passed;
+        marks.results.push_back(result(check, work));
+        const bool is_passed = marks.results.back().is_passed;
+        if (!was_passed) ++marks.most;
+        if (is_passed != was_passed) marks.points += is_passed ? 1 : -1;
+    }
+    marks.points = std::max(marks.points, 0);
+    return marks;
 }
 
 }  // namespace twinlight::lesson

@@ -1,26 +1,41 @@
-// The measures that the checks of lessons combine.
+// The measures, and the table of them.
+#include "judge/lesson/measures.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <optional>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
+#include "base/image/file.h"
+#include "base/image/png.h"
 #include "base/math/directions.h"
-#include "judge/lesson/work.h"
+#include "judge/lint/lint.h"
 #include "render/lighting_of.h"
 #include "render/reference/reference.h"
 #include "render/reference/vertices/lit_vertices.h"
 #include "render/reference/vertices/vertex_stage.h"
+#include "scene/command/names.h"
+#include "scene/state/state.h"
 
 namespace twinlight::lesson {
 
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+// Of a picture to compare with.
+constexpr std::size_t kMaxPictureBytes = 1U << 24;
+constexpr int kMaxSide = 1024;
 
 // ---- Pictures ----
 
@@ -114,8 +129,6 @@ glm::dvec3 direction_eye(const Draw& draw, const glm::dvec3& direction_object) {
     return glm::dmat3(draw.eye_from_object) * direction_object;
 }
 
-}  // namespace
-
 Measure objects_moved() {
     return [](const Work& work) -> double {
         const std::vector<int>&now = work.shapes(), &before = work.start().shapes();
@@ -142,8 +155,43 @@ Measure objects_moved() {
     };
 }
 
-Measure mean(Rectangle box, int channel) {
-    return [=](const Work& work) { return mean_of(work.picture(), box, static_cast<std::size_t>(channel)); };
+template <std::size_t channel>
+Measure mean(const MeasureArguments& arguments) {
+    return [box = arguments.box()](const Work& work) { return mean_of(work.picture(), box, channel); };
+}
+Measure color_error(Rectangle box, glm::dvec3 color) {
+    return [=](const Work& work) {
+        double most = 0;
+        for (int c = 0; c < 3; ++c)
+            most = std::max(most, std::abs(mean_of(work.picture(), box, static_cast<std::size_t>(c)) - color[c]));
+        return most;
+    };
+}
+Measure colors_apart(Rectangle a, Rectangle b) {
+    return [=](const Work& work) {
+        double most = 0;
+        for (std::size_t c = 0; c < 3; ++c)
+            most = std::max(most, std::abs(mean_of(work.picture(), a, c) - mean_of(work.picture(), b, c)));
+        return most;
+    };
+}
+// The file is read once, when the check is.
+Measure unlike(const std::string& folder, const std::string& name, double codes) {
+    if (name.find_first_of("/\\") != std::string::npos)
+        throw std::runtime_error(fmt::format("'{}': the picture must lie beside the lesson, in the same folder", name));
+    const std::string path = (std::filesystem::path(folder) / name).string();
+    const PngPixels goal = decode_png_pixels(read_file(path, kMaxPictureBytes), kMaxSide);
+    return [=](const Work& work) {
+        const Image picture = work.picture_of_size(goal.width, goal.height);
+        std::size_t unlike = 0;
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+            bool is_unlike = false;
+            for (std::size_t c = 0; c < 3; ++c)
+                is_unlike |= std::abs(channel_code(picture.pixels[i][c]) - goal.rgba[4 * i + c]) > codes;
+            unlike += is_unlike;
+        }
+        return static_cast<double>(unlike) / static_cast<double>(picture.pixels.size());
+    };
 }
 Measure change(Rectangle box) {
     return [=](const Work& work) { return difference_of(work.picture(), work.start().picture(), box); };
@@ -187,6 +235,20 @@ Measure highlight_pixels() {
         return half == 0
                    ? kNone
                    : static_cast<double>(std::ranges::count_if(highlight, [half](double h) { return h >= half; }));
+    };
+}
+// The mean place of the pixels of highlight_pixels(): x (0) or y (1), in pixels of 640 x 480.
+Measure highlight_place(int axis) {
+    return [=](const Work& work) {
+        const std::vector<double>& highlight = work.highlight();
+        const double half = std::ranges::max(highlight) / 2;
+        double sum = 0, count = 0;
+        for (std::size_t i = 0; i < highlight.size(); ++i) {
+            if (half == 0 || highlight[i] < half) continue;
+            sum += static_cast<double>(axis == 0 ? i % kWidth : i / kWidth) + 0.5;
+            ++count;
+        }
+        return count == 0 ? kNone : sum / count * 640 / kWidth;
     };
 }
 Measure vertex_error(Rectangle box) {
@@ -274,47 +336,172 @@ Measure colors(int shape) {
         return static_cast<double>(found.size());
     };
 }
-Measure lit(int shape) {
-    return on_shape(shape, [](const Draw& draw) { return light_of(draw) ? 1.0 : 0.0; });
-}
-Measure flat(int shape) {
-    return on_shape(shape, [](const Draw& draw) { return draw.lighting.shade_model == kGL_FLAT ? 1.0 : 0.0; });
+
+// 1 if `is_so` holds for the first Draw of each shape, and else 0.
+template <class Function>
+Measure on_each_shape(const std::vector<int>& shapes, const Function& is_so) {
+    return [shapes, is_so](const Work& work) -> double {
+        for (const int shape : shapes) {
+            const std::vector<const Draw*> draws = work.shape(shape);
+            if (draws.empty()) return kNone;
+            if (!is_so(*draws.front())) return 0;
+        }
+        return 1;
+    };
 }
 
-Measure constant(double value) {
-    return [value](const Work&) { return value; };
-}
-Measure of_start(Measure measure) {
-    return [measure = std::move(measure)](const Work& work) { return measure(work.start()); };
-}
-Measure ratio(Measure above, Measure below) {
-    return [above = std::move(above), below = std::move(below)](const Work& work) { return above(work) / below(work); };
-}
-Measure ratio_to_start(const Measure& measure) { return ratio(measure, of_start(measure)); }
-Measure difference(Measure a, Measure b) {
-    return [a = std::move(a), b = std::move(b)](const Work& work) { return std::abs(a(work) - b(work)); };
-}
-Measure largest(std::vector<Measure> measures) {
-    return [measures = std::move(measures)](const Work& work) {
-        double most = -std::numeric_limits<double>::infinity();
-        for (const Measure& measure : measures) {
-            const double value = measure(work);
-            if (!(value <= most)) most = value;  // NaN stays
-            if (std::isnan(most)) return kNone;
-        }
-        return most;
+// ---- Commands ----
+
+Measure calls(const std::vector<std::string>& texts) {
+    const auto command = find_command_or_extension(texts[0]);
+    if (!command) throw std::runtime_error(fmt::format("there is no command '{}'", texts[0]));
+    std::optional<Enum> value;
+    if (texts.size() > 1) {
+        value = find_gl_name_or_extension(texts[1]);
+        if (!value) throw std::runtime_error(fmt::format("OpenGL has no name '{}'", texts[1]));
+    }
+    return [=](const Work& work) {
+        return static_cast<double>(std::ranges::count_if(work.commands()->commands, [&](const Command& call) {
+            return call.id == *command && (!value || std::ranges::find(call.arguments, *value) != call.arguments.end());
+        }));
     };
 }
-Measure smallest(std::vector<Measure> measures) {
-    for (Measure& measure : measures) measure = [measure](const Work& work) { return -measure(work); };
-    const Measure most = largest(std::move(measures));
-    return [most](const Work& work) { return -most(work); };
-}
-Measure with_camera_moved(Measure measure) {
-    return [measure = std::move(measure)](const Work& work) {
-        const Work* moved = work.moved();
-        return measure(moved ? *moved : work);
+
+Measure warnings(const std::vector<std::string>& texts) {
+    const lint::Rule* rule = texts.empty() ? nullptr : lint::find_rule(texts[0]);
+    if (!texts.empty() && !rule) throw std::runtime_error(fmt::format("the linter has no rule '{}'", texts[0]));
+    return [rule](const Work& work) {
+        const WindowSize size = work.commands()->window.value_or(WindowSize{});
+        const Scene scene = make_scene(work.commands(), {.width = size.width, .height = size.height});
+        return static_cast<double>(std::ranges::count_if(
+            lint::lint(scene), [&](const lint::Warning& warning) { return !rule || warning.rule == rule; }));
     };
+}
+
+}  // namespace
+
+std::span<const MeasureRow> measures() {
+    using enum ParameterKind;
+    using A = const MeasureArguments&;
+    static const std::vector<MeasureRow> rows = {
+        // The picture: by the reference, in OpenGL's own model. Colours are from 0 to 1.
+        {"objects_moved",
+         {},
+         "the share of the objects' pixels that show another object than at the start, or none",
+         [](A) { return objects_moved(); }},
+        {"red", {kBox}, "the mean red in a box", mean<0>},
+        {"green", {kBox}, "the mean green in a box", mean<1>},
+        {"blue", {kBox}, "the mean blue in a box", mean<2>},
+        {"color_error",
+         {kBox, kVector},
+         "how far the mean colour of a box is from this red, green and blue, in the channel where it is furthest",
+         [](A a) { return color_error(a.box(), a.vector()); }},
+        {"colors_apart",
+         {kBox, kBox},
+         "how far the mean colours of two boxes are apart, in the channel where they are furthest",
+         [](A a) { return colors_apart(a.boxes[0], a.boxes[1]); }},
+        {"change",
+         {kBox},
+         "how far the picture is from the one at the start: the mean difference, in the channel where it is largest",
+         [](A a) { return change(a.box()); }},
+        {"change_per_pixel",
+         {kBox},
+         "the same for both pictures lit at every pixel",
+         [](A a) { return change_per_pixel(a.box()); }},
+        {"change_without_highlights",
+         {kBox},
+         "the same for both pictures without specular light",
+         [](A a) { return matte_change(a.box()); }},
+        {"unlike",
+         {kText, kNumber},
+         "the share of pixels that differ from a PNG file by more than this many codes (of 255) in a channel; the file "
+         "lies beside the lesson",
+         [](A a) { return unlike(a.folder, a.texts[0], a.numbers[0]); }},
+        {"vertex_error",
+         {kBox},
+         "how far the picture is from the same one lit at every pixel",
+         [](A a) { return vertex_error(a.box()); }},
+        {"whitest",
+         {kBox},
+         "the weakest channel of the pixel where it is strongest",
+         [](A a) { return whitest(a.box()); }},
+        {"highlight",
+         {kBox},
+         "what specular light adds to the pixel where it adds most",
+         [](A a) { return highlight_peak(a.box()); }},
+        {"least_highlight",
+         {kBox},
+         "what specular light adds to the pixel where it adds least",
+         [](A a) { return highlight_least(a.box()); }},
+        {"highlight_size",
+         {},
+         "the number of pixels (of 320 x 240) with at least half of the strongest highlight",
+         [](A) { return highlight_pixels(); }},
+        {"highlight_x",
+         {},
+         "the middle of these pixels, from the left, in pixels of a picture of 640 x 480",
+         [](A) { return highlight_place(0); }},
+        {"highlight_y", {}, "the same from the top", [](A) { return highlight_place(1); }},
+        // Lighting. The light is the first one that is on for the object. Points and directions are in the object's coordinates.
+        {"lit",
+         {kObjects},
+         "1 if a light that is on lights each of these objects, and else 0",
+         [](A a) { return on_each_shape(a.objects, [](const Draw& draw) { return light_of(draw) != nullptr; }); }},
+        {"flat",
+         {kObjects},
+         "1 if each of these objects is drawn with GL_FLAT, and else 0",
+         [](A a) {
+             return on_each_shape(a.objects, [](const Draw& draw) { return draw.lighting.shade_model == kGL_FLAT; });
+         }},
+        {"light_distance",
+         {kObject, kVector},
+         "how far the light is from a point; infinite for a directional light",
+         [](A a) { return light_away(a.object(), a.vector()); }},
+        {"light_angle",
+         {kObject, kVector},
+         "the angle in degrees between a direction and the one from the object's origin to the light",
+         [](A a) { return light_angle(a.object(), a.vector()); }},
+        {"light_directions_apart",
+         {kObjects},
+         "the largest angle in degrees between the directions from these objects' origins to the light",
+         [](A a) { return directions_apart(a.objects); }},
+        {"spot_angle",
+         {kObject, kVector},
+         "the angle in degrees between a direction and the spotlight's",
+         [](A a) { return spot_angle(a.object(), a.vector()); }},
+        {"spot_cutoff", {kObject}, "GL_SPOT_CUTOFF in degrees", [](A a) { return spot_cutoff(a.object()); }},
+        {"attenuation",
+         {kObject},
+         "how much of the light attenuation leaves at the object's origin",
+         [](A a) { return arrival(a.object()); }},
+        {"brightest",
+         {kObject},
+         "the largest channel of the object's lit vertices, before the clamp to 1",
+         [](A a) { return brightest(a.object()); }},
+        {"weakest_light",
+         {kNumber, kBox},
+         "what the light that adds least adds to the mean of a box; 0 where fewer lights than this number are on",
+         [](A a) { return least_light(static_cast<int>(a.numbers[0]), a.box()); }},
+        {"normal_length_error",
+         {kObject},
+         "how far the length of a normal is from 1 at most, in eye coordinates as OpenGL lights it",
+         [](A a) { return normal_length_error(a.object()); }},
+        {"vertex_colors",
+         {kObject},
+         "how many different current colours the object's vertices have",
+         [](A a) { return colors(a.object()); }},
+        // Commands.
+        {"calls",
+         {kText, kMaybeText},
+         "how often the scene calls this command; with a second name, as in calls(glLightfv, GL_POSITION), only calls "
+         "that have it as an argument",
+         [](A a) { return calls(a.texts); }},
+        {"warnings",
+         {kMaybeText},
+         "how many warnings the linter has, all of them or those of one rule, as in warnings(\"light-before-camera\")",
+         [](A a) { return warnings(a.texts); }},
+    };
+    return rows;
 }
 
 }  // namespace twinlight::lesson

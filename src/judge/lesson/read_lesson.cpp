@@ -6,9 +6,10 @@
 //     ## Prediction     text, and the choices: "- A. ..."
 //     ## What you see   "**B.**", the letter of the right choice, and text; the change in ```diff
 //     ## Task           text
-//     ## Checks         "- `key`: reason", a line each
+//     ## Checks         "- `key` (`condition`): reason", a line each; see condition.h
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -54,6 +55,34 @@ std::string changed(const Reader& reader, const std::string& scene, const std::s
     return text;
 }
 
+// "- `key` (`condition`): reason", or of a translation "- `key`: reason".
+Check check_of(const std::string& line, const Reader& reader, const std::string& folder, const Lesson* original) {
+    Check check;
+    const std::size_t end = line.find('`', 3);
+    if (end == std::string::npos) reader.refuse("the check's key must end with '`'");
+    check.key = line.substr(3, end - 3);
+    std::size_t rest = end + 1;
+    if (original) {
+        const auto same = std::ranges::find(original->checks, check.key, &Check::key);
+        if (same == original->checks.end()) reader.refuse(fmt::format("the original has no check '{}'", check.key));
+        check.condition = same->condition;
+    } else {
+        const std::size_t start = line.find(" (`", end), last = line.find("`)", end);
+        if (start != end + 1 || last == std::string::npos || last < start + 3)
+            reader.refuse("a check must be '- `key` (`condition`): reason'");
+        try {
+            check.condition = read_condition(std::string_view(line).substr(start + 3, last - start - 3), folder);
+        } catch (const std::runtime_error& error) {  // FileError, too
+            reader.refuse(error.what());
+        }
+        rest = last + 2;
+    }
+    const std::size_t blank = line.find(' ', rest);
+    if (blank == std::string::npos) reader.refuse("the check has no reason after ':'");
+    check.reason = line.substr(blank + 1);
+    return check;
+}
+
 std::string trimmed(const std::string& text) {
     const std::size_t first = text.find_first_not_of('\n'), last = text.find_last_not_of('\n');
     return first == std::string::npos ? "" : text.substr(first, last - first + 1);
@@ -61,9 +90,10 @@ std::string trimmed(const std::string& text) {
 
 }  // namespace
 
-Lesson read_lesson(std::string_view text, std::string_view name) {
+Lesson read_lesson(std::string_view text, std::string_view name, const std::string& folder, const Lesson* original) {
     Lesson lesson;
     lesson.name = name;
+    lesson.folder = folder;
     Reader reader{.name = name};
     std::size_t section = kAbout;
     std::string* block = nullptr;
@@ -88,9 +118,7 @@ Lesson read_lesson(std::string_view text, std::string_view name) {
                 reader.refuse(fmt::format("the next choice must start with '- {}. '", letter));
             lesson.choices.push_back(line.substr(5));
         } else if (line.starts_with("- `") && section == kChecks) {
-            const std::size_t end = line.find('`', 3), start = line.find(' ', end);
-            if (start == std::string::npos) reader.refuse("a check must be '- `key`: reason'");
-            lesson.reasons.emplace_back(line.substr(3, end - 3), line.substr(start + 1));
+            lesson.checks.push_back(check_of(line, reader, folder, original));
         } else if (!line.starts_with("![")) {
             reader.texts.at(section) += line + "\n";
         }
@@ -103,6 +131,8 @@ Lesson read_lesson(std::string_view text, std::string_view name) {
     std::string& seen = reader.texts[kSeen];
     if (section != kChecks) reader.refuse("a lesson has five headings");
     if (lesson.scene.empty() || reader.diff.empty()) reader.refuse("a lesson needs a scene and a change");
+    if (lesson.checks.empty()) reader.refuse("a lesson needs a check: '- `key` (`condition`): reason'");
+    if (original && lesson.checks.size() != original->checks.size()) reader.refuse("the original has other checks");
     if (seen.size() < 7 || !seen.starts_with("**") || seen.compare(3, 4, ".** ") != 0)
         reader.refuse("what is seen must start with the right choice, such as '**B.** '");
     lesson.right_choice = static_cast<std::size_t>(seen[2] - 'A');

@@ -14,9 +14,9 @@ namespace twinlight::lesson {
 namespace {
 
 // The scene at the size that it is written for, then all window coordinates scaled.
-Frame small_frame(const CommandList& commands) {
+Frame frame_of_size(const CommandList& commands, int width, int height) {
     const WindowSize size = commands.window.value_or(WindowSize{});
-    return resized(make_frame(commands, {.width = size.width, .height = size.height}), kWidth, kHeight);
+    return resized(make_frame(commands, {.width = size.width, .height = size.height}), width, height);
 }
 
 reference::Options options(std::optional<Shading> shading = std::nullopt) {
@@ -32,12 +32,16 @@ constexpr double kTurn = 1.3, kRise = 0.5;
 }  // namespace
 
 Work::Work(std::shared_ptr<const CommandList> commands, const Work* start)
-    : commands_(std::move(commands)), start_(start), frame_(small_frame(*commands_)) {}
+    : commands_(std::move(commands)), start_(start), frame_(frame_of_size(*commands_, kWidth, kHeight)) {}
 
 const Image& Work::picture(std::optional<Shading> shading) const {
     auto found = pictures_.find(shading);
     if (found == pictures_.end()) found = pictures_.emplace(shading, reference::render(frame_, options(shading))).first;
     return found->second;
+}
+
+Image Work::picture_of_size(int width, int height) const {
+    return reference::render(frame_of_size(*commands_, width, height), options());
 }
 
 const Image& Work::matte() const {

@@ -2,6 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "../run_program.h"
 #include "base/image/file.h"
@@ -90,6 +94,127 @@ TEST(LessonCommand, WritesTheSceneAndGradesIt) {
     EXPECT_TRUE(graded["answers"][0]["right"].is_null());
     EXPECT_EQ(graded["answers"][1], json({{"file", right}, {"right", true}, {"check", nullptr}, {"reason", ""}}));
     EXPECT_EQ(graded["answers"][2]["check"], "size");
+}
+
+// A lesson of one's own starts as a copy of one of ours.
+TEST(LessonCommand, TakesALessonOfOnesOwn) {
+    const TemporaryFolder folder;
+    const std::string own = folder / "glass.md", start = folder / "start.gl";
+    EXPECT_EQ(run_lesson({"shininess", "-o", own}).status, 0);
+    std::string text = read_file(own);
+    EXPECT_EQ(text, lesson::text_of_lesson("shininess", lesson::Language::kEnglish));
+    const std::string title = text.substr(0, text.find('\n'));
+    text.replace(0, title.size(), "# Glass");
+    text += "- `own` (`calls(glMaterialf) at most 1`): glMaterialf is called {value} times.\n";
+    write_file_atomically(own, text);
+    EXPECT_TRUE(run_lesson({own}).out.starts_with("Glass\n"));
+    EXPECT_EQ(run_lesson({own, "-o", start}).status, 0);
+    const std::string right = "tests/lessons/shininess/right-1.gl", twice = folder / "twice.gl";
+    EXPECT_EQ(run_lesson({own, "--check", right}).out, right + "  right\n");
+    write_file_atomically(twice, read_file(right) + "glMaterialf(GL_FRONT, GL_SHININESS, 1);\n");
+    EXPECT_EQ(run_lesson({own, "--check", twice}).out, twice + "  wrong  own: glMaterialf is called 2 times.\n");
+    write_file_atomically(own, text + "- `bad` (`blu() is 1`): no\n");
+    const ProgramResult bad = run_lesson({own});
+    EXPECT_EQ(bad.status, 2);
+    EXPECT_NE(bad.err.find("glass.md:"), std::string::npos) << bad.err;
+    EXPECT_NE(bad.err.find("there is no measure 'blu'; did you mean 'blue'?"), std::string::npos) << bad.err;
+    EXPECT_EQ(run_lesson({folder / "none.md"}).status, 2);
+}
+
+// Thirty answers, two of them unreadable, and one missing.
+class LessonClass : public testing::Test {
+  protected:
+    LessonClass() {
+        for (int student = 0; student < 10; ++student) {
+            const std::string name = folder / ("student-" + std::to_string(student));
+            std::filesystem::create_directory(name);
+            for (const std::string lesson : {"shininess", "overlay", "two-sides"}) {
+                const std::string answer =
+                    (student % 2 == 0 ? "right-" : "wrong-") + std::to_string(student % 3 + 1) + ".gl";
+                std::filesystem::copy_file("tests/lessons/" + lesson + "/" + answer, name + "/" + lesson + ".gl");
+            }
+        }
+        write_file_atomically(folder / "student-0/shininess.gl", "this is no scene\n");
+        std::filesystem::remove(folder / "student-2/overlay.gl");
+        std::filesystem::create_directory(folder / "student-2/overlay.gl");  // cannot be read
+        std::filesystem::remove(folder / "student-4/overlay.gl");
+        write_file_atomically(folder / "student-4/notes.gl", "");
+    }
+    const TemporaryFolder folder;
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+TEST_F(LessonClass, HasARowForEachAnswer) {
+    const TemporaryFolder results;
+    const std::string csv = results / "marks.csv", page = results / "marks";
+    const ProgramResult result = run_lesson({"--check", folder.str(), "--csv", csv, "-o", page});
+    EXPECT_EQ(result.status, 2);  // two cannot be read
+    EXPECT_EQ(result.err, "twinlight: note: " + folder.str() +
+                              "/student-4/notes.gl: not graded; no lesson here is named 'notes'\n");
+    const std::vector<std::string> rows = lines_of(read_file(csv));
+    ASSERT_EQ(rows.size(), 31U);
+    EXPECT_EQ(rows[0], "student,lesson,points,of,result,reasons");
+    EXPECT_EQ(rows[1],
+              "student-0,shininess,0,1,not read,line 1: unknown command 'this'; docs/scene-language.md lists the known "
+              "commands");
+    EXPECT_EQ(rows[2], "student-0,two-sides,3,3,right,");
+    EXPECT_EQ(rows[3], "student-0,overlay,1,1,right,");
+    EXPECT_EQ(rows[15], "student-4,overlay,0,1,missing,");
+    const auto count = [&](const std::string& result_of_row) {
+        return std::ranges::count_if(
+            rows, [&](const std::string& row) { return row.find("," + result_of_row + ",") != std::string::npos; });
+    };
+    EXPECT_EQ(count("not read"), 2);
+    EXPECT_EQ(count("missing"), 1);
+    EXPECT_EQ(count("right"), 12);
+    EXPECT_EQ(count("wrong"), 15);
+    EXPECT_TRUE(result.out.ends_with("\n12 right, 15 wrong, 2 not read, 1 missing\n")) << result.out;
+    EXPECT_EQ(run_lesson({"--check", folder.str(), "--csv", "-"}).out, read_file(csv));
+    // The page has a picture of each answer that could be read, its difference, and the start of each lesson.
+    const std::string html = read_file(page + "/index.html");
+    std::size_t pictures = 0;
+    for (std::size_t at = 0; (at = html.find("<img ", at)) != std::string::npos; ++at) ++pictures;
+    EXPECT_GE(pictures, 2U * 22 + 3);
+    EXPECT_LE(pictures, 2U * 27 + 3);
+}
+
+TEST_F(LessonClass, IsGradedInOneLessonOrInOnesOwn) {
+    const json shininess = json::parse(run_lesson({"shininess", "--json", "--check", folder.str()}).out);
+    ASSERT_EQ(shininess["answers"].size(), 10U);
+    EXPECT_EQ(shininess["answers"][2]["result"], "right");
+    EXPECT_EQ(shininess["answers"][2]["points"], 1);
+    EXPECT_EQ(shininess["answers"][1]["result"], "wrong");
+    // The folder's own lesson.
+    std::string text(lesson::text_of_lesson("shininess", lesson::Language::kEnglish));
+    write_file_atomically(folder / "notes.md", text);
+    std::filesystem::copy_file("tests/lessons/shininess/right-1.gl", folder / "student-4/notes.gl",
+                               std::filesystem::copy_options::overwrite_existing);
+    const json all = json::parse(run_lesson({"--json", "--check", folder.str()}).out);
+    ASSERT_EQ(all["answers"].size(), 40U);
+    EXPECT_EQ(all["answers"][0]["lesson"], "notes");
+    EXPECT_EQ(all["answers"][0]["result"], "missing");
+    EXPECT_EQ(all["answers"][16]["lesson"], "notes");
+    EXPECT_EQ(all["answers"][16]["result"], "right");
+}
+
+TEST(LessonClassCommand, RefusesAFolderWithoutAnswers) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(run_lesson({"--check", folder.str()}).err,
+              "twinlight: " + folder.str() +
+                  ": this folder has no folders of students; answers must be FOLDER/STUDENT/LESSON.gl\n");
+    std::filesystem::create_directory(folder / "ann");
+    EXPECT_EQ(run_lesson({"--check", folder.str()}).err,
+              "twinlight: " + folder.str() +
+                  ": no file in it is named after a lesson; 'twinlight lesson' lists the lessons\n");
+    EXPECT_EQ(run_lesson({"shininess", "--check", folder.str(), "-o", folder / "page"}).err,
+              "twinlight: -o " + folder.str() + "/page: this lies among the answers; choose a folder beside them\n");
+    EXPECT_EQ(run_lesson({"shininess", "--csv", "a.csv"}).err, "twinlight: --csv needs --check FOLDER\n");
 }
 
 TEST(LessonCommand, RefusesBadUse) {
