@@ -127,6 +127,8 @@ class Walk {
                 image(command, given);
             } else if (parameter.extent == Extent::kMesh) {
                 mesh(command);
+            } else if (parameter.extent == Extent::kText) {
+                text(command);
             } else {
                 const std::size_t count = count_of(command, i, given);
                 for (std::size_t n = 0; n < count; ++n)
@@ -169,9 +171,17 @@ class Walk {
             case Extent::kOutputByCount:
             case Extent::kPointer:
             case Extent::kMesh:
+            case Extent::kText:
             case Extent::kImage: return 0;
         }
         return 0;
+    }
+
+    // Always the same text.
+    static void text(Command& command) {
+        static const auto kMemory =
+            std::make_shared<const Memory>(Memory{Kind::kByte, {std::byte{'a'}, std::byte{'%'}}});
+        command.memory = kMemory;
     }
 
     // Always the same triangle.

@@ -124,6 +124,12 @@ Command random_command(fuzz::Random& random, CommandId id) {
             command.memory = std::make_shared<const Memory>(Memory{Kind::kUbyte, {}, "a.obj", mesh("a.obj")});
             continue;
         }
+        if (parameter.extent == Extent::kText) {
+            const std::string text = fmt::format("n = 5 %, {}", random.below(100));
+            const auto bytes = std::as_bytes(std::span(text));
+            command.memory = std::make_shared<const Memory>(Memory{Kind::kByte, {bytes.begin(), bytes.end()}});
+            continue;
+        }
         if (parameter.is_output()) continue;
         if (parameter.extent == Extent::kRest) count = random.below(5);
         if (parameter.extent == Extent::kArray) count = parameter.count;

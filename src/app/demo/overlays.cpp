@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -216,6 +217,35 @@ void draw_lines(const std::vector<OverlayVertex>& lines, int width, int height) 
     glDisableClientState(GL_VERTEX_ARRAY);
 }
 
+void show_scene_labels(const std::vector<SceneLabel>& labels, const Rectangle& picture) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const float margin = at_scale(4);
+    std::vector<ImVec4> taken;  // left, top, right, bottom
+    for (const SceneLabel& label : labels) {
+        const ImVec2 size = ImGui::CalcTextSize(label.text.c_str());
+        // Centred at its point, but inside the picture.
+        const auto start = [&](double at, int from, int length, float text_length) {
+            const float first = static_cast<float>(from) + margin,
+                        last = static_cast<float>(from + length) - margin - text_length;
+            const float wanted = static_cast<float>(from + at * length) - text_length / 2;
+            return std::round(std::max(first, std::min(last, wanted)));
+        };
+        const ImVec2 at{start(label.place_picture.x, picture.x, picture.width, size.x),
+                        start(1 - label.place_picture.y, picture.y, picture.height, size.y)};
+        const ImVec4 box{at.x - margin, at.y, at.x + size.x + margin, at.y + size.y};
+        const auto overlaps = [&](const ImVec4& other) {
+            return box.x < other.z && other.x < box.z && box.y < other.w && other.y < box.w;
+        };
+        if (size.x + 2 * margin > static_cast<float>(picture.width) || std::ranges::any_of(taken, overlaps)) continue;
+        taken.push_back(box);
+        constexpr std::array<std::array<float, 2>, 8> kAround = {
+            {{-1, -1}, {0, -1.5F}, {1, -1}, {-1.5F, 0}, {1.5F, 0}, {-1, 1}, {0, 1.5F}, {1, 1}}};
+        for (const auto& [x, y] : kAround)
+            draw.AddText({at.x + at_scale(x), at.y + at_scale(y)}, IM_COL32(0, 0, 0, 150), label.text.c_str());
+        draw.AddText(at, IM_COL32_WHITE, label.text.c_str());
+    }
+}
+
 void show_labels(const OverlayPicture& overlays, const Rectangle& picture) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const ImVec2 from = corner(picture);
@@ -275,6 +305,8 @@ void overlays_panel(session::Session& session) {
              IM_COL32(255, 0, 191, 255));
     checkbox("Lights that count", overlays.kept_lights,
              "The lights that can change a pixel of each object. The shaders leave out the others.");
+    if (!session.scene.frame.labels.empty())
+        checkbox("The scene's labels", session.labels_shown, "Its texts: #pragma twinlight label(x, y, z, \"text\").");
 }
 
 }  // namespace twinlight::demo

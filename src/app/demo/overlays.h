@@ -17,7 +17,10 @@ void draw_overlays(const session::OverlayPicture& overlays, unsigned texture, in
 // Lines in clip coordinates over what was drawn last, with its depth buffer; hidden parts are faint.
 void draw_lines(const std::vector<session::OverlayVertex>& lines, int width, int height);
 
-// The labels, on ImGui's background, at the picture's place in the window.
+// The scene's own labels (#pragma twinlight label), on ImGui's background, at the picture's place in the window. Leaves out those
+// that would lie over another.
+void show_scene_labels(const std::vector<SceneLabel>& labels, const Rectangle& picture);
+// The overlays' labels, in the same way.
 void show_labels(const session::OverlayPicture& overlays, const Rectangle& picture);
 
 // A texture that keeps a picture with its overlays, made again when either changed.

@@ -294,6 +294,7 @@ void Panes::show_slider(Session& session, const Cell& cell) {
     };
     half(session.slider.a, static_cast<float>(box.x), x);
     half(session.slider.b, x, far_corner(box).x);
+    if (session.labels_shown) show_scene_labels(session.scene.frame.labels, box);
     show_probe(session, box);
     const float middle = static_cast<float>(box.y) + static_cast<float>(box.height) / 2;
     draw.AddLine({x, static_cast<float>(box.y)}, {x, far_corner(box).y}, IM_COL32(255, 255, 255, 200), 2);
@@ -346,6 +347,7 @@ void Panes::show_picture(Session& session, const Cell& cell) {
     add_picture(draw, texture, corner(cell.picture), far_corner(cell.picture));
     if (!is_difference && shows_overlays(session, cell.pane))
         show_labels(drawn_[cell.pane].overlaid.overlays(), cell.picture);
+    if (session.labels_shown) show_scene_labels(session.scene.frame.labels, cell.picture);
     show_header(session, cell);
     show_footer(session, cell);
     if (is_difference && has_difference(session)) {

@@ -127,6 +127,7 @@ struct Session : OpenScene {
     double slider_at = 0.5;  // from the left edge: 0 to 1
     int amplification = 0;   // of the difference; 0: as large as keeps it below white
     Overlays overlays{};
+    bool labels_shown = true;  // the scene's
     std::optional<Probe> probe{};
     std::optional<ProbeArrows> probe_arrows{};  // its vectors, for the scene of their revision
     std::optional<int> selected_light{};

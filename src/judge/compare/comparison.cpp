@@ -226,6 +226,7 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     result.width = frame.width;
     result.height = frame.height;
     result.unsupported = frame.unsupported;
+    result.labels = frame.labels;
     result.notes = scene.notes;
     for (std::size_t i = 0; i < kRenders.size(); ++i) {
         const bool exact = kRenders[i].per_pixel && options.per_pixel == Shading::kExact;

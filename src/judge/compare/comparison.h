@@ -79,6 +79,7 @@ struct Comparison {
     std::vector<Pair> pairs;
     AllowedDifference allowed;  // for the per-vertex pictures
     std::vector<Unsupported> unsupported;
+    std::vector<SceneLabel> labels{};  // the frame's
     // The pixels that change if the fixed function leaves out what only it draws; empty if this is unknown, or if there
     // is no such command.
     PixelMask changed_by_missing{};

@@ -27,12 +27,33 @@ std::string image(const Comparison& comparison, std::string_view png, std::strin
                        data_uri(png));
 }
 
+// The scene's labels, to lie over a picture of any size.
+std::string labels(const Comparison& comparison) {
+    if (comparison.labels.empty()) return "";
+    constexpr double kSize = 17, kWidthOfACharacter = 0.6 * kSize;  // at most, so that no text leaves the picture
+    std::string texts;
+    for (const SceneLabel& label : comparison.labels) {
+        const auto [x, y] = pixel_of(comparison, label);
+        const double half =
+            std::min(kWidthOfACharacter * static_cast<double>(label.text.size()), 1.0 * comparison.width) / 2;
+        texts += fmt::format(R"(<text x="{:.0f}" y="{}">{}</text>)", std::clamp(1.0 * x, half, comparison.width - half),
+                             std::clamp(1.0 * y, kSize / 2, comparison.height - kSize / 2), escaped(label.text));
+    }
+    return fmt::format(
+        R"(<svg viewBox="0 0 {} {}" style="position:absolute;inset:0;width:100%;height:100%;pointer-events:none;)"
+        R"(font:bold {}px sans-serif;fill:#fff;stroke:#000c;stroke-width:4px;paint-order:stroke;text-anchor:middle;)"
+        R"(dominant-baseline:central">{}</svg>)",
+        comparison.width, comparison.height, kSize, texts);
+}
+
 // A picture with its name below it, which the script's lists use too.
 std::string figure(const Comparison& comparison, std::string_view png, const std::string& name, std::string_view kind,
                    std::string_view remark, std::string_view meaning) {
-    return fmt::format("<figure>{}<figcaption>{} <span>{}</span><small>{}</small></figcaption></figure>\n",
-                       image(comparison, png, fmt::format(R"(alt="{0}" data-name="{0}" data-kind="{1}")", name, kind)),
-                       name, remark, meaning);
+    return fmt::format(
+        "<figure><div style=\"position:relative\">{}{}</div><figcaption>{} <span>{}</span><small>{}</small>"
+        "</figcaption></figure>\n",
+        image(comparison, png, fmt::format(R"(alt="{0}" data-name="{0}" data-kind="{1}")", name, kind)),
+        labels(comparison), name, remark, meaning);
 }
 
 std::string cells(const RegionDifference& region) {

@@ -75,6 +75,11 @@ Json json_of(const Comparison& comparison) {
                                        {"place", unsupported.first.str()},
                                        {"renderers", names_of(unsupported)}});
     }
+    json["labels"] = Json::array();
+    for (const SceneLabel& label : comparison.labels) {
+        const auto [x, y] = pixel_of(comparison, label);
+        json["labels"].push_back({{"text", label.text}, {"at", {x, y}}});
+    }
     json["queries"] = Json::array();
     for (const compare::Query& query : comparison.queries) {
         json["queries"].push_back({{"place", query.place.str()},

@@ -38,6 +38,7 @@ std::string step_folder(std::size_t step);
 //    "proved_causes": ["name (section)"],       known bugs without which the fixed function agrees (compare/causes.h)
 //    "known_departures": ["name (section)"],    others, as guesses; if "beyond": known bugs of this driver that the scene may show
 //    "unsupported": [{"name", "count", "place", "renderers": [...]}],   commands that some renderers cannot draw
+//    "labels": [{"text", "at": [x, y]}],        the scene's (#pragma twinlight label); the pictures do not have them
 //    "queries": [{"place", "call", "twinlight", "driver", "agree"}],    what the scene's glGet* return; "?" for no answer
 //    "warnings": ["scene.gl:7:1: warning: message [name]"],   of the linter about the scene
 //    "notes": ["2 of the program's commands up to this frame have NaN or infinity; ..."]}   about a recorded program

@@ -57,6 +57,11 @@ std::string words_of(Verdict verdict) {
     return "";
 }
 
+std::array<int, 2> pixel_of(const Comparison& comparison, const SceneLabel& label) {
+    const auto pixel = [](double share, int pixels) { return static_cast<int>(std::lround(share * pixels)); };
+    return {pixel(label.place_picture.x, comparison.width), pixel(1 - label.place_picture.y, comparison.height)};
+}
+
 bool has_allowed_difference(const Pair& pair) {
     const RegionDifference &interior = pair.difference.interior, &beyond = pair.difference.beyond_allowed;
     return pair.verdict != Verdict::kInformative &&

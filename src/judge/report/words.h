@@ -1,6 +1,7 @@
 // A comparison as text, for the page and the terminal.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,6 +33,9 @@ Answer answer(const compare::Comparison& comparison);
 
 // The largest difference away from edges of the pairs that should agree.
 double largest_difference(const compare::Comparison& comparison);
+
+// Where a label is in the pictures, in pixels from the top left.
+std::array<int, 2> pixel_of(const compare::Comparison& comparison, const SceneLabel& label);
 
 // Whether a part of the pair's difference is allowed.
 bool has_allowed_difference(const compare::Pair& pair);

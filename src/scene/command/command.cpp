@@ -97,7 +97,8 @@ std::size_t control_point_values(const Command& c) {
 }  // namespace
 
 bool Parameter::is_array() const {
-    return !is_single(*this) && extent != Extent::kImage && extent != Extent::kMesh && extent != Extent::kRest;
+    return !is_single(*this) && extent != Extent::kImage && extent != Extent::kMesh && extent != Extent::kText &&
+           extent != Extent::kRest;
 }
 
 std::size_t Signature::first_array() const {
@@ -136,6 +137,7 @@ std::size_t Command::count(std::size_t parameter) const {
         case Extent::kArray:
         case Extent::kImage:
         case Extent::kMesh: return static_cast<std::size_t>(parameters[parameter].count);
+        case Extent::kText:
         case Extent::kOutput:
         case Extent::kOutputByPname:
         case Extent::kOutputByCount: return 0;
@@ -155,6 +157,11 @@ std::span<const double> Command::values(std::size_t parameter) const {
 std::span<const double> Command::array() const {
     const std::size_t parameter = sig().first_array();
     return parameter < sig().parameters.size() ? values(parameter) : std::span<const double>{};
+}
+
+std::string_view Command::text() const {
+    if (!memory) return {};
+    return {reinterpret_cast<const char*>(memory->bytes.data()), memory->bytes.size()};
 }
 
 std::string Signature::usage() const {

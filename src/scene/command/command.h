@@ -62,6 +62,7 @@ enum class Extent : std::uint8_t {
     kPointer,   // a pointer to memory, or an offset into a buffer object: one value, the offset; see Command::memory
     kImage,     // the file name of an image: two values, width and height; see Command::memory
     kMesh,      // the file name of a mesh: two values, its vertices and its triangles; see Command::memory
+    kText,      // a text in quotes: no value; see Command::text()
     kRest,      // any number of values
     kResult,    // the value that the command returned, which is recorded; not an argument in C
 };
@@ -143,6 +144,8 @@ struct Command {
     std::size_t counted(std::size_t parameter) const;
     // The elements of the first array argument; empty if there is none.
     std::span<const double> array() const;
+    // The bytes of its memory: of a kText argument, UTF-8.
+    std::string_view text() const;
 
     // Equal commands have the same effect. Their places are not compared.
     friend bool operator==(const Command& a, const Command& b);

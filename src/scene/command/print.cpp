@@ -177,6 +177,13 @@ std::string print_pointer(const Command& command, std::size_t i, const PrintedAr
                               : fmt::format("(const char*){} + {}", array.text, offset);
 }
 
+// As text_argument() reads it: the format of printf that gives this text.
+std::string print_text(std::string_view text) {
+    std::string printed = "\"";
+    for (const char c : text) printed += c == '%' ? std::string("%%") : std::string(1, c);
+    return printed + "\"";
+}
+
 std::string print(const Command& command, const PrintedArray& array) {
     const Signature& sig = command.sig();
     if (command.id == CommandId::gluNewQuadric) {
@@ -195,6 +202,8 @@ std::string print(const Command& command, const PrintedArray& array) {
             arguments.push_back(print_written(command.number(command.first(i))));
         } else if (parameter.extent == Extent::kImage || parameter.extent == Extent::kMesh) {
             arguments.push_back(fmt::format("\"{}\"", command.memory->file));
+        } else if (parameter.extent == Extent::kText) {
+            arguments.push_back(print_text(command.text()));
         } else if (parameter.extent == Extent::kRest) {
             for (double value : command.values(i)) arguments.push_back(print_number(value, parameter.kind));
         }
@@ -279,6 +288,8 @@ std::vector<PrintedPart> print_parts(const Command& command, std::size_t longest
             add(print_written(command.number(command.first(i))));
         } else if (parameter.extent == Extent::kImage || parameter.extent == Extent::kMesh) {
             add(fmt::format("\"{}\"", command.memory->file));
+        } else if (parameter.extent == Extent::kText) {
+            add(print_text(command.text()));
         } else if (parameter.extent == Extent::kRest) {
             add_values(i);
         }

@@ -44,6 +44,7 @@ void Reader::argument(Command& command, std::size_t i) {
     if (parameter.extent == Extent::kOutputMemory) return written_argument(command, parameter);
     if (parameter.extent == Extent::kImage) return image_argument(command);
     if (parameter.extent == Extent::kMesh) return mesh_argument(command);
+    if (parameter.extent == Extent::kText) return text_argument(command, parameter);
     if (parameter.kind == Kind::kWord) {
         command.arguments.push_back(word_argument(command, parameter));
         return;

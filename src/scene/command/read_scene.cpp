@@ -18,17 +18,20 @@
 
 namespace twinlight {
 
+void check_short_text(const Place& place, std::string_view what, std::string_view text) {
+    if (text.size() > kMaxStepTitleBytes)
+        fail(place, "{} can have at most {} bytes; this one has {}", what, kMaxStepTitleBytes, text.size());
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::size_t bytes = decode_utf8(rest).bytes;
+        if (bytes == 0) fail(place, "{} is not UTF-8; save the scene as UTF-8 text", what);
+        rest.remove_prefix(bytes);
+    }
+}
+
 namespace {
 
 void check_title(const Token& token, std::string_view title) {
-    if (title.size() > kMaxStepTitleBytes)
-        fail(token.place, "a step's title can have at most {} bytes; this one has {}", kMaxStepTitleBytes,
-             title.size());
-    for (std::string_view rest = title; !rest.empty();) {
-        const std::size_t bytes = decode_utf8(rest).bytes;
-        if (bytes == 0) fail(token.place, "this title is not UTF-8; save the scene as UTF-8 text");
-        rest.remove_prefix(bytes);
-    }
+    check_short_text(token.place, "a step's title", title);
     if (title.find_first_not_of("0123456789") == std::string_view::npos)
         fail(token.place, "a step needs a title in words, such as \"Diffuse only\"; its number follows from its place");
 }

@@ -288,11 +288,13 @@ class Reader {
     std::optional<Value> call_of_memory(const Token& name);
     std::span<std::byte> bytes_behind(const Value& pointer, std::size_t count, bool is_written, const Place& place);
 
-    // -- a whole program: its texts (run_texts.cpp) --
+    // -- texts; those of a whole program are objects (run_texts.cpp) --
+    void text_argument(Command& command, const Parameter& parameter);
     Value text_in_quotes();
     std::string text_behind(const Value& pointer, const Place& place);
     std::optional<Value> call_of_texts(const Token& name);
-    std::string printed(const std::vector<Value>& values, std::size_t format, const Place& place);
+    struct Printed;
+    Printed printed(const std::string& format, std::span<const Value> values, const Place& place);
     void write_text(const Value& to, std::string_view text, const Place& place);
 
     // -- a whole program: its expressions (run_expressions.cpp) --
@@ -374,6 +376,9 @@ class Reader {
     int line_before_ = 0;                     // the line of the token before token_
     int lexical_error_line_ = 0;              // the line of the last error that the lexer reported
 };
+
+// Refuses a text that does not fit on one line of a window: too long, or not UTF-8. `what`: "a label".
+void check_short_text(const Place& place, std::string_view what, std::string_view text);
 
 // For messages: "'GL_LIGHTT0'", or "the end of the scene".
 std::string shown(const Token& token);

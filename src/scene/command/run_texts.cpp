@@ -89,11 +89,15 @@ void Reader::write_text(const Value& to, std::string_view text, const Place& pla
     bytes[text.size()] = std::byte{0};
 }
 
-// What printf would print; values[format] is its format.
-std::string Reader::printed(const std::vector<Value>& values, std::size_t format, const Place& place) {
-    const std::string pattern = text_behind(values[format], place);
+struct Reader::Printed {
     std::string text;
-    std::size_t next = format + 1;
+    std::size_t used = 0;  // how many of the values
+};
+
+// What printf would print of the values.
+Reader::Printed Reader::printed(const std::string& pattern, std::span<const Value> values, const Place& place) {
+    std::string text;
+    std::size_t next = 0;
     for (std::size_t i = 0; i < pattern.size(); ++i) {
         if (text.size() > kMaxPrinted) fail(place, "this text is longer than {} characters", kMaxPrinted);
         if (pattern[i] != '%') {
@@ -116,6 +120,7 @@ std::string Reader::printed(const std::vector<Value>& values, std::size_t format
         if (next >= values.size()) fail(place, "the form {} has no value", in_quotes(form + letter));
         const Value& value = values[next++];
         form += letter;
+        if (letter == 's' && !program_) fail(place, "a scene has no texts for the form '%s'; write the text itself");
         try {
             if (letter == 's')
                 text += fmt::sprintf(form, text_behind(value, place));
@@ -135,7 +140,38 @@ std::string Reader::printed(const std::vector<Value>& values, std::size_t format
             out_of_reach(place, fmt::format("the form {} of a printed text", in_quotes(form)));
         }
     }
-    return text;
+    return {std::move(text), next};
+}
+
+// Reads a text in quotes, and the values of its forms: "n = %g", n. In a program an array of characters may take its place.
+void Reader::text_argument(Command& command, const Parameter& parameter) {
+    const Token start = token_;
+    std::string format;
+    if (start.kind == TokenKind::kString) {
+        for (; token_.kind == TokenKind::kString; advance()) format += unescaped(token_.text);
+    } else {
+        const Value given = program_ ? expression() : Value{};
+        if (!given.is_pointer())
+            fail(start.place, "expected the {} of {} in quotes, such as \"shininess 8\", found {}", parameter.name,
+                 command.name(), shown(start));
+        format = text_behind(given, start.place);
+    }
+    std::vector<Value> values;
+    while (accept(",")) values.push_back(expression());
+    const Printed printed_text = printed(format, values, start.place);
+    if (printed_text.used < values.size())
+        fail(start.place, "this text has {} form{} such as %g, but {} value{} given", printed_text.used,
+             printed_text.used == 1 ? "" : "s", values.size(), values.size() == 1 ? " is" : "s are");
+    const std::string& text = printed_text.text;
+    // A scene has no escapes, so it could not have these characters.
+    const auto is_refused = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '\\'; };
+    if (text.empty() || std::ranges::any_of(text, is_refused))
+        fail(start.place, "the {} of {} must be one line without quotes and backslashes, and not empty", parameter.name,
+             command.name());
+    check_short_text(start.place, fmt::format("the {} of {}", parameter.name, command.name()), text);
+    hold(text.size(), start.place);
+    const auto bytes = std::as_bytes(std::span(text));
+    command.memory = std::make_shared<const Memory>(Memory{Kind::kByte, {bytes.begin(), bytes.end()}});
 }
 
 // The arguments of vsprintf and its like: the first ones, then what the running function gets for its "...".
@@ -198,7 +234,8 @@ std::optional<Value> Reader::call_of_texts(const Token& name) {
     }
     if (!takes_more) return given[0];
     const bool is_limited = name.text.ends_with("snprintf");
-    const std::string made = printed(given, is_limited ? 2 : 1, name.place);
+    const std::size_t format = is_limited ? 2 : 1;
+    const std::string made = printed(text(format), std::span(given).subspan(format + 1), name.place).text;
     if (!is_limited || count(1) > 0) write_text(given[0], is_limited ? made.substr(0, count(1) - 1) : made, name.place);
     return integer(static_cast<std::int64_t>(made.size()));
 }

@@ -792,6 +792,12 @@ struct Unsupported {
     MissingFrom missing_from = MissingFrom::kFrame;
 };
 
+// A text over the picture (#pragma twinlight label). No renderer draws it.
+struct SceneLabel {
+    std::string text;
+    glm::dvec2 place_picture;  // (0, 0): the picture's lower left corner; (1, 1): its upper right one
+};
+
 // The picture that State builds from a scene's commands.
 struct Frame {
     int width = 0;
@@ -802,6 +808,7 @@ struct Frame {
     std::vector<std::uint32_t> lists_called_before_made{};
     // What LightSource::typed counts; the first has GL's initial values. Empty in a Frame that State did not make.
     std::vector<TypedLight> typed_lights{};
+    std::vector<SceneLabel> labels{};
     // Whether Draws show copied pixels. Then a renderer draws with_copied_texels() of this.
     bool copies_pixels = false;
     // Earlier pictures that textures have copies of, oldest first, each up to the last TakePixels that counts.

@@ -107,7 +107,9 @@ void State::clear(const Command& c) {
     clear.stencil = (mask & kGL_STENCIL_BUFFER_BIT) != 0 && (clear.stencil_mask & kMaxStencil) != 0;
     clear.accumulation = (mask & kGL_ACCUM_BUFFER_BIT) != 0;
     const bool clears = clear.color || clear.depth || clear.stencil || clear.accumulation;
-    if (clears && has_room(c, sizeof items_[0])) show(clear);
+    if (!clears || !has_room(c, sizeof items_[0])) return;
+    if (clear.hides_picture() && framebuffers_.draw == 0) labels_.clear();
+    show(clear);
 }
 
 }  // namespace twinlight

@@ -35,7 +35,7 @@ constexpr CommandSet kLegalInside =
 // What a display list does, its own commands do.
 constexpr CommandSet kKeepsState =
     CommandSet::of({"vertex", "normal", "tex_coord", "multi_tex_coord", "secondary_color", "fog_coord", "edge_flag",
-                    "begin", "end", "call_list", "call_lists"});
+                    "begin", "end", "call_list", "call_lists", "label"});
 constexpr CommandSet kSetsColor = CommandSet::of({"color"});
 
 // Each is given once, so that Draws of different States have different numbers.
@@ -440,6 +440,7 @@ Frame State::take_frame() {
     std::move(unsupported_.begin(), unsupported_.end(), std::back_inserter(frame.unsupported));
     frame.lists_called_before_made.assign(lists_.called_before_made.begin(), lists_.called_before_made.end());
     frame.typed_lights = typed_lights_;
+    frame.labels = std::move(labels_);
     frame.copies_pixels = copies_pixels_ && std::ranges::any_of(frame.draws(), &Draw::shows_copies);
     if (frame.copies_pixels)
         for (const KeptPicture& kept : kept_pictures_) frame.earlier.push_back(kept.items);
@@ -455,6 +456,7 @@ Frame State::take_frame() {
 void State::drop_picture() {
     keep_for_copies(items_.size());
     items_.clear();
+    labels_.clear();
     item_bytes_ = bytes_of_kept_pictures() + bytes_of_object_pictures();
     work_ = 0;
     unsupported_.clear();

@@ -165,6 +165,7 @@ class State {
     Effect render_mode, hit_buffer, is_enabled, query_clip_plane;
     Effect shape, mesh_file, new_quadric, delete_quadric, set_quadric, quadric_shape;
     Effect spectrum, reflectance, illuminant, transfer;
+    Effect label;
     Effect begin, end, normal, color, secondary_color, fog_coord, vertex, tex_coord, multi_tex_coord, rect;
     Effect gen_framebuffers, delete_framebuffers, bind_framebuffer, gen_renderbuffers, delete_renderbuffers,
         bind_renderbuffer, renderbuffer_storage, framebuffer_texture, framebuffer_renderbuffer, generate_mipmap,
@@ -363,6 +364,7 @@ class State {
     std::vector<KeptPicture> kept_pictures_;
     bool copies_pixels_ = false;
     std::vector<TypedLight> typed_lights_{{}};
+    std::vector<SceneLabel> labels_;
     double work_ = 0;  // work for this picture so far
     std::vector<Unsupported> unsupported_;
     std::vector<Unsupported> outside_;
