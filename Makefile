@@ -79,15 +79,16 @@ $(if $(CI),libclang-rt-dev     $(try_fuzzer))
 $(if $(CI),chromium            command -v chromium || grep -q ubuntu /etc/os-release)
 $(if $(CI),firefox-esr         command -v firefox-esr || grep -q ubuntu /etc/os-release)
 $(if $(CI),debootstrap         command -v debootstrap || ls /usr/sbin/debootstrap)
-$(if $(CI)$(filter web,$(MAKECMDGOALS)),emscripten          command -v em++)
-$(if $(CI)$(filter web,$(MAKECMDGOALS)),node-acorn          ls /usr/share/nodejs/acorn)
-$(if $(CI)$(filter web,$(MAKECMDGOALS)),libjs-codemirror    ls /usr/share/javascript/codemirror)
-$(if $(CI)$(filter web,$(MAKECMDGOALS)),esbuild             command -v esbuild)
-$(if $(CI)$(filter web,$(MAKECMDGOALS)),zip                 command -v zip)
+$(if $(CI)$(filter web release,$(MAKECMDGOALS)),emscripten          command -v em++)
+$(if $(CI)$(filter web release,$(MAKECMDGOALS)),node-acorn          ls /usr/share/nodejs/acorn)
+$(if $(CI)$(filter web release,$(MAKECMDGOALS)),libjs-codemirror    ls /usr/share/javascript/codemirror)
+$(if $(CI)$(filter web release,$(MAKECMDGOALS)),esbuild             command -v esbuild)
+$(if $(CI)$(filter web release,$(MAKECMDGOALS)),zip                 command -v zip)
 $(if $(CI),man-db              command -v man)
 $(if $(CI),zsh                 command -v zsh)
 $(if $(CI),fish                command -v fish)
-$(if $(CI)$(filter deb,$(MAKECMDGOALS)),dpkg-dev            command -v dpkg-shlibdeps)
+$(if $(CI)$(filter deb release,$(MAKECMDGOALS)),dpkg-dev            command -v dpkg-shlibdeps)
+$(if $(CI)$(filter release,$(MAKECMDGOALS)),mandoc              command -v mandoc)
 endef
 export DEPENDENCIES
 
@@ -145,6 +146,8 @@ SOURCES_egls := $(wildcard src/render/context/egl*.cpp)
 SOURCES_egl := $(filter-out %/egl_$(if $(GL_given),software,any).cpp,$(SOURCES_egls))
 SOURCES_library := $(filter-out src/app/% $(SOURCES_osmesa) $(SOURCES_egls),$(sort $(shell find src -name '*.cpp')))
 SOURCES_app := $(wildcard src/app/*.cpp)
+# What src/app needs: the commit and the versions of the libraries, for --version.
+OBJECT_version := $(BUILD)/embedded/version.o
 SOURCES_cli := $(SOURCES_app) $(wildcard src/app/cli/*.cpp)
 # The tests link what carries out a command line, too.
 SOURCES_subcommands := $(filter-out %/main.cpp,$(SOURCES_cli))
@@ -323,7 +326,7 @@ clean:  ## remove build/
 help:  ## show this list
 	@grep -hE '^[a-z-]+:.*##' Makefile tools/install/install.mk src/app/web/web.mk | sed -E 's/:[^#]*## */\t/' | awk -F'\t' '{printf "  make %-12s %s\n", $$1, $$2}'
 
-# ---- Installing: make install, uninstall, dist, deb ------------------------------------------------------------
+# ---- Installing: make install, uninstall, dist, deb, release ------------------------------------------------------------
 
 include tools/install/install.mk
 
@@ -333,16 +336,18 @@ include src/app/web/web.mk
 
 # ---- Rules ------------------------------------------------------------------------------------------------------
 
-# Files that are rewritten when their content changes: the compiler's flags, the list of files, and the folders of tests.
+# Files that are rewritten when their content changes: the compiler's flags, the list of files, the folders of tests, and the commit.
 flags := $(compile) $(CXXFLAGS_all) $(OPTIMISATION_less) $(LESS) $(LDFLAGS_all)
 files := $(SOURCES_all) $(FILES_scenes) $(FILES_scene_assets) $(FILES_shaders) $(FILES_webgl) $(FILES_pages) $(FILES_cases) $(FILES_lessons) $(FILES_lessons_zh) $(FILES_tutors)
 tests := $(FOLDERS)
+commit := $(shell tools/commit.sh 2>/dev/null)
 # (make 4.3 leaves some files' last line break in place.)
 changed = $(if $(subst |$(strip $($(1)))|,,|$(strip $(file <$(BUILD)/$(1)))|),force)
 $(BUILD)/flags: $(call changed,flags)
 $(BUILD)/files: $(call changed,files)
 $(BUILD)/tests: $(call changed,tests)
-$(BUILD)/flags $(BUILD)/files $(BUILD)/tests:
+$(BUILD)/commit: $(call changed,commit)
+$(BUILD)/flags $(BUILD)/files $(BUILD)/tests $(BUILD)/commit:
 	@mkdir -p $(@D); printf '%s\n' '$(subst ','\'',$($(@F)))' >$@
 
 # A room's translation unit includes its sources; it is written when the list of them changes.
@@ -384,16 +389,16 @@ objects_first = $(foreach layer,$(layers),$(filter $(layer),$(objects_more)))
 link = @echo "link $@"; mkdir -p $(@D); \
     $(CXX) $(LDFLAGS_all) $(objects_first) $(filter-out $(objects_first),$(objects_more)) $(objects_less) -o $@
 
-$(PROGRAMS)/twinlight: $(call object,$(SOURCES_cli)) $(OFFSCREEN)
+$(PROGRAMS)/twinlight: $(call object,$(SOURCES_cli)) $(OBJECT_version) $(OFFSCREEN)
 	$(link) $(LIBS_offscreen) $(LIBS)
 
 # The window has no use for some rooms, so it need not wait for them.
 SOURCES_demo_library := $(filter-out src/judge/check/% src/judge/fuzz/% src/judge/oracle/%,$(SOURCES_library))
-$(PROGRAMS)/twinlight-demo: $(call object,$(SOURCES_demo) $(SOURCES_demo_library)) $(OBJECTS_embedded)
+$(PROGRAMS)/twinlight-demo: $(call object,$(SOURCES_demo) $(SOURCES_demo_library)) $(OBJECT_version) $(OBJECTS_embedded)
 	$(link) $(LIBS_window) $(LIBS)
 
 $(PROGRAMS)/twinlight-tests: $(call object,$(SOURCES_$(GL))) $(OBJECTS_library) $(call object,$(SOURCES_some_tests)) $(BUILD)/tests \
-    $(call object,$(SOURCES_bench_meshes) $(SOURCES_subcommands) $(SOURCES_session) $(SOURCES_web))
+    $(call object,$(SOURCES_bench_meshes) $(SOURCES_subcommands) $(SOURCES_session) $(SOURCES_web)) $(OBJECT_version)
 	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
 
 $(PROGRAMS)/twinlight-bench: $(call object,$(SOURCES_bench) $(SOURCES_bench_library)) $(OFFSCREEN)
@@ -438,10 +443,13 @@ $(BUILD)/embedded/lessons.cpp: $(FILES_lessons) $(BUILD)/files tools/embed.sh
 $(BUILD)/embedded/lessons-zh.cpp: $(FILES_lessons_zh) $(BUILD)/files tools/embed.sh
 	$(call embed,kChineseLessonFiles,$(sort $(FILES_lessons_zh)))
 
+$(BUILD)/embedded/version.cpp: $(BUILD)/commit $(BUILD)/flags
+	@mkdir -p $(@D); printf '#include "app/version.h"\nconst char* const twinlight::kCommit = "%s";\nconst char* const twinlight::kLibraries = "%s";\n' \
+	    '$(commit)' "$$(for name in $(filter-out stb,$(MODULES)) glut glu; do echo "$$name $$(pkg-config --modversion $$name)"; done | sed '$$!s/$$/, /' | tr -d '\n')" >$@
 $(BUILD)/embedded/chart.js: $(CHART)
 	@mkdir -p $(@D); cp $< $@
 
 $(BUILD)/embedded/%.o: $(BUILD)/embedded/%.cpp $(BUILD)/flags
 	@$(CXX) $(CXXFLAGS_all) -O0 -MMD -MP -c $< -o $@
 
--include $(patsubst %.o,%.d,$(call object,$(SOURCES_all)) $(OBJECTS_embedded)) $(BUILD)/precompiled.h.d
+-include $(patsubst %.o,%.d,$(call object,$(SOURCES_all)) $(OBJECTS_embedded) $(OBJECT_version)) $(BUILD)/precompiled.h.d

@@ -67,7 +67,7 @@ a { color: var(--accent); }
 </style>
 </head>
 <body>
-<p class="product">Twinlight $("$program" --version | sed 's/.* //')</p>
+<p class="product">Twinlight $("$program" --version | sed -n 's/^twinlight //p')</p>
 <h1>All scenes, by all renderers</h1>
 <p class="hint">The first three pictures light vertices, as GL's fixed function does, and must agree. The fourth lights every pixel. A
 click on a row's answer opens its comparison, with the differences.</p>

@@ -1,4 +1,4 @@
-// Shared by the command lines of both programs: version, exit status, error messages, sizes.
+// Shared by the command lines of both programs: exit status, error messages, sizes.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,11 +13,10 @@
 #include <type_traits>
 
 #include "app/streams.h"
+#include "app/version.h"
 #include "judge/lesson/lesson.h"
 
 namespace twinlight {
-
-inline constexpr const char* kVersion = "0.1";
 
 // Exit status.
 inline constexpr int kFine = 0;

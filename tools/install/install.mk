@@ -6,16 +6,19 @@
 
 PREFIX ?= /usr/local
 ZSH ?= $(PREFIX)/share/zsh/site-functions
-VERSION := $(shell sed -n 's/.*kVersion = "\(.*\)";.*/\1/p' src/app/program.h)
+VERSION := $(shell sed -n 's/.*kVersion = "\(.*\)";.*/\1/p' src/app/version.h)
 installed_programs := twinlight twinlight-demo
 MADE := $(PROGRAMS)/share
 
 # What is made from --help of the programs that were built.
 manuals := $(installed_programs:%=$(MADE)/%.1)
+manuals_html := $(manuals:%=%.html)
 completions := $(foreach shell,bash zsh fish,$(installed_programs:%=$(MADE)/%.$(shell)))
 scripts_install := $(wildcard tools/install/*.awk tools/install/*.sh)
 $(manuals): $(MADE)/%.1: $(PROGRAMS)/% $(scripts_install)
 	@mkdir -p $(@D); tools/install/man.sh $< >$@
+$(manuals_html): %.html: %
+	@mandoc -T html $< | sed 's,<head>,&<style>body { max-width: 55em; margin: 1em auto; padding: 0 1em; font: 1em/1.5 system-ui\, sans-serif; color-scheme: light dark; }</style>,' >$@
 $(completions): programs $(scripts_install) $(FILES_cases)
 	@mkdir -p $(@D); tools/install/completion.sh $(subst .,,$(suffix $@)) $(PROGRAMS)/$(basename $(@F)) $(basename $(notdir $(sort $(FILES_cases)))) >$@
 
@@ -33,7 +36,7 @@ file_of = $(firstword $(subst :, ,$(1)))
 place_of = $(lastword $(subst :, ,$(1)))
 path_of = $(if $(filter %/,$(call place_of,$(1))),$(call place_of,$(1))$(notdir $(call file_of,$(1))),$(call place_of,$(1)))
 
-.PHONY: install install-files uninstall dist deb
+.PHONY: install install-files uninstall dist deb manuals-html release
 
 install: $(if $(wildcard $(PROGRAMS)/twinlight),,deps)  ## install into PREFIX (/usr/local): programs, scenes, manual pages, completion; DESTDIR goes before every path
 	@$(MAKE) install-files
@@ -60,3 +63,8 @@ deb: deps  ## make a Debian package for this system: build/twinlight_VERSION_ARC
 	@rm -rf build/deb
 	@$(MAKE) install-files DESTDIR=build/deb/root PREFIX=/usr ZSH=/usr/share/zsh/vendor-completions >/dev/null
 	@tools/install/deb.sh build/deb/root $(VERSION) build
+
+manuals-html: $(manuals_html)
+
+release: deps  ## write build/release/: sources, a Debian package, the page, manual pages, checksums and notes (SYSTEMS=all or 'trixie noble': packages for these, too)
+	@tools/release.sh $(VERSION) $(SYSTEMS)

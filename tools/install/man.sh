@@ -4,8 +4,7 @@ set -eu
 program=$1
 name=${program##*/}
 help=$(dirname "$0")/help.awk
-version=$("$program" --version)
-version=${version##* }
+version=$("$program" --version | sed -n "s/^$name //p")
 
 # Prints the part of a page for one help text. `level` is SH for the program, SS for one of its commands.
 page() {

@@ -57,10 +57,9 @@ int run(int argc, char** argv) {
         "Draws OpenGL lighting three ways - with the driver's fixed function, with generated shaders, and with a\n"
         "double-precision reference - and shows where the pictures differ.",
         "twinlight");
-    const std::string version = std::string("twinlight ") + kVersion;
     app.require_subcommand(1);
     app.set_help_flag("-h,--help", "Print this help and exit");
-    app.set_version_flag("--version", version, "Print the version and exit");
+    add_version_flag(app, "twinlight");
 
     const std::array subcommands = {add_render(app), add_compare(app), add_explain(app), add_export(app),
                                     add_record(app), add_scenes(app),  add_study(app),   add_fuzz(app),
@@ -68,7 +67,7 @@ int run(int argc, char** argv) {
     std::vector<std::string> names;
     for (const Subcommand& subcommand : subcommands) {
         names.push_back(subcommand.app->get_name());
-        subcommand.app->set_version_flag("--version", version, "Print the version and exit");
+        add_version_flag(*subcommand.app, "twinlight");
         if (subcommand.app->get_footer().empty())
             subcommand.app->footer("Exit status: 0 success, 2 bad input or usage.");
     }

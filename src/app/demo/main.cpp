@@ -64,7 +64,7 @@ int run(int argc, char** argv) {
     CLI::App app("Opens a window that draws a scene three ways, side by side, and lets you change every call of it.",
                  "twinlight-demo");
     app.footer("Keys:\n" + session::keys_help());
-    app.set_version_flag("--version", std::string("twinlight-demo ") + kVersion);
+    add_version_flag(app, "twinlight-demo");
 
     std::string scene = "report";
     demo::WindowOptions options;

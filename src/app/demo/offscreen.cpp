@@ -17,7 +17,7 @@ namespace {
 class GlxContext final : public OffscreenContext {
   public:
     GlxContext(int width, int height, ColorBuffer color_buffer) : display_(XOpenDisplay(nullptr)) {
-        if (!display_) throw std::runtime_error("GLX: cannot connect to the display again");
+        if (!display_) throw std::runtime_error("GLX: cannot connect to the display");
         const int bits = color_buffer == ColorBuffer::kFloat ? 32 : 8;
         const int type = color_buffer == ColorBuffer::kFloat ? GLX_RGBA_FLOAT_BIT_ARB : GLX_RGBA_BIT;
         // With one buffer only, llvmpipe would copy each picture to the X server, which refuses it for a pbuffer.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -12,6 +13,8 @@
 #include "base/image/file.h"
 #include "base/image/png.h"
 #include "base/text/json.h"
+#include "render/context/context.h"
+#include "render/context/driver_name.h"
 
 namespace twinlight::cli_test {
 namespace {
@@ -91,6 +94,17 @@ TEST_F(Cli, HelpsAndTellsItsVersionEverywhere) {
                       std::string::npos);
         }
     }
+}
+
+TEST_F(Cli, NamesWhatItWasBuiltFromAndTheDriver) {
+    const ProgramResult result = run({"--version"});
+    const std::string commit = run_shell("", "tools/commit.sh").out;
+    EXPECT_NE(result.out.find("commit     " + (commit.empty() ? "unknown\n" : commit)), std::string::npos)
+        << result.out;
+    const auto context = make_offscreen_context(1, 1);
+    EXPECT_NE(result.out.find("\ndriver     " + driver_name() + "\n"), std::string::npos) << result.out;
+    EXPECT_TRUE(std::regex_search(result.out, std::regex("\nlibraries  .*fmt [0-9]+\\.[0-9]+.*, glu [0-9]")))
+        << result.out;
 }
 
 TEST_F(Cli, RefusesBadUse) {
