@@ -4,7 +4,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
-parts=(cases fuzz recipes bookworm trixie forky noble resolute)
+parts=(cases fuzz recipes release bookworm trixie forky noble resolute)
 usage() {
     cat <<END
 Usage: tools/nightly.sh [PART...]
@@ -13,6 +13,7 @@ Runs the parts of the nightly tests (all of them without PART), and writes their
   cases     every test with all of its cases
   fuzz      random input into everything that reads files, ten minutes a target (FUZZ_TIME=seconds)
   recipes   small changes by the recipes of CONTRIBUTING.md, each built and tested (tests/recipes)
+  release   'make release SYSTEMS=all', and a try of each file: the sources are built, the packages are installed (as root)
   bookworm, trixie, forky, noble, resolute
             'make demo && make test' on a bare Debian 12, Debian 13, Debian testing, Ubuntu 24.04 and Ubuntu 26.04 (as root)
 
@@ -62,6 +63,7 @@ for part; do
     cases) command="make test ALL_CASES=true" ;;
     fuzz) command="make fuzz TIME=${FUZZ_TIME:-600}" ;;
     recipes) command="tools/try-recipes.sh" ;;
+    release) command="make release SYSTEMS=all && tools/try-release.sh" ;;
     *) command="" ;;
     esac
     if [ -n "$command" ]; then

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "../run_program.h"
+#include "app/version.h"
 #include "base/image/file.h"
 
 namespace twinlight::install_test {
@@ -270,10 +271,34 @@ TEST(Dist, HoldsEveryFileOfTheCommitAndBuilds) {
         run_shell("", "git -c core.quotePath=false ls-tree -r --name-only HEAD | LC_ALL=C sort");
     EXPECT_EQ(unpacked.out, tracked.out) << unpacked.err;
     EXPECT_GT(words_of(tracked.out).size(), 1000U);
+    // The archive knows its commit, although it has no repository.
+    const ProgramResult commit = run_shell("", fmt::format("{}/twinlight-*/tools/commit.sh", quoted(folder.str())));
+    EXPECT_EQ(commit.out, run_shell("", "git rev-parse HEAD").out.substr(0, 8) + "\n") << commit.err;
     const ProgramResult planned =
         run_shell("", fmt::format("cd {}/twinlight-*/ && env -u MAKEFLAGS make -n programs", quoted(folder.str())));
     EXPECT_EQ(planned.status, 0) << planned.err;
     EXPECT_NE(planned.out.find("link build/twinlight-demo"), std::string::npos);
+}
+
+// `make nightly PART=release` makes and tries a whole release.
+TEST(Release, HasNotesForEveryReaderOfThisVersion) {
+    const std::string notes = run_shell("", std::string("tools/release.sh --notes ") + kVersion).out;
+    for (const char* reader : {"Students", "Teachers", "Porters", "Driver writers"})
+        EXPECT_TRUE(std::regex_search(notes, std::regex(fmt::format("\n### {}\n\n- [A-Z`1]", reader)))) << reader;
+    EXPECT_EQ(notes.find("\n## "), std::string::npos);
+    EXPECT_EQ(run_shell("", "tools/release.sh --notes 99").out, "");
+    EXPECT_NE(read_file("CITATION.cff").find(fmt::format("version: \"{}\"", kVersion)), std::string::npos);
+}
+
+TEST(Release, HasManualPagesAsHtml) {
+    if (!is_installed("mandoc")) GTEST_SKIP() << "mandoc is not installed";
+    const TemporaryFolder folder;
+    const ProgramResult made = run_make("manuals-html", "MADE=" + quoted(folder.str()));
+    ASSERT_EQ(made.status, 0) << made.err;
+    const std::string page = read_file(folder / "twinlight.1.html");
+    for (const std::string& command : commands())
+        EXPECT_NE(page.find(">twinlight " + command + "</a></h2>"), std::string::npos) << command;
+    EXPECT_NE(read_file(folder / "twinlight-demo.1.html").find("--screenshot"), std::string::npos);
 }
 
 }  // namespace
