@@ -52,3 +52,17 @@ pixels lab lab
 pixels lab-spot lab --step 4
 gl lab-spot-gl lab --step 4
 gl lab-fitted lab --step 5
+pixels spectral spectral
+gl no-shadows shadow-map --step 1
+gl shadows shadow-map --step 2
+gl no-mirror environment --step 1
+gl mirror environment --step 3
+gl cones cylinders --step 2
+gl mesh-normals mesh-normals
+gl cosine cosine
+gl normal-sign cosine --step 2
+gl material-color material-color
+pixels tutorial-diffuse tutorial --step 2
+pixels tutorial-ambient tutorial --step 3
+pixels tutorial-specular tutorial --step 4
+gl normals normals
