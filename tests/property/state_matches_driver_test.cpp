@@ -221,7 +221,8 @@ bool uses_arrays_or_names(const Signature& sig) {
     return is_array || std::any_of(sig.parameters.begin(), sig.parameters.end(), [](const Parameter& p) {
                return p.extent == Extent::kPointer || p.extent == Extent::kControlPoints ||
                       p.extent == Extent::kOutputByCount || p.extent == Extent::kArrayByCount ||
-                      p.extent == Extent::kNewNames || p.name == "buffer" || p.name == "list" || p.name == "base";
+                      p.extent == Extent::kNewNames || p.name == "buffer" || p.name == "framebuffer" ||
+                      p.name == "list" || p.name == "base";
            });
 }
 
