@@ -212,8 +212,13 @@ void ProbePanel::show_colors(const Session& session, const std::array<std::optio
 
 void ProbePanel::show_equation(Session& session, const ProbePoint& point) {
     ImGui::PushFont(fonts().code);
-    ImGui::TextUnformatted(wrapped(session::equation_of(point.derivation)).c_str());
+    ImGui::TextUnformatted(wrapped(session::equation_of(point.derivation, session.symbols)).c_str());
     ImGui::PopFont();
+    bool is_lecture = session.symbols == session::Symbols::kLecture;
+    if (ImGui::Checkbox("the lecture's symbols", &is_lecture))
+        session.symbols = is_lecture ? session::Symbols::kLecture : session::Symbols::kSpecification;
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("k_a, k_d, k_s, n·l as in the lecture, or a_cm, d_cm, s_cm, n.VP as in the specification");
     const std::vector<int>& lights = point.derivation.lights;
     session.probe_arrows = session::arrows_of(point.derivation, light_, session.revision);
     if (light_ && std::ranges::find(lights, *light_) == lights.end()) light_.reset();
@@ -224,22 +229,22 @@ void ProbePanel::show_equation(Session& session, const ProbePoint& point) {
             if (ImGui::Selectable(light_name(light).c_str(), light_ == light)) light_ = light;
         ImGui::EndCombo();
     }
-    const std::vector<SumRow> rows = session::sum_rows(point.derivation, light_);
+    const std::vector<SumRow> rows = session::sum_rows(point.derivation, light_, session.symbols);
     stacked_bars(rows);
     sum_table("sum", rows);
     if (light_) {
-        show_lines("light", session::lines_of(point.derivation, light_));
+        show_lines("light", session::lines_of(point.derivation, light_, session.symbols));
         return;
     }
     if (ImGui::TreeNode("Place and normal")) {
-        show_lines("place", session::lines_of(point.derivation, {}));
+        show_lines("place", session::lines_of(point.derivation, {}, session.symbols));
         ImGui::TreePop();
     }
     for (const int light : lights) {
         // Two lights fit below the sum.
         const ImGuiTreeNodeFlags open = lights.size() <= 2 ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
         if (!ImGui::TreeNodeEx(light_name(light).c_str(), open)) continue;
-        show_lines("lines", session::lines_of(point.derivation, light));
+        show_lines("lines", session::lines_of(point.derivation, light, session.symbols));
         ImGui::TreePop();
     }
 }
@@ -303,7 +308,7 @@ void ProbePanel::show_under_pointer(Session& session) {
     const std::vector<SumRow> mean = session::mean_rows(points);
     dim_text(fmt::format("Pixel {}, {}: {}", session.probe->x, session.probe->y,
                          mean.empty() ? "the lighting equation" : "a mix of its corners; at " + point.name));
-    sum_table("sum under the pointer", session::sum_rows(point.derivation, {}));
+    sum_table("sum under the pointer", session::sum_rows(point.derivation, {}, session.symbols));
     if (!mean.empty()) sum_table("mean under the pointer", {mean.back()});
     ImGui::EndTooltip();
 }

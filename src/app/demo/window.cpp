@@ -86,6 +86,7 @@ WindowSize Window::first_size() const {
 void Window::remember() {
     if (is_script()) return;
     preferences_.solved_lessons = session_.solved_lessons;
+    preferences_.lecture_symbols = session_.symbols == session::Symbols::kLecture;
     for (const session::PanelName& panel : session::kPanels)
         if (panel.value == session_.panel) preferences_.panel = panel.key;
     session::write_preferences(session::preferences_file(), preferences_);
@@ -95,6 +96,7 @@ Window::Window(std::shared_ptr<const CommandList> scene, const WindowOptions& op
     : options_(options), session_(std::move(scene), options.file), recovery_(recovery_folder_of(options)) {
     if (!is_script()) preferences_ = session::read_preferences(session::preferences_file());
     session_.solved_lessons = preferences_.solved_lessons;
+    if (preferences_.lecture_symbols) session_.symbols = session::Symbols::kLecture;
     session_.view = options.view;
     for (const session::PanelName& panel : session::kPanels)
         if (panel.key == preferences_.panel) session_.panel = panel.value;

@@ -24,7 +24,8 @@ std::string preferences_file() {
 Preferences read_preferences(const std::string& file) {
     try {
         const nlohmann::json json = nlohmann::json::parse(read_file(file));
-        return {json.at("width"), json.at("height"), json.at("panel"), json.at("solved_lessons")};
+        return {json.at("width"), json.at("height"), json.at("panel"), json.at("solved_lessons"),
+                json.value("lecture_symbols", false)};
     } catch (const std::exception&) {
         return {};
     }
@@ -35,7 +36,8 @@ void write_preferences(const std::string& file, const Preferences& preferences) 
     const nlohmann::json json = {{"width", preferences.width},
                                  {"height", preferences.height},
                                  {"panel", preferences.panel},
-                                 {"solved_lessons", preferences.solved_lessons}};
+                                 {"solved_lessons", preferences.solved_lessons},
+                                 {"lecture_symbols", preferences.lecture_symbols}};
     std::error_code ignored;
     std::filesystem::create_directories(std::filesystem::path(file).parent_path(), ignored);
     try {

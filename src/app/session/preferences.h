@@ -10,6 +10,7 @@ struct Preferences {
     int width = 0, height = 0;  // of the window in pixels; 0: not known
     std::string panel{};        // a key of kPanels; empty: not known
     std::vector<std::string> solved_lessons{};
+    bool lecture_symbols = false;
 
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };

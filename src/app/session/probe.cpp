@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <span>
+#include <string_view>
 
 #include "judge/explain/derivation_light.h"
 #include "scene/command/names.h"
@@ -39,6 +42,65 @@ std::string trouble_of(const Frame& frame, const Probe& probe) {
         return fmt::format("Draw {} is not lit: GL_LIGHTING is disabled, so its vertices keep glColor's colours.",
                            probe.draw);
     return "";
+}
+
+struct SymbolRow {
+    std::string_view specification, lecture;
+};
+
+// Products in the lecture's order of factors.
+constexpr SymbolRow kProducts[] = {{"n.VP d_cm d_cli", "k_d I_di (n·l)"},
+                                   {"f(n.h)^s s_cm s_cli", "k_s I_si (n·h)^n"},
+                                   {"(r.v)^s s_cm s_cli", "k_s I_si (r·v)^n"},
+                                   {"c =", "I ="}};
+// A symbol comes after those that contain it.
+constexpr SymbolRow kSymbols[] = {{"f is 1 because n.VP > 0", "counted because n·l > 0"},
+                                  {"f is 0 because n.VP is 0", "0 because n·l is 0"},
+                                  {"s is GL_SHININESS", "the exponent is GL_SHININESS"},
+                                  {"f(n.h)^s", "(n·h)^n"},
+                                  {"(r.v)^s", "(r·v)^n"},
+                                  {"n.VP", "n·l"},
+                                  {"n.h", "n·h"},
+                                  {"r.v", "r·v"},
+                                  {"VP_e", "v"},
+                                  {"VP", "l"},
+                                  {"e_cm", "e"},
+                                  {"a_cm", "k_a"},
+                                  {"d_cm", "k_d"},
+                                  {"s_cm", "k_s"},
+                                  {"a_cs", "I_a"},
+                                  {"a_cli", "I_ai"},
+                                  {"d_cli", "I_di"},
+                                  {"s_cli", "I_si"},
+                                  {"c_pri", "I"},
+                                  {"c_sec", "I_s"}};
+
+// The text with the lecture's symbols in the place of whole words.
+std::string in_lecture_symbols(std::string_view text, std::span<const SymbolRow> rows) {
+    const auto is_in_word = [&](std::size_t at) {
+        return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
+    };
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto row = std::ranges::find_if(rows, [&](const SymbolRow& one) {
+            return text.substr(at).starts_with(one.specification) && !is_in_word(at + one.specification.size()) &&
+                   (at == 0 || !is_in_word(at - 1));
+        });
+        if (row == rows.end()) {
+            result += text[at++];
+        } else {
+            result += row->lecture;
+            at += row->specification.size();
+        }
+    }
+    return result;
+}
+
+void use(Symbols symbols, std::string& text) {
+    if (symbols == Symbols::kLecture) text = in_lecture_symbols(text, kSymbols);
+}
+void use_in_formula(Symbols symbols, std::string& text) {
+    if (symbols == Symbols::kLecture) text = in_lecture_symbols(in_lecture_symbols(text, kProducts), kSymbols);
 }
 
 void add_total(std::vector<SumRow>& rows, const char* name, const Vec& color) {
@@ -115,7 +177,9 @@ std::vector<ProbePoint> points_of(const Scene& scene, const ProbeAnswer& answer,
     return points;
 }
 
-std::vector<SumRow> sum_rows(const Derivation& at, std::optional<int> light) {
+namespace {
+
+std::vector<SumRow> rows_of_sum(const Derivation& at, std::optional<int> light) {
     const LitPoint& point = at.point;
     const bool separate = at.draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
     std::vector<SumRow> rows;
@@ -142,6 +206,17 @@ std::vector<SumRow> sum_rows(const Derivation& at, std::optional<int> light) {
     for (std::size_t i = 0; i < at.lights.size(); ++i)
         rows.push_back({i == 0 ? "" : "+", light_name(at.lights[i]), "specular", point.terms[i].specular});
     add_total(rows, "c_sec", point.secondary);
+    return rows;
+}
+
+}  // namespace
+
+std::vector<SumRow> sum_rows(const Derivation& at, std::optional<int> light, Symbols symbols) {
+    std::vector<SumRow> rows = rows_of_sum(at, light);
+    for (SumRow& row : rows) {
+        use(symbols, row.what);
+        use_in_formula(symbols, row.how);
+    }
     return rows;
 }
 
@@ -181,14 +256,18 @@ std::string rulings_of(const ProbeAnswer& answer, std::size_t fragment) {
     return fragment < fragments.size() ? explain::rulings_text(fragments[fragment].rulings) : "";
 }
 
-std::string equation_of(const Derivation& at) {
+std::string equation_of(const Derivation& at, Symbols symbols) {
+    std::string equation;
     for (const Line& line : explain::derivation_lines(at, false))
-        if (line.kind == Line::Kind::kEquation) return line.value;
-    return "";
+        if (line.kind == Line::Kind::kEquation) equation = line.value;
+    use_in_formula(symbols, equation);
+    return equation;
 }
 
-std::vector<Line> lines_of(const Derivation& at, std::optional<int> light) {
+std::vector<Line> lines_of(const Derivation& at, std::optional<int> light, Symbols symbols) {
     std::vector<Line> lines = explain::derivation_lines(at, false);
+    for (Line& line : lines)
+        for (std::string* text : {&line.what, &line.value, &line.how}) use(symbols, *text);
     if (light) {
         std::erase_if(lines, [&](const Line& line) { return line.light != light || line.kind == Line::Kind::kLight; });
         return lines;

@@ -53,7 +53,8 @@ struct SumRow {
 };
 // The lighting equation as a sum: emission, the scene's ambient light, each light, the total before and after the clamp. For one
 // light: its three terms.
-std::vector<SumRow> sum_rows(const explain::Derivation& at, std::optional<int> light);
+std::vector<SumRow> sum_rows(const explain::Derivation& at, std::optional<int> light,
+                             Symbols symbols = Symbols::kSpecification);
 // A smooth fragment as the mean of its vertices' clamped colours; empty with one point.
 std::vector<SumRow> mean_rows(const std::vector<ProbePoint>& points);
 // Texture, colour sum and fog of a fragment, if they are used. Empty for a vertex.
@@ -64,9 +65,11 @@ std::vector<SumRow> fragment_rows(const Scene& scene, const ProbeAnswer& answer,
 std::string rulings_of(const ProbeAnswer& answer, std::size_t fragment);
 
 // "c = e_cm + a_cm a_cs + sum of att spot [ ... ]", with the formulas of the scene's variants.
-std::string equation_of(const explain::Derivation& at);
+// The lecture's: "I = e + k_a I_a + sum of att spot [ ... ]".
+std::string equation_of(const explain::Derivation& at, Symbols symbols = Symbols::kSpecification);
 // The lines of a derivation about the place and normal, or about one light.
-std::vector<explain::Line> lines_of(const explain::Derivation& at, std::optional<int> light);
+std::vector<explain::Line> lines_of(const explain::Derivation& at, std::optional<int> light,
+                                    Symbols symbols = Symbols::kSpecification);
 
 // Everything as text, as `twinlight explain` prints it, with the colours that the panes show.
 std::string probe_text(const Scene& scene, ProbeAnswer answer, const std::vector<explain::Rendered>& rendered);

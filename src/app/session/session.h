@@ -89,6 +89,9 @@ struct Probe {
     friend bool operator==(const Probe&, const Probe&) = default;
 };
 
+// Whose symbols the probe shows: "d_cm", "n.VP" or "k_d", "n·l" (docs/lecture.md).
+enum class Symbols : std::uint8_t { kSpecification, kLecture };
+
 struct LessonState;
 
 // A scene with its own history and file. `opened` and its text stay as they were read, so that edits have places in them.
@@ -129,6 +132,7 @@ struct Session : OpenScene {
     Overlays overlays{};
     bool labels_shown = true;  // the scene's
     std::optional<Probe> probe{};
+    Symbols symbols = Symbols::kSpecification;
     std::optional<ProbeArrows> probe_arrows{};  // its vectors, for the scene of their revision
     std::optional<int> selected_light{};
     std::optional<std::size_t> selected_command{};  // index into the commands

@@ -106,6 +106,26 @@ TEST(SessionProbe, FollowsTheVariantsOnlyWhereThePaneDoes) {
     EXPECT_EQ(equation(false).find("r.v"), std::string::npos) << equation(false);
 }
 
+// No symbol of the specification is left, and the equation is that of docs/lecture.md.
+TEST(SessionProbe, SpeaksInTheLecturesSymbols) {
+    const std::string specular = "glMaterialfv(GL_FRONT, GL_SPECULAR, (GLfloat[]){0.5, 0.25, 0, 1});\n";
+    for (const std::string variant : {"half_vector", "reflection"}) {
+        const Scene scene = scene_of("#pragma twinlight specular(" + variant + ")\n" + kState + specular + kSquare);
+        const ProbeAnswer answer = answer_probe(scene, {{}, true}, {.x = 32, .y = 32});
+        const explain::Derivation at = points_of(scene, answer, 0).at(0).derivation;
+        const std::string highlight = variant == "reflection" ? "(r·v)^n" : "(n·h)^n";
+        EXPECT_EQ(equation_of(at, Symbols::kLecture),
+                  "I = e + k_a I_a + sum of att spot [ k_a I_ai + k_d I_di (n·l) + k_s I_si " + highlight + " ]");
+        EXPECT_EQ(sum_rows(at, 0, Symbols::kLecture)[1].how, "att spot k_d I_di (n·l)");
+        EXPECT_EQ(sum_rows(at, {}, Symbols::kLecture)[1].how, "k_a I_a");
+        for (const std::optional<int> light : {std::optional(0), std::optional<int>()})
+            for (const explain::Line& line : lines_of(at, light, Symbols::kLecture))
+                for (const std::string& text : {line.what, line.value, line.how})
+                    for (const char* symbol : {"VP", "_cm", "_cl", "_cs", "n.h", "r.v", "^s", "c_pri"})
+                        EXPECT_EQ(text.find(symbol), std::string::npos) << text;
+    }
+}
+
 // What is not clamped after lighting is the pixel that the reference draws.
 TEST(SessionProbe, AMeanOfVerticesIsThePixel) {
     const Scene scene = scene_of(
