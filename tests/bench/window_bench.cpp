@@ -73,6 +73,36 @@ void measure_window(bench::Results& results) {
     results.ratio("window_changing_shaders_over_fixed", bench::median(ratios), bench::Bar{1});
 }
 
+// Without the driver's cache of shaders, so that each key is the first of its kind: the longest frame after the first one, which is what
+// the window needs for an answer.
+double longest_cold_frame(const Xvfb& server, bool is_quick) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "times.json", display = "DISPLAY=" + server.display() + " ";
+    std::string keys;
+    for (const char* key : {"f", "g", "t", "g", "x", "l", "r"})
+        keys += fmt::format("key {} sleep {} ", key, is_quick ? 0 : 2);
+    const std::string command = fmt::format(
+        "env -u LP_NUM_THREADS MESA_SHADER_CACHE_DISABLE=true LIBGL_ALWAYS_SOFTWARE=1 XDG_CONFIG_HOME={0} "
+        "XDG_STATE_HOME={0} "
+        "{1}{2}/twinlight-demo report --size 1280x800 --scale 1 --times {3} & {1}xdotool search --sync --onlyvisible "
+        "--name "
+        "twinlight sleep 4 mousemove 900 300 {4} key Escape > /dev/null 2>&1; wait",
+        folder / "config", display, build_folder(), file, keys);
+    if (std::system(command.c_str()) != 0) throw std::runtime_error("the window failed: " + command);
+    const auto frames = nlohmann::json::parse(read_file(file)).at("frame_ms").get<std::vector<double>>();
+    return *std::max_element(frames.begin() + 1, frames.end());
+}
+
+void measure_cold_keys(bench::Results& results) {
+    const Xvfb server;
+    if (!server.running() || std::system("command -v xdotool > /dev/null") != 0) {
+        results.remark("cold keys are not measured: Xvfb or xdotool is missing");
+        return;
+    }
+    results.ratio("window_cold_key_ms_most", longest_cold_frame(server, results.is_quick()), bench::Bar{150, true});
+}
+
+const bool added_cold_keys = bench::add_part("cold_keys", measure_cold_keys);
 const bool added = bench::add_part("window", measure_window);
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "app/demo/panes.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,19 @@ using session::kPanes;
 using session::Session;
 
 using Clock = std::chrono::steady_clock;
+
+// How long a frame waits for pictures. Later ones are shown when they are ready: the driver compiles, or the scene is large.
+constexpr std::chrono::milliseconds kPatience{100};
+
+// The image in which row 0 is at the top.
+Image image_of(const std::vector<std::uint8_t>& rgba, int width, int height) {
+    Image image(width, height);
+    auto code = rgba.begin();
+    for (int y = height - 1; y >= 0; --y)
+        for (int x = 0; x < width; ++x)
+            for (float& channel : image.at(x, y)) channel = static_cast<float>(*code++) / 255.0F;
+    return image;
+}
 
 bool shows_difference(const Session& session) {
     return session.view == session::View::kGrid ||
@@ -64,47 +78,50 @@ bool Panes::wants_image(const Session& session, std::size_t pane) const {
     return has_probe(session) || (in_difference && shows_difference(session));
 }
 
-void Panes::draw_pane(const Session& session, std::size_t number) {
-    const session::Pane& pane = session.panes[number];
+void Panes::request_picture(const Session& session, std::size_t number) {
     Drawn& drawn = drawn_[number];
-    const Look look = look_of(session, pane);
-    const bool is_new = drawn.revision != session.revision || drawn.pane != pane || drawn.look != look ||
-                        drawn.width != session.width || drawn.height != session.height;
-    // While the scene changes in every frame, only pictures that are compared with each other at once are read back.
-    const bool reads = wants_image(session, number) && (!is_new || compares_live(session));
-    if (!is_new && !(reads && drawn.image.pixels.empty())) return;
-    drawn.error.clear();
-    // The first picture of a renderer includes compiling, so it is drawn twice and the second is timed.
-    const bool compiles = drawn.pane != pane || drawn.look != look;
-    double ms = 0;
-    for (int times = compiles ? 2 : 1; times > 0 && drawn.error.empty(); --times) {
-        glFinish();  // otherwise the copy of the pane before would be timed here
-        const Clock::time_point start = Clock::now();
-        try {
-            if (pane.renderer == Path::kFixed) {
-                fixed::draw(session.scene, {look.shading});
-            } else {
-                // For drawing frame after frame: numbers that do not change are baked into the shaders.
-                programmable_->draw(session.scene.frame, {{look}, programmable::Tier::kAuto});
-            }
-        } catch (const std::exception& error) {
-            drawn.error = reason_of(error);
-        }
-        glFinish();
-        ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    const Wanted wanted{session.panes[number], look_of(session, session.panes[number]), session.revision, session.width,
+                        session.height};
+    if (drawn.wanted == wanted) return;
+    if (!scene_ || scene_revision_ != session.revision) scene_ = std::make_shared<const Scene>(session.scene);
+    scene_revision_ = session.revision;
+    const bool is_first = !drawn.wanted || drawn.wanted->pane != wanted.pane || drawn.wanted->look != wanted.look;
+    drawn.wanted = wanted;
+    painter_.request({number, scene_, wanted.pane.renderer, wanted.look, wanted.revision, is_first});
+}
+
+// A picture of an earlier revision is shown until the next one is there.
+void Panes::take_pictures() {
+    for (PanePicture& picture : painter_.take()) {
+        const PaneJob& job = picture.job;
+        Drawn& drawn = drawn_[job.pane];
+        if (!drawn.wanted || drawn.wanted->pane.renderer != job.renderer || drawn.wanted->look != job.look) continue;
+        drawn.error = picture.error;
+        if (job.is_first) drawn.times = {};
+        drawn.times.add(picture.ms);
+        drawn.image = {};
+        drawn.is_new = true;
+        drawn.rgba = std::move(picture.rgba);
+        drawn.width = job.scene->frame.width;
+        drawn.height = job.scene->frame.height;
+        drawn.texture.upload(drawn.rgba, drawn.width, drawn.height);
+        drawn.texture.set_magnification(GL_NEAREST);
+        ++drawn.version;
+        drawn.pane = drawn.wanted->pane;
+        drawn.look = job.look;
+        drawn.revision = job.revision;
+        drawn.reference.reset();
     }
-    const fixed::InitialState initial(session.width, session.height);
-    if (compiles) drawn.times = {};
-    if (is_new) drawn.times.add(ms);
-    drawn.image = reads ? read_pixels(session.width, session.height) : Image{};
-    drawn.texture.copy_back_buffer(session.width, session.height);
-    ++drawn.version;
-    drawn.pane = pane;
-    drawn.look = look;
-    drawn.revision = session.revision;
-    drawn.width = session.width;
-    drawn.height = session.height;
-    drawn.reference.reset();
+}
+
+// While the scene changes in every frame, only pictures that are compared with each other at once are needed as images.
+void Panes::make_images(const Session& session) {
+    for (std::size_t i = 0; i < kPanes; ++i) {
+        Drawn& drawn = drawn_[i];
+        const bool is_new = std::exchange(drawn.is_new, false);
+        if (drawn.rgba.empty() || !drawn.image.pixels.empty() || !wants_image(session, i)) continue;
+        if (!is_new || compares_live(session)) drawn.image = image_of(drawn.rgba, drawn.width, drawn.height);
+    }
 }
 
 void Panes::request_reference(const Session& session, const std::array<bool, kPanes>& shown) {
@@ -142,6 +159,8 @@ void Panes::take_reference(const Session& session) {
         if (found == references_.end() || drawn.reference == *found) continue;
         if ((*found)->revision != drawn.revision) drawn.since = Clock::now();
         drawn.reference = *found;
+        drawn.wanted.reset();
+        drawn.rgba.clear();
         drawn.pane = pane;
         drawn.look = look;
         drawn.revision = (*found)->revision;
@@ -209,7 +228,12 @@ bool Panes::lacks_images(const Session& session) const {
     return false;
 }
 
-void Panes::update(const Session& session, const session::Layout& layout) {
+bool Panes::is_behind(const Drawn& drawn) const {
+    return drawn.wanted && (drawn.pane != drawn.wanted->pane || drawn.look != drawn.wanted->look ||
+                            drawn.revision != drawn.wanted->revision);
+}
+
+void Panes::update(const Session& session, const session::Layout& layout, bool waits) {
     std::array<bool, kPanes> shown{};
     for (const Cell& cell : layout.cells) {
         if (cell.pane < kPanes)
@@ -220,7 +244,14 @@ void Panes::update(const Session& session, const session::Layout& layout) {
     if (session.view == session::View::kSlider) shown[session.slider.a] = shown[session.slider.b] = true;
     if (has_probe(session)) shown.fill(true);
     for (std::size_t i = 0; i < kPanes; ++i)
-        if (shown[i] && session.panes[i].renderer != Path::kReference) draw_pane(session, i);
+        if (shown[i] && session.panes[i].renderer != Path::kReference) request_picture(session, i);
+    if (waits)
+        painter_.wait();
+    else if (!is_late_)
+        painter_.wait(kPatience);
+    is_late_ = painter_.is_drawing();
+    take_pictures();
+    make_images(session);
     request_reference(session, shown);
     take_reference(session);
     if (shows_difference(session)) update_difference(session);

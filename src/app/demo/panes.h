@@ -3,13 +3,17 @@
 
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/demo/overlays.h"
 #include "app/demo/pair_verdict.h"
+#include "app/demo/pane_worker.h"
 #include "app/demo/texture.h"
 #include "app/demo/world_view.h"
 #include "app/session/layout.h"
@@ -39,14 +43,20 @@ class Panes {
     Panes(const Panes&) = delete;
     Panes& operator=(const Panes&) = delete;
 
-    // Draws what changed. The back buffer's lower left corner is overwritten.
-    void update(const session::Session& session, const session::Layout& layout);
+    // Draws what changed, and waits for it for a short time or, if `waits`, until it is drawn. The back buffer's lower left corner is
+    // overwritten.
+    void update(const session::Session& session, const session::Layout& layout, bool waits);
     // Puts the pictures on ImGui's background, between the bars.
     void show(session::Session& session, const session::Layout& layout);
-    // Whether another frame would show more: the reference is at work, or pictures are still to be compared. `wait` waits
-    // for the reference.
-    bool is_busy(const session::Session& session) const { return worker_.is_busy() || lacks_images(session); }
-    void wait() const { worker_.wait(); }
+    // Whether another frame would show more: the driver or the reference is at work, or pictures are still to be compared. `wait`
+    // waits for them.
+    bool is_busy(const session::Session& session) const {
+        return is_late_ || worker_.is_busy() || lacks_images(session);
+    }
+    void wait() const {
+        painter_.wait();
+        worker_.wait();
+    }
 
     // How long the pane's last picture took.
     std::optional<double> last_ms(std::size_t pane) const { return drawn_[pane].times.last_ms(); }
@@ -55,15 +65,26 @@ class Panes {
     std::array<std::optional<Rgba>, session::kPanes> colors_at(int x, int y) const;
 
   private:
-    struct Drawn {  // what a texture holds
+    struct Wanted {  // of the fixed function or the shaders
+        session::Pane pane;
+        Look look{};
+        int revision = -1;
+        int width = 0, height = 0;
+
+        friend bool operator==(const Wanted&, const Wanted&) = default;
+    };
+    struct Drawn {                       // what a texture holds
+        std::optional<Wanted> wanted{};  // the picture asked for last; empty for the reference
         std::optional<session::Pane> pane;
         Look look{};
         int revision = -1;
         int width = 0, height = 0;
         Texture texture{GL_NEAREST};
-        int version = 0;             // counts the texture's pictures
-        OverlaidPicture overlaid{};  // the texture with the overlays
-        Image image{};               // empty unless it was needed
+        int version = 0;                   // counts the texture's pictures
+        OverlaidPicture overlaid{};        // the texture with the overlays
+        std::vector<std::uint8_t> rgba{};  // not of the reference
+        bool is_new = false;               // since the last frame
+        Image image{};                     // empty unless it was needed
         std::shared_ptr<const session::ReferencePicture> reference{};
         std::chrono::steady_clock::time_point since{};  // the reference's picture is from then
         std::string error{};                            // of the renderer
@@ -82,7 +103,10 @@ class Panes {
 
     bool lacks_images(const session::Session& session) const;
     bool wants_image(const session::Session& session, std::size_t pane) const;
-    void draw_pane(const session::Session& session, std::size_t pane);
+    void request_picture(const session::Session& session, std::size_t pane);
+    void take_pictures();
+    void make_images(const session::Session& session);
+    bool is_behind(const Drawn& drawn) const;
     void request_reference(const session::Session& session, const std::array<bool, session::kPanes>& shown);
     void take_reference(const session::Session& session);
     void update_difference(const session::Session& session);
@@ -103,10 +127,14 @@ class Panes {
     std::array<Drawn, session::kPanes> drawn_;
     Difference difference_;
     WorldView world_;
+    PaneWorker painter_;
+    bool is_late_ = false;                // the last frame did not get all pictures
+    std::shared_ptr<const Scene> scene_;  // the session's, for painter_
+    int scene_revision_ = -1;
     session::ReferenceWorker worker_;
     std::vector<std::shared_ptr<const session::ReferencePicture>> references_;  // the newest of each look
     std::shared_ptr<const session::ReferenceAllowed> allowed_;
-    std::unique_ptr<programmable::Renderer> programmable_;
+    std::unique_ptr<programmable::Renderer> programmable_;  // for the world
 };
 
 }  // namespace twinlight::demo

@@ -24,6 +24,8 @@ using session::kPanes;
 using session::Session;
 using Clock = std::chrono::steady_clock;
 
+constexpr double kSlowMs = 50;
+
 std::string ms_text(double ms) {
     return ms < 10    ? fmt::format("{:.2f} ms", ms)
            : ms < 100 ? fmt::format("{:.1f} ms", ms)
@@ -177,6 +179,8 @@ std::string Panes::time_of(const Session& session, std::size_t number) const {
         if (drawn.reference->divisor > 1) return "coarse, at work ...";
     }
     const auto ms = drawn.times.median_ms();
+    // What is drawn fast is late only if the driver compiles.
+    if (is_late_ && is_behind(drawn)) return ms && *ms > kSlowMs ? "at work ..." : "compiling ...";
     return ms ? ms_text(*ms) : "";
 }
 

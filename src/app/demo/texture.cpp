@@ -1,8 +1,5 @@
 #include "app/demo/texture.h"
 
-#include <cstdint>
-#include <vector>
-
 namespace twinlight::demo {
 
 Texture::Texture(GLint filter) {
@@ -12,7 +9,8 @@ Texture::Texture(GLint filter) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glBindTexture(GL_TEXTURE_2D, 0);
+    const std::vector<std::uint8_t> dark{28, 31, 37, 255};  // until there is a picture
+    upload(dark, 1, 1);
 }
 
 Texture::~Texture() { glDeleteTextures(1, &name_); }
@@ -29,6 +27,12 @@ void Texture::upload(const Image& image) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, image.width, image.height, 0, GL_RGB, GL_UNSIGNED_BYTE, codes.data());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void Texture::upload(const std::vector<std::uint8_t>& rgba, int width, int height) {
+    glBindTexture(GL_TEXTURE_2D, name_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 

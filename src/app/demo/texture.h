@@ -3,6 +3,9 @@
 
 #include <imgui.h>
 
+#include <cstdint>
+#include <vector>
+
 #include "base/image/image.h"
 #include "render/context/gl.h"
 
@@ -17,6 +20,8 @@ class Texture {
     Texture& operator=(const Texture&) = delete;
 
     void upload(const Image& image);
+    // Four bytes for each pixel, the bottom row first.
+    void upload(const std::vector<std::uint8_t>& rgba, int width, int height);
     // Takes the back buffer's lower left corner.
     void copy_back_buffer(int width, int height);
     // How it is enlarged from now on.

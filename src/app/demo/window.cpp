@@ -17,6 +17,7 @@
 #include "app/demo/clipboard.h"
 #include "app/demo/glut_window.h"
 #include "app/demo/theme.h"
+#include "app/demo/x_drawing_context.h"
 #include "app/session/clip.h"
 #include "app/session/lesson_state.h"
 #include "app/session/tutor.h"
@@ -149,6 +150,7 @@ int Window::run() {
     char* arguments[] = {program, nullptr};
     glutInitErrorFuncUcall(refuse, nullptr);
     glutInit(&argument_count, arguments);
+    DrawingContext::allow_threads();
     // No GLUT_MULTISAMPLE: one sample, as in OSMesa. With alpha, since the reference's pictures have it, too.
     glutInitDisplayMode(GLUT_RGBA | GLUT_ALPHA | GLUT_DOUBLE | GLUT_DEPTH | GLUT_STENCIL);
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
@@ -250,7 +252,8 @@ void Window::frame() {
         glutSetWindowTitle(title.c_str());
     }
     session::refresh(session_, layout_.picture.width, layout_.picture.height);
-    panes_->update(session_, layout_);
+    // What is written to a file shows no earlier picture.
+    panes_->update(session_, layout_, session_.screenshot_requested || panels_->saving().is_recording());
 
     input_changed_ = false;
     shown_x_ = static_cast<int>(ImGui::GetIO().MousePos.x);

@@ -1,0 +1,155 @@
+#include "app/demo/pane_worker.h"
+
+#include <algorithm>
+#include <exception>
+#include <functional>
+#include <utility>
+
+#include "app/demo/x_drawing_context.h"
+#include "base/text/reason.h"
+#include "base/threads/threads.h"
+#include "render/context/gl.h"
+#include "render/fixed/fixed.h"
+
+namespace twinlight::demo {
+namespace {
+
+PanePicture drawn_picture(const PaneJob& job, programmable::Renderer& renderer) {
+    using Clock = std::chrono::steady_clock;
+    PanePicture picture{job};
+    const Scene& scene = *job.scene;
+    // The first picture of a renderer includes compiling.
+    for (int times = job.is_first ? 2 : 1; times > 0 && picture.error.empty(); --times) {
+        glFinish();
+        const Clock::time_point start = Clock::now();
+        try {
+            if (job.renderer == Path::kFixed) {
+                fixed::draw(scene, {job.look.shading});
+            } else {
+                // For drawing frame after frame: numbers that do not change are baked into the shaders.
+                renderer.draw(scene.frame, {{job.look}, programmable::Tier::kAuto});
+            }
+        } catch (const std::exception& error) {
+            picture.error = reason_of(error);
+        }
+        glFinish();
+        picture.ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    }
+    const int width = scene.frame.width, height = scene.frame.height;
+    const fixed::InitialState initial(width, height);
+    picture.rgba.resize(std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
+    return picture;
+}
+
+}  // namespace
+
+PaneWorker::PaneWorker() : draws_by_itself_(true), thread_(try_start_thread([this] { run(); })) {
+    if (thread_.joinable()) return;
+    const std::lock_guard lock(mutex_);
+    draws_by_itself_ = false;
+}
+
+PaneWorker::~PaneWorker() {
+    {
+        const std::lock_guard lock(mutex_);
+        is_ending_ = true;
+        jobs_.clear();
+    }
+    changed_.notify_all();
+    if (thread_.joinable()) thread_.join();
+}
+
+void PaneWorker::request(PaneJob job) {
+    {
+        const std::lock_guard lock(mutex_);
+        const auto waiting = std::ranges::find(jobs_, job.pane, &PaneJob::pane);
+        if (waiting == jobs_.end()) {
+            jobs_.push_back(std::move(job));
+        } else {
+            job.is_first |= waiting->is_first;
+            *waiting = std::move(job);
+        }
+    }
+    changed_.notify_all();
+}
+
+bool PaneWorker::is_drawing() const {
+    const std::lock_guard lock(mutex_);
+    return is_drawing_now();
+}
+
+void PaneWorker::wait(std::optional<std::chrono::milliseconds> most) const {
+    std::unique_lock lock(mutex_);
+    const auto is_done = [this] { return !is_drawing_now(); };
+    if (most)
+        changed_.wait_for(lock, *most, is_done);
+    else
+        changed_.wait(lock, is_done);
+}
+
+std::vector<PanePicture> PaneWorker::take() {
+    bool by_itself = true;
+    {
+        const std::lock_guard lock(mutex_);
+        by_itself = draws_by_itself_;
+    }
+    if (!by_itself) {
+        if (!of_window_) of_window_ = std::make_unique<programmable::Renderer>();
+        draw_jobs(*of_window_, [](int, int) {});
+    }
+    const std::lock_guard lock(mutex_);
+    return std::exchange(pictures_, {});
+}
+
+void PaneWorker::run() {
+    try {
+        DrawingContext context;
+        context.make_current(1, 1);
+        programmable::Renderer renderer;
+        const auto prepare = [&](int width, int height) { context.make_current(width, height); };
+        for (;;) {
+            {
+                std::unique_lock lock(mutex_);
+                changed_.wait(lock, [this] { return is_ending_ || !jobs_.empty(); });
+                if (is_ending_) return;
+            }
+            draw_jobs(renderer, prepare);
+        }
+    } catch (const std::exception&) {
+        // There is no context, or no buffer of this size.
+        const std::lock_guard lock(mutex_);
+        draws_by_itself_ = is_drawing_ = false;
+    }
+    changed_.notify_all();
+}
+
+void PaneWorker::draw_jobs(programmable::Renderer& renderer, const std::function<void(int, int)>& prepare) {
+    for (;;) {
+        PaneJob job;
+        {
+            const std::lock_guard lock(mutex_);
+            if (jobs_.empty()) return;
+            job = std::move(jobs_.front());
+            jobs_.erase(jobs_.begin());
+            is_drawing_ = true;
+        }
+        try {
+            prepare(job.scene->frame.width, job.scene->frame.height);
+        } catch (const std::exception&) {
+            const std::lock_guard lock(mutex_);
+            jobs_.insert(jobs_.begin(), std::move(job));
+            throw;
+        }
+        PanePicture picture = drawn_picture(job, renderer);
+        {
+            const std::lock_guard lock(mutex_);
+            is_drawing_ = false;
+            pictures_.push_back(std::move(picture));
+        }
+        changed_.notify_all();
+    }
+}
+
+}  // namespace twinlight::demo
