@@ -96,6 +96,27 @@ try {
     told.turned_picture = canvas.toDataURL();
     canvas.dispatchEvent(new PointerEvent("pointermove", {buttons: 1, movementX: -60, movementY: -20}));
     told.turned_back = changed(picture(), first);
+    const choices = (id) => [...document.getElementById(id).options].map((option) => option.value);
+    const choose = (id, value) => {
+        document.getElementById(id).value = value;
+        document.getElementById(id).dispatchEvent(new Event("input"));
+        return canvas.toDataURL();
+    };
+    told.steps = choices("step");
+    told.shadings = choices("shading");
+    told.per_pixel_picture = choose("shading", told.shadings.at(-1));
+    choose("shading", told.shadings[0]);
+    told.last_step_picture = choose("step", told.steps.at(-1));
+    choose("step", told.steps[0]);
+    told.chosen_back = changed(picture(), first);
+    told.lights = [...document.querySelectorAll("#lights button")].map((button) => button.textContent);
+    document.querySelector("#lights button")?.click();
+    told.light_by_button = changed(picture(), first);
+    document.querySelector("#lights button")?.click();
+    const [x, y] = [canvas.clientWidth / 2, canvas.clientHeight / 2], box = canvas.getBoundingClientRect();
+    canvas.dispatchEvent(new PointerEvent("pointerdown", {buttons: 1}));
+    canvas.dispatchEvent(new PointerEvent("pointerup", {clientX: box.left + x, clientY: box.top + y}));
+    told.pixel = document.getElementById("state").textContent;
     press("f");
     told.flat = changed(picture(), first);
     press("f");
@@ -158,8 +179,9 @@ class ExportedPage : public testing::Test {
 // The browser draws with another driver (SwiftShader), which interpolates with other arithmetic than the reference: away
 // from edges a channel may round to the neighbouring code, as anywhere, but in more pixels than on llvmpipe: up to 0.8 %
 // in these scenes.
-void expect_close(const std::string& scene, const Image& picture, std::optional<Shading> shading) {
-    const Frame frame = make_frame(*load_commands(scene), {});
+void expect_close(const std::string& scene, const Image& picture, std::optional<Shading> shading,
+                  const std::string& step = {}) {
+    const Frame frame = make_frame(*load_commands(scene, step), {});
     reference::Options options{{.shading = shading}};
     const Image exact = reference::render(frame, options);
     // As on the page for browsers (page_scene.cpp), edges are not checked.
@@ -204,6 +226,26 @@ TEST_F(ExportedPage, DrawsWhatTheReferenceDrawsAndAnswersKeysAndTheMouse) {
     EXPECT_EQ(told["turned_back"], 0);
     EXPECT_EQ(page_.find("lacks a part"), std::string::npos);
     expect_close_after_a_turn(kScene, told);
+    EXPECT_EQ(told["shadings"], json({"per vertex", "per pixel"}));
+    expect_close(scene, picture_of(told, "per_pixel_picture"), Shading::kPhong);
+    EXPECT_EQ(told["chosen_back"], 0);
+    EXPECT_EQ(told["lights"], json({"GL_LIGHT0", "GL_LIGHT3", "GL_LIGHT5"}));
+    EXPECT_EQ(told["light_by_button"], told["without_light"]);
+    const Rgba middle = picture_of(told).at(320, 240);
+    EXPECT_EQ(told["pixel"], fmt::format("Pixel 320, 240: red {}, green {}, blue {} of 255.", channel_code(middle[0]),
+                                         channel_code(middle[1]), channel_code(middle[2])));
+}
+
+TEST_F(ExportedPage, HasAllStepsOfTheSceneAndWhatItShows) {
+    const json told = used("terms");
+    EXPECT_EQ(told["steps"], json({"The sum", "Ambient", "Diffuse", "Specular", "All three terms"}));
+    EXPECT_EQ(told["chosen_back"], 0);
+    expect_close("terms", picture_of(told, "last_step_picture"), {}, "5");
+    EXPECT_NE(page_.find("<p>The lighting equation term by term: ambient + diffuse + specular = the whole.</p>"),
+              std::string::npos);
+    EXPECT_NE(page_.find("<p>Notice that ambient light alone is flat"), std::string::npos);
+    EXPECT_EQ(used("terms", {"--step", "5"})["steps"], json({"All three terms"}));
+    EXPECT_EQ(used("terms", {"--shading", "phong"})["shadings"], json({""}));
 }
 
 TEST_F(ExportedPage, NamesWhatWebglLacks) {

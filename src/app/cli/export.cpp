@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "app/cli/command_line.h"
 #include "base/image/file.h"
@@ -16,6 +17,7 @@
 #include "render/webgl/exported_page.h"
 #include "scene/command/text.h"
 #include "scene/recorded/recorded_frame.h"
+#include "scene/scenes/caption.h"
 #include "scene/shape/written_out.h"
 
 namespace twinlight::cli {
@@ -45,13 +47,24 @@ Scene with_texels(Scene scene, const programmable::Options& options) {
     return scene;
 }
 
+// All steps of the scene.
+std::string page_of(const std::vector<Scene>& scenes, const programmable::Options& options) {
+    std::vector<webgl::PageStep> steps;
+    webgl::PageText text{scenes.size() > 1 ? scenes.front().name() : scenes.front().title()};
+    for (const Scene& scene : scenes) {
+        const CommandList* list = scene.recording->command_list();
+        if (list) text.shows = caption_of(*list).title, text.notice = caption_of(*list).notice;
+        steps.push_back({&scene.frame, list && list->step > 0 ? list->steps[list->step - 1] : ""});
+    }
+    return webgl::exported_page(steps, options, text);
+}
+
 using Export = std::function<std::string(const Scene&, const programmable::Options&)>;
 const std::map<std::string, Export> kForms = {
     {"c", [](const Scene& scene,
              const auto&) { return print_c_program(with_pragmas_written_out(commands_to_print(scene))); }},
     {"glsl", [](const Scene& scene, const auto& options) { return programmable::shader_source(scene.frame, options); }},
-    {"html",
-     [](const Scene& scene, const auto& options) { return webgl::exported_page(scene.frame, options, scene.title()); }},
+    {"html", nullptr},  // page_of() has all steps
     {"scene", [](const Scene& scene, const auto&) { return print_scene(commands_to_print(scene)); }},
 };
 
@@ -98,20 +111,25 @@ int run_export(ExportArguments arguments) {
     check_usage(arguments);
     const bool to_file = !arguments.output.empty();
     const bool writes_texels = arguments.form == "html" || (arguments.form == "glsl" && to_file);
-    if (writes_texels) arguments.memory.bytes_of_pixel = 40;
+    if (writes_texels) arguments.memory.bytes_of_pixel = arguments.memory.bytes_of_step_pixel = 40;
+    const bool is_page = arguments.form == "html";
     // Loading runs the whole scene, so that a scene with an error is not exported.
-    Scene scene = load_scene(arguments.scene, {}, arguments.part, arguments.step, arguments.memory);
+    std::vector<Scene> scenes;
+    if (is_page)
+        scenes = load_steps(arguments.scene, {}, arguments.part, arguments.step, arguments.memory);
+    else
+        scenes.push_back(load_scene(arguments.scene, {}, arguments.part, arguments.step, arguments.memory));
     programmable::Options options{{{.shading = arguments.shading}}};
     options.precise = arguments.precise;
     if (writes_texels) {
-        scene = with_texels(std::move(scene), options);
-        check_can_be_kept(scene, options, arguments.form == "html");
+        for (Scene& scene : scenes) scene = with_texels(std::move(scene), options);
+        check_can_be_kept(scenes.front(), options, is_page);
     }
     if (arguments.form == "glsl" && to_file) {
-        write_kept(scene, options, arguments);
+        write_kept(scenes.front(), options, arguments);
         return kFine;
     }
-    const std::string text = kForms.at(arguments.form)(scene, options);
+    const std::string text = is_page ? page_of(scenes, options) : kForms.at(arguments.form)(scenes.front(), options);
     if (to_file)
         write_file_atomically(arguments.output, text);
     else
@@ -141,7 +159,7 @@ Subcommand add_export(CLI::App& app) {
             "-o", arguments->output,
             "with --as glsl: write shaders to keep into this folder; they stay right when objects, lights "
             "and the camera move. A C program that draws the scene with them is beside them. With --as html: the "
-            "file (default: standard output)")
+            "file (default: standard output), with all steps of the scene")
         ->type_name("PATH")
         ->check(not_empty());
     exporting->add_option("--glsl", arguments->glsl, "GLSL version of the shaders to keep (default: 330, core profile)")

@@ -15,6 +15,7 @@
 #include "render/programmable/export/kept_files.h"
 #include "render/webgl/exported_page.h"
 #include "scene/command/text.h"
+#include "scene/scenes/caption.h"
 #include "scene/scenes/load.h"
 #include "scene/shape/written_out.h"
 
@@ -166,13 +167,15 @@ void take_file_text(Session& session, const std::string& theirs) {
 std::string save(const Session& session, Form form, const Look& look, const std::string& folder) {
     const CommandList& list = commands(session);
     const Frame& frame = session.scene.frame;
+    const Caption caption = caption_of(list);
     const std::string ending = kForms[static_cast<std::size_t>(form)].ending;
     const std::string path = free_path(folder, stem_of(key_of(session)), ending);
     switch (form) {
         case Form::kC: write_file_atomically(path, print_c_program(with_pragmas_written_out(list))); break;
         case Form::kHtml:
             check_can_be_kept(programmable::why_not_kept(frame), look);
-            write_file_atomically(path, webgl::exported_page(frame, look, list.name));
+            write_file_atomically(path,
+                                  webgl::exported_page({{&frame}}, look, {list.name, caption.title, caption.notice}));
             break;
         case Form::kGlsl: {
             check_can_be_kept(programmable::why_not_in_files(frame), look);

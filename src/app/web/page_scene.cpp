@@ -21,6 +21,7 @@
 #include "scene/command/text.h"
 #include "scene/frame/picture_memory.h"
 #include "scene/frame/resized.h"
+#include "scene/scenes/caption.h"
 #include "scene/scenes/images.h"
 #include "scene/scenes/load.h"
 #include "scene/scenes/meshes.h"
@@ -215,7 +216,8 @@ std::string PageScene::forms(const Look& look) const {
 std::string PageScene::exported(const std::string& form, const Look& look) const {
     if (form == "c") return print_c_program(with_pragmas_written_out(*opened_.commands));
     if (form == "glsl") return programmable::shader_source(scene_->frame, shader_options(look));
-    return webgl::exported_page(scene_->frame, look, scene_->title());
+    const Caption caption = caption_of(*opened_.commands);
+    return webgl::exported_page({{&scene_->frame}}, look, {scene_->title(), caption.title, caption.notice});
 }
 
 std::string PageScene::explained(const Look& look, int x, int y) const {

@@ -9,6 +9,9 @@ PAGE := $(WEB)/page
 # The editor: CodeMirror 5, of Debian's libjs-codemirror, with its licence.
 EDITOR_web := $(addprefix $(PAGE)/codemirror/,codemirror.js codemirror.css copyright)
 
+# What exported pages have, too.
+SHARED_web := $(addprefix $(PAGE)/,gl.js theme.css theme.js)
+
 # The module has the rooms and files that need neither GL nor processes.
 ROOMS_web := $(addprefix src/,base/image base/math base/text base/threads scene/command scene/mesh scene/scenes scene/shape scene/spectrum \
     scene/frame scene/state scene/recorded scene/trace lighting render/effect \
@@ -65,7 +68,7 @@ $(PAGE)/module.js: $(OBJECTS_web)
 	@mkdir -p $(@D); NODE_PATH=$${NODE_PATH:-/usr/share/nodejs} $(EMXX) $(LDFLAGS_web) $(OBJECTS_web) -o $@
 $(PAGE)/%: src/app/web/page/%
 	@mkdir -p $(@D); cp $< $@
-$(PAGE)/gl.js: src/render/webgl/gl.js
+$(SHARED_web): $(PAGE)/%: src/render/webgl/%
 	@mkdir -p $(@D); cp $< $@
 $(PAGE)/codemirror/%: /usr/share/javascript/codemirror/lib/%
 	@mkdir -p $(@D); cp $< $@
@@ -76,7 +79,7 @@ $(PAGE)/mesa.json: $(PROGRAMS)/twinlight tools/mesa-pictures.mjs tools/png.mjs $
 	@echo "draw the built-in scenes with Mesa, for the page"
 	@node tools/mesa-pictures.mjs $< $(@D) >$@.new && mv $@.new $@
 # The whole page.
-FILES_page := $(PAGE)/module.js $(patsubst src/app/web/page/%,$(PAGE)/%,$(wildcard src/app/web/page/*)) $(PAGE)/gl.js $(EDITOR_web)
+FILES_page := $(PAGE)/module.js $(patsubst src/app/web/page/%,$(PAGE)/%,$(wildcard src/app/web/page/*)) $(SHARED_web) $(EDITOR_web)
 $(WEB)/twinlight.html: $(FILES_page) $(PAGE)/mesa.json tools/pack-page.mjs
 	@echo "pack $@"
 	@node tools/pack-page.mjs $(PAGE) $@

@@ -6,6 +6,20 @@
 
 namespace twinlight {
 
+std::string escaped(std::string_view text) {
+    std::string html;
+    for (const char c : text) {
+        switch (c) {
+            case '&': html += "&amp;"; break;
+            case '<': html += "&lt;"; break;
+            case '>': html += "&gt;"; break;
+            case '"': html += "&quot;"; break;
+            default: html += c;
+        }
+    }
+    return html;
+}
+
 std::string filled(std::string_view text, const std::map<std::string, std::string, std::less<>>& values) {
     std::string result;
     for (std::size_t at = 0;;) {

@@ -12,6 +12,9 @@ namespace twinlight {
 // value.
 std::string filled(std::string_view text, const std::map<std::string, std::string, std::less<>>& values);
 
+// Escapes text for HTML, also inside attributes.
+std::string escaped(std::string_view text);
+
 // RFC 4648 section 4.
 std::string base64(std::string_view bytes);
 

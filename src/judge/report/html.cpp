@@ -13,20 +13,6 @@ std::string_view page_file(std::string_view name) {
     return file->text;
 }
 
-std::string escaped(std::string_view text) {
-    std::string html;
-    for (const char c : text) {
-        switch (c) {
-            case '&': html += "&amp;"; break;
-            case '<': html += "&lt;"; break;
-            case '>': html += "&gt;"; break;
-            case '"': html += "&quot;"; break;
-            default: html += c;
-        }
-    }
-    return html;
-}
-
 std::string data_uri(std::string_view png) { return "data:image/png;base64," + base64(png); }
 
 std::string page_head(std::string_view title, const std::string& style) {

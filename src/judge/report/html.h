@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/image/embedded.h"
+#include "base/text/page.h"
 
 namespace twinlight {
 
@@ -19,8 +20,7 @@ namespace twinlight::report {
 // The text of one of kPageFiles. Throws std::logic_error if there is none of this name.
 std::string_view page_file(std::string_view name);
 
-// Escapes text for HTML, also inside attributes.
-std::string escaped(std::string_view text);
+using twinlight::escaped;
 
 // "data:image/png;base64,..."
 std::string data_uri(std::string_view png);

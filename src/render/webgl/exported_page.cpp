@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -21,21 +22,29 @@ std::string text_of_file(std::string_view name) {
     return std::string(std::ranges::find(kWebglFiles, name, &EmbeddedFile::name)->text);
 }
 
-// The programs' texts as parts of the page that a reader can find; then the programs have their names instead.
-std::string taken_shaders(Json& programs) {
-    std::string parts;
-    int number = 0;
-    for (Json& program : programs) {
-        ++number;
-        for (const auto& [stage, ending] : {std::pair("vertex", "vert"), {"fragment", "frag"}}) {
-            const std::string name = fmt::format("kind{}.{}", number, ending);
-            parts += fmt::format("<script type=\"text/plain\" id=\"{}\">\n{}</script>\n", name,
-                                 program[stage].get<std::string>());
-            program[stage] = name;
-        }
+// The programs' texts as parts of the page that a reader can find. The programs have the parts' names instead.
+class ShaderParts {
+  public:
+    void take(Json& programs) {
+        for (Json& program : programs)
+            for (const auto& [stage, ending] : {std::pair("vertex", "vert"), {"fragment", "frag"}})
+                program[stage] = name_of(program[stage].get<std::string>(), ending);
     }
-    return parts;
-}
+    std::string text{};
+
+  private:
+    std::string name_of(const std::string& shader, const char* ending) {
+        const auto [at, is_new] = names_.try_emplace(shader);
+        if (is_new) {
+            at->second = fmt::format("kind{}.{}", ++numbers_[ending], ending);
+            text += fmt::format("<script type=\"text/plain\" id=\"{}\">\n{}</script>\n", at->second, shader);
+        }
+        return at->second;
+    }
+
+    std::map<std::string, std::string> names_{};  // by the text
+    std::map<std::string, int> numbers_{};        // of the last part with this ending
+};
 
 // A line for each element of a list.
 std::string in_lines(const Json& header) {
@@ -52,42 +61,67 @@ std::string in_lines(const Json& header) {
     return text + "\n}";
 }
 
-std::string missing_text(const Json& missing) {
+std::string missing_text(const std::map<std::string, Place>& missing) {
     if (missing.empty()) return "";
     std::string text = "<p>This picture lacks a part, because WebGL does:</p>\n<ul>\n";
-    for (const Json& one : missing)
-        text += fmt::format("<li>line {}: {}</li>\n", one["line"].get<int>(), one["message"].get<std::string>());
+    for (const auto& [message, place] : missing) text += fmt::format("<li>line {}: {}</li>\n", place.line, message);
     return text + "</ul>\n";
 }
 
+std::string paragraph(const std::string& text) { return text.empty() ? "" : "<p>" + escaped(text) + "</p>\n"; }
+
 }  // namespace
 
-std::string exported_page(const Frame& frame, const Look& look, const std::string& name) {
-    if (const std::string why = programmable::why_not_kept(frame); !why.empty()) throw std::runtime_error(why);
-    PlanOptions options{look};
-    options.for_any_pose = true;
-    const DrawableFrame drawable = reference::drawable(frame, {look});
-    WebglFrame drawn = webgl_frame(*drawable, options);
-    for (const Draw* draw : frame.draws())
-        if (draw->pixels && draw->pixels->copied) {
-            drawn.header["missing"].push_back(
-                {{"line", draw->place.line},
-                 {"column", draw->place.column},
-                 {"message", "after a turn, the pixels of glCopyPixels are still those of the first view"}});
-            break;
+std::string exported_page(const std::vector<PageStep>& steps, const Look& look, const PageText& text) {
+    Words words;
+    ShaderParts shaders;
+    std::string views, refused;
+    std::map<std::string, Place> missing;
+    const Frame* first = nullptr;
+    for (const PageStep& step : steps) {
+        if (const std::string why = programmable::why_not_kept(*step.frame); !why.empty()) {
+            refused = why;
+            continue;
         }
-    const std::string missing = missing_text(drawn.header["missing"]);
-    drawn.header.erase("missing");
-    const std::string shaders = taken_shaders(drawn.header["programs"]);
-    const std::string_view words(reinterpret_cast<const char*>(drawn.words.data()), 4 * drawn.words.size());  // NOLINT
-    return filled(text_of_file("exported_page.html"), {{"title", programmable::printable(name)},
-                                                       {"width", fmt::format("{}", frame.width)},
-                                                       {"height", fmt::format("{}", frame.height)},
-                                                       {"missing", missing},
-                                                       {"shaders", shaders},
-                                                       {"scene", in_lines(drawn.header)},
-                                                       {"words", base64(words)},
+        if (!first) first = step.frame;
+        const DrawableFrame drawable = reference::drawable(*step.frame, {look});
+        std::string before;
+        for (const Shading shading : {Shading::kGouraud, Shading::kPhong}) {
+            PlanOptions options{look};
+            options.for_any_pose = true;
+            if (!look.shading && shading == Shading::kPhong) options.shading = shading;
+            Json header = webgl_header(*drawable, options, words);
+            for (const Json& one : header["missing"])
+                missing.try_emplace(one["message"].get<std::string>(), Place{.file = {}, .line = one["line"]});
+            header.erase("missing");
+            shaders.take(header["programs"]);
+            const std::string view = in_lines(header);
+            if (view == before) break;  // nothing is lit
+            header["step"] = programmable::printable(step.title);
+            if (!look.shading) header["shading"] = shading == Shading::kPhong ? "per pixel" : "per vertex";
+            views += (views.empty() ? "[" : ",\n") + in_lines(header);
+            before = view;
+            if (look.shading) break;
+        }
+        for (const Draw* draw : step.frame->draws())
+            if (draw->pixels && draw->pixels->copied)
+                missing.try_emplace("after a turn, the pixels of glCopyPixels are still those of the first view",
+                                    draw->place);
+    }
+    if (!first) throw std::runtime_error(refused);
+    const std::string_view bytes(reinterpret_cast<const char*>(words.all.data()), 4 * words.all.size());  // NOLINT
+    return filled(text_of_file("exported_page.html"), {{"title", escaped(text.name)},
+                                                       {"shows", paragraph(text.shows)},
+                                                       {"notice", paragraph(text.notice)},
+                                                       {"width", fmt::format("{}", first->width)},
+                                                       {"height", fmt::format("{}", first->height)},
+                                                       {"missing", missing_text(missing)},
+                                                       {"shaders", shaders.text},
+                                                       {"views", views + "]"},
+                                                       {"words", base64(bytes)},
+                                                       {"theme.css", text_of_file("theme.css")},
                                                        {"gl.js", text_of_file("gl.js")},
+                                                       {"theme.js", text_of_file("theme.js")},
                                                        {"viewer.js", text_of_file("viewer.js")}});
 }
 

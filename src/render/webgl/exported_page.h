@@ -11,12 +11,24 @@
 
 namespace twinlight {
 
-extern const std::vector<EmbeddedFile> kWebglFiles;  // exported_page.html, gl.js, viewer.js
+extern const std::vector<EmbeddedFile> kWebglFiles;  // exported_page.html, its styles and scripts
 
 namespace webgl {
 
-// `name` is the scene's. Throws std::runtime_error if programmable::why_not_kept() has a reason.
-std::string exported_page(const Frame& frame, const Look& look, const std::string& name);
+struct PageText {
+    std::string name;         // the scene's
+    std::string shows = {};   // what it shows, a sentence
+    std::string notice = {};  // and what to notice
+};
+// A step of the scene, or all of a scene without steps.
+struct PageStep {
+    const Frame* frame = nullptr;
+    std::string title = {};
+};
+
+// If `look` has no shading, the page draws the scene's own and per pixel. Steps that programmable::why_not_kept() refuses are left out.
+// Throws std::runtime_error if it has a reason for all.
+std::string exported_page(const std::vector<PageStep>& steps, const Look& look, const PageText& text);
 
 }  // namespace webgl
 }  // namespace twinlight

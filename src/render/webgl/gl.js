@@ -37,7 +37,7 @@ export class Renderer {
         const gl = this.gl;
         if (gl.isContextLost()) throw new Error("The browser took WebGL away from this page; reload it.");
         this.resize(header.width, header.height);
-        if (this.loaded?.words !== words) this.load(header.textures, words);
+        if (this.loaded?.words !== words || this.loaded.of !== header.textures) this.load(header.textures, words);
         this.used = new Set();
         try {
             this.accumulation = null;
@@ -59,7 +59,7 @@ export class Renderer {
         }
     }
 
-    // Buffers and textures stay until other words come: the frames of a turning camera have the same ones.
+    // Buffers and textures stay until others come: the frames of a turning camera have the same ones.
     load(textures, words) {
         const gl = this.gl;
         this.unload();
@@ -69,7 +69,7 @@ export class Renderer {
             gl.bufferData(target, words, gl.STATIC_DRAW);
             return buffer;
         });
-        this.loaded = {words, buffers, textures: []};
+        this.loaded = {words, of: textures, buffers, textures: []};
         try {
             for (const one of textures) {
                 this.loaded.textures.push(gl.createTexture());

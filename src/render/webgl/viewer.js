@@ -2,10 +2,11 @@
 // this changes GL's state, which the scene's uniforms have under GL's names.
 
 const at = (id) => document.getElementById(id);
-const scene = JSON.parse(at("scene").textContent);
+const views = JSON.parse(at("scene").textContent);
 const words = Uint8Array.from(atob(at("words").textContent), (c) => c.charCodeAt(0)).buffer;
 const light_is_off = [];
-let renderer, turn_deg = 0, tilt_deg = 0, shading = "scene";
+const KEY_DEG = 5;
+let scene = views[0], renderer, turn_deg = 0, tilt_deg = 0, shading = "scene", pixels;
 
 // ---- Shading ----
 
@@ -99,13 +100,26 @@ function seen(uniforms, eye) {
 
 // ---- The page ----
 
+const lights_of = ({uniforms}) => [...new Set(uniforms.flatMap(Object.keys).map((name) => /^LightSource\[(\d+)\]/.exec(name)?.[1]).filter(Boolean))].sort();
+
 function display() {
     const eye = camera();
     const programs = scene.programs.map((one) => ({...one, vertex: shaded(one.vertex), fragment: shaded(one.fragment)}));
     const uniforms = scene.uniforms.map((one) => seen(one, eye));
-    const pixels = renderer.draw({header: {...scene, programs, uniforms}, words});
+    pixels = renderer.draw({header: {...scene, programs, uniforms}, words});
     for (let i = 3; i < pixels.length; i += 4) pixels[i] = 255;  // opaque, as a window
     at("picture").getContext("2d").putImageData(new ImageData(pixels, scene.width), 0, 0);
+    at("lights").replaceChildren(...lights_of(scene).map((light) => {
+        const button = document.createElement("button");
+        button.type = "button";
+        button.textContent = "GL_LIGHT" + light;
+        button.ariaPressed = String(!light_is_off[light]);
+        button.addEventListener("click", () => {
+            switchLight(light);
+            at("lights").querySelectorAll("button")[[...lights_of(scene)].indexOf(light)].focus();
+        });
+        return button;
+    }));
     const off = [...light_is_off.keys()].filter((i) => light_is_off[i]).map((i) => "GL_LIGHT" + i);
     at("state").textContent =
         (off.length ? "Off: " + off.join(", ") + ". " : "") + (shading === "scene" ? "" : "Shading: " + shading + ".");
@@ -121,18 +135,62 @@ function show() {
     }
 }
 
-at("picture").addEventListener("pointerdown", (event) => event.target.setPointerCapture(event.pointerId));
-at("picture").addEventListener("pointermove", (event) => {
-    if (!(event.buttons & 1)) return;
-    turn_deg += 0.5 * event.movementX;
-    tilt_deg += 0.5 * event.movementY;
+function switchLight(number) {
+    light_is_off[number] = !light_is_off[number];
     show();
+}
+
+function turn(right, down) {
+    turn_deg += right;
+    tilt_deg += down;
+    show();
+}
+
+function showPixel({offsetX, offsetY}) {
+    const canvas = at("picture");
+    const [x, y] = [offsetX * canvas.width / canvas.clientWidth, offsetY * canvas.height / canvas.clientHeight].map(Math.floor);
+    const first = 4 * (y * canvas.width + x);
+    at("state").textContent = `Pixel ${x}, ${y}: red ${pixels[first]}, green ${pixels[first + 1]}, blue ${pixels[first + 2]} of 255.`;
+}
+
+let is_click = false;
+at("picture").addEventListener("pointerdown", (event) => {
+    is_click = true;
+    event.target.setPointerCapture(event.pointerId);
+});
+at("picture").addEventListener("pointermove", (event) => {
+    if (!(event.buttons & 1) || !(event.movementX || event.movementY)) return;
+    is_click = false;
+    turn(0.5 * event.movementX, 0.5 * event.movementY);
+});
+at("picture").addEventListener("pointerup", (event) => {
+    if (is_click) showPixel(event);
+});
+const TURNS = {ArrowLeft: [-KEY_DEG, 0], ArrowRight: [KEY_DEG, 0], ArrowUp: [0, -KEY_DEG], ArrowDown: [0, KEY_DEG]};
+at("picture").addEventListener("keydown", (event) => {
+    if (!(event.key in TURNS) || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    turn(...TURNS[event.key]);
 });
 document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.altKey || event.metaKey) return;
-    if (/^[1-8]$/.test(event.key)) light_is_off[event.key - 1] = !light_is_off[event.key - 1];
-    else if (event.key === "f") shading = shading === "flat" ? "smooth" : "flat";
-    else return;
-    show();
+    if (event.ctrlKey || event.altKey || event.metaKey || event.target instanceof HTMLSelectElement) return;
+    if (/^[1-8]$/.test(event.key)) switchLight(event.key - 1);
+    else if (event.key === "f") {
+        shading = shading === "flat" ? "smooth" : "flat";
+        show();
+    }
 });
+
+// The choices of the lists, if there are several.
+for (const property of ["step", "shading"]) {
+    const select = at(property), values = [...new Set(views.map((view) => view[property] ?? ""))];
+    select.append(...values.map((value) => new Option(value)));
+    select.parentElement.hidden = values.length < 2;
+    select.addEventListener("input", () => {
+        const of_step = views.filter(({step}) => step === at("step").value);
+        scene = of_step.find((view) => (view.shading ?? "") === at("shading").value) ?? of_step[0];
+        show();
+    });
+}
+startTheme(at("theme"));
 show();

@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <optional>
-#include <string_view>
-#include <unordered_map>
 #include <utility>
 
 #include "render/programmable/export/core_elements.h"
@@ -91,9 +87,11 @@ Json value_of(EsTextureValue value, const TextureUnit& unit) {
 
 class Writer {
   public:
-    Writer(const Frame& frame, PlanOptions options) : frame_(frame), options_(options) { options_.reasons = false; }
+    Writer(const Frame& frame, PlanOptions options, Words& words) : frame_(frame), options_(options), words_(words) {
+        options_.reasons = false;
+    }
 
-    WebglFrame written() {
+    Json header() {
         const Draw* last = nullptr;
         for (const auto& item : frame_.items) {
             if (const Clear* clear = std::get_if<Clear>(&item)) {
@@ -123,30 +121,10 @@ class Writer {
                        {"items", std::move(items_)},
                        {"missing", std::move(missing)}};
         if (options_.for_any_pose) header["middle"] = {middle_eye_.x, middle_eye_.y, middle_eye_.z};
-        return {std::move(header), std::move(words_)};
+        return header;
     }
 
   private:
-    // ---- Words ----
-
-    // Appends words, unless they are there already; returns their place.
-    template <class Word>
-    Json place_of(const std::vector<Word>& words) {
-        static_assert(sizeof(Word) == 4);
-        const auto bytes = [&](const void* at) {
-            return std::string_view(static_cast<const char*>(at), 4 * words.size());
-        };
-        const std::size_t hash = std::hash<std::string_view>()(bytes(words.data()));
-        for (auto [at, end] = places_.equal_range(hash); at != end; ++at) {
-            const auto [first, count] = at->second;
-            if (count == words.size() && bytes(words_.data() + first) == bytes(words.data())) return {first, count};
-        }
-        const std::size_t first = words_.size();
-        for (const Word word : words) words_.push_back(std::bit_cast<std::uint32_t>(word));
-        places_.emplace(hash, std::pair(first, words.size()));
-        return {first, words.size()};
-    }
-
     void miss(const Draw& draw, const std::string& what) { missing_.try_emplace(what, draw.place); }
 
     // ---- Programs ----
@@ -343,9 +321,9 @@ class Writer {
                 item.erase("offset");
             }
             if (part.has_vertices()) {
-                item["vertices"] = place_of(vertex_values(part, draw, effects, origin_object));
+                item["vertices"] = words_.place_of(vertex_values(part, draw, effects, origin_object));
             } else {
-                if (!whole) whole = place_of(programmable::vertex_array(draw, effects, {}, origin_object));
+                if (!whole) whole = words_.place_of(programmable::vertex_array(draw, effects, {}, origin_object));
                 item["vertices"] = *whole;
             }
             add_elements(item, part, draw, form);
@@ -357,7 +335,7 @@ class Writer {
         const bool reads_picture = programmable::reads_stored_color(form.logic_op);
         const bool has_sides = draws_polygons(part.mode) && needs_each_side(draw);
         if (!reads_picture && !has_sides) {
-            const Json place = place_of(part.indices);
+            const Json place = words_.place_of(part.indices);
             item["parts"] = {{part.mode, place[0], place[1]}};
             return;
         }
@@ -368,7 +346,7 @@ class Writer {
             if (reads_picture) miss(draw, when + "glLogicOp is wrong where primitives of one draw overlap");
             if (has_sides) miss(draw, when + "the back's stencil test is wrong where primitives of one draw overlap");
         }
-        const std::size_t first = place_of(list.indices)[0];
+        const std::size_t first = words_.place_of(list.indices)[0];
         std::size_t begin = 0;
         item["parts"] = Json::array();
         for (const std::size_t end : runs.ends) {
@@ -400,9 +378,7 @@ class Writer {
 
     const Frame& frame_;
     PlanOptions options_;
-    std::vector<std::uint32_t> words_;
-    std::unordered_multimap<std::size_t, std::pair<std::size_t, std::size_t>>
-        places_;  // in words_, by the hash of what is there
+    Words& words_;
     std::vector<std::pair<EffectSet, Form>> kinds_;
     Json programs_ = Json::array(), textures_ = Json::array(), uniforms_ = Json::array(), items_ = Json::array();
     std::map<std::string, std::size_t> uniform_numbers_;  // by their text
@@ -414,13 +390,19 @@ class Writer {
 
 }  // namespace
 
-WebglFrame webgl_frame(const Frame& frame, const PlanOptions& options) {
+Json webgl_header(const Frame& frame, const PlanOptions& options, Words& words) {
     if (std::ranges::none_of(frame.draws(), [](const Draw* draw) { return is_reversed(*draw); }))
-        return Writer(frame, options).written();
+        return Writer(frame, options, words).header();
     Frame forward = frame;
     for (Draw* draw : forward.editable_draws())
         if (is_reversed(*draw)) reverse(*draw);
-    return Writer(forward, options).written();
+    return Writer(forward, options, words).header();
+}
+
+WebglFrame webgl_frame(const Frame& frame, const PlanOptions& options) {
+    Words words;
+    Json header = webgl_header(frame, options, words);
+    return {std::move(header), std::move(words.all)};
 }
 
 }  // namespace twinlight::webgl

@@ -125,7 +125,7 @@ glm::dvec3 part_inside(const Texture& texture) {
     return inside;
 }
 
-Json texture_json(const Texture& given, std::vector<std::uint32_t>& words) {
+Json texture_json(const Texture& given, Words& words) {
     const Texture texture = has_rim(given) ? with_rim(given) : given;
     const Format format = format_of(texture);
     Json images = Json::array();
@@ -133,8 +133,9 @@ Json texture_json(const Texture& given, std::vector<std::uint32_t>& words) {
         for (std::size_t level = 0; level < texture.face(face).size(); ++level) {
             const TextureImage& image = texture.face(face)[level];
             if (image.texels.empty()) continue;
-            images.push_back({face, level, image.width, image.height, image.depth, words.size()});
-            for (const glm::vec4& texel : image.texels) append(texel, format, words);
+            std::vector<std::uint32_t> texels;
+            for (const glm::vec4& texel : image.texels) append(texel, format, texels);
+            images.push_back({face, level, image.width, image.height, image.depth, words.place_of(texels)[0]});
         }
     return {{"target", texture.is_flat() ? Enum{kGL_TEXTURE_2D} : texture.target},
             {"format", format == Format::kDepth   ? "depth"

@@ -138,8 +138,10 @@ TEST(KeptFiles, SizePointsWhereOpenGlEsDoesNot) {
 TEST(ExportedPageText, HoldsAnyNameAndLoadsNothing) {
     Frame frame{.width = 8, .height = 8};
     frame.items = {square(attenuated_cone())};
-    const std::string page = webgl::exported_page(frame, {}, "a</script>&b\nc");
-    EXPECT_NE(page.find("<title>a?/script??b?c</title>"), page.npos) << page.substr(0, 200);
+    const std::string page = webgl::exported_page({{&frame, "x</script>"}}, {}, {"a</script>&b", "c < d"});
+    EXPECT_NE(page.find("<title>a&lt;/script&gt;&amp;b</title>"), page.npos) << page.substr(0, 200);
+    EXPECT_NE(page.find("<p>c &lt; d</p>"), page.npos);
+    EXPECT_EQ(page.find("x</script>"), page.npos);
     for (const char* loads : {"http:", "https:", " src=", " href=", "import ", "import(", "fetch("})
         EXPECT_EQ(page.find(loads), page.npos) << loads;
     // Shaders, numbers and code can be read in it.
