@@ -43,7 +43,7 @@ replace(/<link rel="stylesheet" href="([^"]+)">/g, "style sheet", (_, name) => i
 replace(/<script type="module" src="([^"]+)"><\/script>/g, "module", (_, name) => inline("script", ' type="module"', bundled(name, "esm")));
 replace(/<script src="([^"]+)"><\/script>/g, "script", (_, name) => inline("script", "", read(name)));
 
-const inside = [part("module.wasm", fs.readFileSync(`${page}/module.wasm`)), part("worker.js", bundled("worker.js", "iife")), part("mesa.json", read("mesa.json"))];
+const inside = [part("module.wasm", fs.readFileSync(`${page}/module.wasm`)), part("worker.js", bundled("worker.js", "iife")), ...["mesa.json", "scenes.json"].map((name) => part(name, read(name)))];
 for (const name of JSON.parse(read("mesa.json"))) inside.push(part("mesa/" + name, fs.readFileSync(`${page}/mesa/${name}`)));
 // Before start.js, which looks for them.
 replace(/<\/main>/, "</main>", (found) => found + "\n" + inside.join(""));

@@ -81,6 +81,9 @@ const checks = {
         told.order = await browser.value(`window.order`);
         await browser.value(`document.getElementById("probe").requestSubmit()`);
         told.explanation = await text("explanation");
+        told.arrows = await browser.value(`[...document.querySelectorAll("#shaders + svg text")].map((text) => text.textContent)`);
+        told.terms = await browser.value(`[document.querySelectorAll(".bars div").length, document.querySelector("#terms table .result").innerText]`);
+        told.caption = await text("caption");
         told.loaded = await browser.value(`performance.getEntriesByName("first reference")[0].startTime`);
     },
 
@@ -111,6 +114,26 @@ const checks = {
         told.steps = await browser.value(`document.getElementById("steps").options.length`);
         await drawn(() => choose("steps", "2"));
         told.step = [await browser.value(`document.getElementById("steps").value`), await pixel("reference", 80, 60)];
+        await opened(small(SPHERE));
+    },
+
+    async dragsNumbers() {
+        await opened(small("glEnable(GL_LIGHTING);\nglEnable(GL_LIGHT0);\nGLfloat place[] = {1, 2, 3, 1};\nglLightfv(GL_LIGHT0, GL_POSITION, place);\n" +
+            "glMaterialf(GL_FRONT, GL_SHININESS, 20);  // dull\nglutSolidSphere(0.8, 8, 6);\n"));
+        told.numbers = [await browser.value(`document.getElementById("numbers").innerText`)];
+        for (const [number, value] of [[0, -0.5], [2, 64]])
+            await drawn(() => browser.value(`(([...inputs]) => (inputs[${number}].value = ${value}, inputs[${number}].dispatchEvent(new Event("input"))))(
+                document.querySelectorAll("#numbers input"))`));
+        told.numbers.push(await sceneText());
+    },
+
+    async listsScenesAsPictures() {
+        await browser.value(`document.getElementById("all-scenes").click()`);
+        await browser.until(`document.querySelector("#gallery img")?.complete`);
+        told.gallery = await browser.value(`[...document.querySelectorAll("#gallery h3")].map((heading) => heading.textContent)`);
+        told.cards = await browser.value(`[document.querySelectorAll("#gallery img").length, document.getElementById("scenes").querySelectorAll("optgroup:first-child option").length]`);
+        await drawn(() => browser.value(`[...document.querySelectorAll("#gallery section button")].find((card) => card.textContent === "terms").click()`));
+        told.chosen = await browser.value(`[document.getElementById("scenes").value, document.getElementById("gallery").open]`);
         await opened(small(SPHERE));
     },
 

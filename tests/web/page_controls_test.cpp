@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "app/web/page_probe.h"
 #include "app/web/page_scene.h"
 #include "base/text/json.h"
 #include "render/reference/reference.h"
@@ -54,6 +55,52 @@ TEST(WebControls, MoveTheCamera) {
               std::string::npos);
     EXPECT_NE(text_after(scene, scene.controls().zoom(1)).find("gluLookAt(-4.54545, 0, 0,  0, 0, 0,  0, 1, 0);"),
               std::string::npos);
+}
+
+TEST(WebControls, ChangeTheNumbersOfTheLighting) {
+    PageScene scene;
+    const std::string text =
+        "GLfloat place[] = {1, 2, 3, 1};\nglLightfv(GL_LIGHT0, GL_POSITION, place);\n"
+        "glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 60);\nglutSolidSphere(1, 8, 8);\n";
+    scene.open(text, "scene", "", {64, 64});
+    const auto numbers = [&] { return Json::parse(scene.controls().numbers()); };
+    const Json before = numbers();
+    ASSERT_EQ(before.size(), 3u);
+    EXPECT_EQ(before[0]["name"], "GL_LIGHT0 GL_POSITION x");
+    EXPECT_EQ(before[1]["value"], 2);
+    EXPECT_LT(before[1]["smallest"], 2);
+    EXPECT_EQ(before[2]["name"], "GL_LIGHT0 GL_SPOT_CUTOFF");
+    EXPECT_EQ(before[2]["largest"], 180);
+    // A drag is one step of undo; an illegal angle becomes a legal one.
+    scene.controls().set_number(1, 2.25);
+    EXPECT_NE(text_after(scene, scene.controls().set_number(1, 2.5)).find("{1, 2.5, 3, 1}"), std::string::npos);
+    EXPECT_NE(text_after(scene, scene.controls().set_number(2, 88)).find("GL_SPOT_CUTOFF, 88)"), std::string::npos);
+    EXPECT_NE(text_after(scene, scene.controls().set_number(2, 170)).find("GL_SPOT_CUTOFF, 180)"), std::string::npos);
+    EXPECT_NE(text_after(scene, scene.controls().press('z')).find("GL_SPOT_CUTOFF, 60)"), std::string::npos);
+    EXPECT_EQ(text_after(scene, scene.controls().press('z')), text);
+    EXPECT_EQ(Json::parse(scene.controls().set_number(3, 1))["text"], text);
+    scene.open("glutSolidSphere(1, 8, 8);\n", "scene", "", {64, 64});
+    EXPECT_EQ(numbers(), Json::array());
+}
+
+TEST(WebProbe, HasTheTermsAndTheVectorsOfAPixel) {
+    PageScene scene;
+    // The middle of the sphere faces the viewer; GL_LIGHT0 shines along z, so the diffuse light of 0.8 is whole.
+    scene.open(
+        "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_DEPTH_TEST);\n"
+        "glRectf(-0.9, -0.9, 0.9, 0.9);\n",
+        "scene", "", {64, 64});
+    const Json here = Json::parse(probed(scene.scene(), {}, 32, 32));
+    EXPECT_EQ(here["rows"].size(), 5u) << "emission, ambient, the light, the sum and the clamped sum";
+    EXPECT_EQ(here["rows"][2]["what"], "GL_LIGHT0");
+    EXPECT_NEAR(here["rows"][2]["color"][0].get<double>(), 0.8, 1e-6) << "d_cm d_cl, rounded to floats";
+    EXPECT_EQ(here["rows"][3]["is_result"], true);
+    ASSERT_GE(here["arrows"].size(), 3u);
+    EXPECT_EQ(here["arrows"][0]["kind"], "normal");
+    EXPECT_EQ(here["arrows"][0]["from"], here["arrows"][0]["to"]) << "towards the viewer";
+    const Json beside = Json::parse(probed(scene.scene(), {}, 0, 0));
+    EXPECT_EQ(beside["rows"], Json::array());
+    EXPECT_EQ(beside["arrows"], Json::array());
 }
 
 TEST(WebControls, KeepTheStepsOfAScene) {

@@ -410,12 +410,24 @@ TEST(WebPage, DrawsEveryScene) {
     EXPECT_NE(page["schemes"][0], page["schemes"][1]);
     EXPECT_EQ(page["policy"].get<std::string>().substr(0, 19), "default-src 'none';");
     EXPECT_EQ(page["order"][0], "drawImage") << "the coarse picture comes first";
-    const Json tabs = {"scenes",  "steps",  "shading", "view",      "link",        "form",    "save",
-                       "theme",   "editor", "shaders", "reference", "difference",  "floats",  "mesa",
-                       "SUMMARY", "x",      "y",       "BUTTON",    "explanation", "SUMMARY", "BODY"};
+    const Json tabs = {"scenes", "all-scenes", "steps",       "shading", "view",      "link",       "form",
+                       "save",   "theme",      "editor",      "shaders", "reference", "difference", "floats",
+                       "mesa",   "INPUT",      "INPUT",       "INPUT",   "SUMMARY",   "x",          "y",
+                       "BUTTON", "terms",      "explanation", "SUMMARY", "BODY"};
     EXPECT_EQ(page["narrow"], "slider") << "a phone shows one picture first";
     EXPECT_EQ(page["tabs"], tabs);
     EXPECT_NE(page["explanation"].get<std::string>().find("GL_LIGHT"), std::string::npos) << page["explanation"];
+    EXPECT_EQ(page["arrows"], (Json{"n", "V", "L1", "h1"}));
+    EXPECT_EQ(page["terms"][0], 3);
+    EXPECT_TRUE(page["terms"][1].get<std::string>().starts_with("=\t\tc_pri before the clamp\t")) << page["terms"];
+    EXPECT_TRUE(page["caption"].get<std::string>().starts_with("Three spotlights on a wall: ")) << page["caption"];
+    EXPECT_EQ(page["numbers"][0], "GL_LIGHT0 GL_POSITION x\n1\nGL_LIGHT0 GL_POSITION y\n2\nGL_FRONT GL_SHININESS\n20");
+    EXPECT_NE(page["numbers"][1].get<std::string>().find("{-0.5, 2, 3, 1}"), std::string::npos) << page["numbers"];
+    EXPECT_NE(page["numbers"][1].get<std::string>().find("GL_SHININESS, 64);  // dull"), std::string::npos);
+    EXPECT_EQ(page["gallery"].front(), "The standard model");
+    EXPECT_EQ(page["gallery"].back(), "More scenes");
+    EXPECT_EQ(page["cards"][0], page["cards"][1]);
+    EXPECT_EQ(page["chosen"], (Json{"terms", false}));
     EXPECT_TRUE(page["error"].get<std::string>().starts_with("3:1: error: ")) << page["error"];
     EXPECT_EQ(page["markup"], 0);
     EXPECT_EQ(page["marks"], (Json{Json::array({"mark error"}), "glFoo(<img src=x>);"}));

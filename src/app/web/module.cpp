@@ -9,6 +9,7 @@
 
 #include "app/web/dropped_files.h"
 #include "app/web/page_lessons.h"
+#include "app/web/page_probe.h"
 #include "app/web/page_scene.h"
 #include "base/text/json.h"
 
@@ -121,6 +122,13 @@ EXPORT const char* zoom(int steps) {
     return answered([&] { return scene.controls().zoom(steps); });
 }
 
+EXPORT const char* number_list() {
+    return answered([&] { return scene.controls().numbers(); });
+}
+EXPORT const char* set_number(int number, double value) {
+    return answered([&] { return scene.controls().set_number(static_cast<std::size_t>(number), value); });
+}
+
 EXPORT const char* lesson_list(const char* language) {
     return answered([&] { return page_lessons(language_of(language)); });
 }
@@ -165,6 +173,9 @@ EXPORT const char* judge_picture(int shading, const std::uint8_t* pixels, const 
     return answered([&] { return scene.judged(look_of(shading), {pixels, count}, {reference, count}, subpixel_bits); });
 }
 
+EXPORT const char* probe_pixel(int shading, int x, int y) {
+    return answered([&] { return probed(scene.scene(), look_of(shading), x, y); });
+}
 EXPORT const char* explain_pixel(int shading, int x, int y) {
     return answered([&] { return scene.explained(look_of(shading), x, y); });
 }

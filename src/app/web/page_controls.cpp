@@ -1,9 +1,15 @@
 #include "app/web/page_controls.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "app/session/argument_places.h"
+#include "app/session/arguments.h"
 #include "app/session/edited_text.h"
+#include "app/session/edits.h"
 #include "base/text/json.h"
 #include "scene/command/text.h"
 
@@ -47,6 +53,82 @@ std::string PageControls::drag(bool looks, int dx, int dy) {
 
 std::string PageControls::zoom(int steps) {
     session::zoom(session_, steps);
+    return answer(true);
+}
+
+namespace {
+
+constexpr std::size_t kNumbers = 3;
+constexpr double kDragPixels = 200;  // from the value, each way
+
+// What a change shows best comes first: where a lamp is, then how its light spreads or how smooth the surface is.
+int rank_of(const Command& command) {
+    const ParameterInfo* set = session::parameter_set(command);
+    if (!set) return 2;
+    if (set->pname == kGL_POSITION) return 0;
+    return set->pname == kGL_SHININESS || set->pname == kGL_SPOT_CUTOFF ? 1 : 2;
+}
+
+// "GL_LIGHT0 GL_POSITION x"
+std::string name_of_number(const Command& command, std::size_t argument) {
+    std::string name;
+    for (std::size_t i = 0; i <= *session::pname_argument(command); ++i)
+        name += session::printed_argument(command, i, command.number(i)) + " ";
+    const std::string own = session::argument_info(command, argument).name;
+    return name.find(own + " ") == std::string::npos ? name + own : name.substr(0, name.size() - 1);
+}
+
+}  // namespace
+
+std::vector<PageControls::Number> PageControls::found_numbers() const {
+    const std::vector<Command>& all = commands(session_).commands;
+    std::vector<std::size_t> ranked;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (session::pname_argument(all[i]) && (session::owner_of_command(all[i]) == Owner::kLight ||
+                                                session::owner_of_command(all[i]) == Owner::kMaterial))
+            ranked.push_back(i);
+    std::ranges::stable_sort(ranked, {}, [&](std::size_t i) { return rank_of(all[i]); });
+    std::vector<Number> numbers;
+    std::size_t of_first_rank = 0;
+    for (const std::size_t command : ranked) {
+        // Two of the lamp's place, so that the third may be something else.
+        const bool is_place = rank_of(all[command]) == 0;
+        for (std::size_t argument = 0; argument < all[command].arguments.size(); ++argument) {
+            if (numbers.size() == kNumbers) return numbers;
+            if (is_place && of_first_rank == 2) break;
+            if (!session::is_parameter_value(all[command], argument) ||
+                session::argument_info(all[command], argument).editing != session::Editing::kNumber)
+                continue;
+            numbers.push_back({command, argument});
+            if (is_place) ++of_first_rank;
+        }
+    }
+    return numbers;
+}
+
+std::string PageControls::numbers() const {
+    Json json = Json::array();
+    for (const Number& number : found_numbers()) {
+        const Command& command = commands(session_).commands[number.command];
+        const session::ArgumentInfo info = session::argument_info(command, number.argument);
+        const double value = command.number(number.argument), reach = kDragPixels * info.drag_speed;
+        json.push_back({{"name", name_of_number(command, number.argument)},
+                        {"value", value},
+                        {"smallest", std::isfinite(info.smallest) ? info.smallest : value - reach},
+                        {"largest", std::isfinite(info.largest) ? info.largest : value + reach},
+                        {"step", info.drag_speed}});
+    }
+    return dumped(json);
+}
+
+std::string PageControls::set_number(std::size_t number, double value) {
+    const auto numbers = found_numbers();
+    if (number < numbers.size()) {
+        const auto [command, argument] = numbers[number];
+        const double legal = session::nearest_legal(commands(session_).commands[command], argument, value);
+        edit(session_, session::with_argument(commands(session_), command, argument, legal),
+             name_of_number(commands(session_).commands[command], argument), fmt::format("number {}", number));
+    }
     return answer(true);
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/session/keys.h"
 #include "app/session/session.h"
@@ -37,7 +38,19 @@ class PageControls {
     void end_drag() { session_.history.end_group(); }
     std::string zoom(int steps);  // of the wheel; positive is nearer
 
+    // Three numbers of the scene's lighting to change, or fewer. JSON:
+    //   [{"name": "GL_LIGHT0 GL_POSITION x", "value", "smallest", "largest", "step"}]
+    // Without a limit, the range is what a drag of kDragPixels gives.
+    std::string numbers() const;
+    // `number`: its index in numbers(). Changes that follow each other are one step of undo.
+    std::string set_number(std::size_t number, double value);
+
   private:
+    struct Number {
+        std::size_t command = 0, argument = 0;
+    };
+    std::vector<Number> found_numbers() const;
+
     std::string answer(bool known);
     void follow();
 

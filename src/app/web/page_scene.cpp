@@ -73,7 +73,8 @@ CommandList read_for_page(std::string_view text, const std::string& name, const 
 
 std::string built_in_scenes() {
     Json scenes = Json::array();
-    for (const EmbeddedFile& file : kSceneFiles) scenes.push_back({{"name", built_in_name(file)}, {"text", file.text}});
+    for (const EmbeddedFile& file : kSceneFiles)
+        scenes.push_back({{"name", built_in_name(file)}, {"text", file.text}, {"shows", caption_of(file.text).title}});
     return dumped({{"scenes", scenes}});
 }
 
@@ -106,6 +107,8 @@ std::string PageScene::open(std::string_view text, const std::string& name, cons
             answer["note"] = answer["note"].get<std::string>() + (answer["note"] == "" ? "" : "; ") + note;
         if (controls_ && !controls_->shows(text, list->step)) controls_.reset();
         opened_ = {list, std::string(text), {options.width, options.height}, read};
+        const Caption caption = caption_of(text);
+        answer["caption"] = {caption.title, caption.notice};
         answer["width"] = scene_->frame.width;
         answer["height"] = scene_->frame.height;
     } catch (const SceneError& error) {

@@ -39,13 +39,14 @@ inline constexpr std::size_t kPageBytesOfPixel = 112;
 CommandList read_for_page(std::string_view text, const std::string& name, const std::string& step,
                           const FileFinder& find = built_in_file);
 
-// JSON: {"scenes": [{"name", "text"}]}, the built-in scenes.
+// JSON: {"scenes": [{"name", "text", "shows"}]}, the built-in scenes.
 std::string built_in_scenes();
 
 class PageScene {
   public:
     // Reads the text and carries out its commands. Returns JSON:
-    //   {"errors": [{"line", "column", "message"}], "note", "steps": ["Diffuse only"], "step", "width", "height"}
+    //   {"errors": [{"line", "column", "message"}], "note", "steps": ["Diffuse only"], "step", "width", "height",
+    //    "caption": [what the scene shows, what to notice]}
     // Errors without a place in the text have line 0. The first step has number 1; 0: the scene has no steps. If there are errors, no
     // scene is open. A program's own window size is used instead of `size`.
     std::string open(std::string_view text, const std::string& name, const std::string& step, WindowSize size);

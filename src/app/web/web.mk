@@ -18,7 +18,8 @@ ROOMS_web := $(addprefix src/,base/image base/math base/text base/threads scene/
     $(addprefix render/programmable/,numbers text export) $(addprefix render/reference/,vertices textures geometry) render/reference render/webgl judge/compare \
     judge/explain judge/lesson judge/lint judge/study app/session app/web)
 # The files of app/session that the page needs.
-SESSION_web := alignment axes camera edited_text edits history keys lesson_state scaled session world world_handles
+SESSION_web := alignment argument_places arguments axes camera edited_text edits history initial_values keys lesson_state probe probe_arrows \
+    scaled session world world_handles
 WITHOUT_web := $(wildcard src/lighting/points_avx*.cpp) $(filter-out %/tolerance.cpp,$(wildcard src/judge/compare/*.cpp)) \
     $(filter-out %/scene_of_choice.cpp,$(wildcard src/judge/study/*.cpp)) \
     $(filter-out $(patsubst %,src/app/session/%.cpp,$(SESSION_web)),$(wildcard src/app/session/*.cpp))
@@ -78,9 +79,12 @@ $(PAGE)/codemirror/copyright: /usr/share/doc/libjs-codemirror/copyright
 $(PAGE)/mesa.json: $(PROGRAMS)/twinlight tools/mesa-pictures.mjs tools/png.mjs $(addprefix $(PAGE)/,module.js twinlight.js recorded.js package.json)
 	@echo "draw the built-in scenes with Mesa, for the page"
 	@node tools/mesa-pictures.mjs $< $(@D) >$@.new && mv $@.new $@
+# The pictures of the list of scenes.
+$(PAGE)/scenes.json: $(PROGRAMS)/twinlight tools/scene-pictures.mjs docs/lecture.md
+	@mkdir -p $(@D); node tools/scene-pictures.mjs $< docs/lecture.md >$@.new && mv $@.new $@
 # The whole page.
 FILES_page := $(PAGE)/module.js $(patsubst src/app/web/page/%,$(PAGE)/%,$(wildcard src/app/web/page/*)) $(SHARED_web) $(EDITOR_web)
-$(WEB)/twinlight.html: $(FILES_page) $(PAGE)/mesa.json tools/pack-page.mjs
+$(WEB)/twinlight.html: $(FILES_page) $(PAGE)/mesa.json $(PAGE)/scenes.json tools/pack-page.mjs
 	@echo "pack $@"
 	@node tools/pack-page.mjs $(PAGE) $@
 # Both forms to give away. A zip file has one time for all its files, so that it changes only with them.

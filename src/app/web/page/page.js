@@ -2,11 +2,14 @@
 import {control, showKeys} from "./controls.js";
 import {Editor} from "./editor.js";
 import {sceneIn} from "./files.js";
+import {startGallery} from "./gallery.js";
 import {Renderer} from "./gl.js";
 import {Lessons} from "./lessons.js";
 import {sceneInLink, sizeInLink, textInLink} from "./link.js";
+import {Numbers} from "./numbers.js";
 import {file, workersOf} from "./own_files.js";
 import {offerMesa, setSlider, show, showDifference, showMesa, showReference, startSlider} from "./pictures.js";
+import {hideArrows, showProbe} from "./probe.js";
 import {offer, save} from "./saves.js";
 import {loadTwinlight} from "./twinlight.js";
 import {startTheme} from "./theme.js";
@@ -30,7 +33,7 @@ const editor = new Editor(at("text"), () => {
     clearTimeout(pause);
     pause = setTimeout(draw, PAUSE_MS);
 });
-let renderer = null, name = "scene", window_size = WINDOW, opened = null, revision = 0, pause = 0, keptFiles = 0;
+let renderer = null, name = "scene", window_size = WINDOW, opened = null, revision = 0, pause = 0, keptFiles = 0, probe = null;
 
 // ---- Messages: all texts of scenes become text, never markup ----
 
@@ -85,6 +88,8 @@ async function draw() {
         return;
     }
     setSteps(answer);
+    hideArrows();
+    at("caption").querySelectorAll("span").forEach((part, i) => part.textContent = answer.caption[i]);
     scene.step = at("steps").value;
     const shading = at("shading").value, size = {width: answer.width, height: answer.height};
     let pixels = null;
@@ -106,6 +111,8 @@ async function draw() {
         const recording = pictureByMesa(scene);
         offerMesa(recording !== null);
         offer(twinlight.forms(shading));
+        numbers.show(twinlight.numbers());
+        if (probe) explain(...probe);
         for (const warning of twinlight.warnings())
             message("warning", {...warning, text: `${warning.message}; ${warning.fix}`});
         const whole = await right;
@@ -145,6 +152,7 @@ function setSteps({steps, step}) {
 function load(scene_name, text, step = "", size = WINDOW) {
     name = scene_name;
     window_size = size;
+    forgetProbe();
     at("said").textContent = "";
     editor.open(text);
     setStep(step);
@@ -218,11 +226,21 @@ function ready() {
     return opened !== null;
 }
 
+function forgetProbe() {
+    probe = null;
+    hideArrows();
+    for (const id of ["terms", "explanation"]) at(id).replaceChildren();
+}
+
 function explain(x, y) {
     if (!opened || !(x >= 0 && y >= 0 && x < opened.width && y < opened.height)) return;
-    [at("x").value, at("y").value] = [x, y];
+    probe = [x, y];
+    [at("x").value, at("y").value] = probe;
+    showProbe(twinlight.probe(at("shading").value, x, y), opened);
     at("explanation").textContent = twinlight.explain(at("shading").value, x, y);
 }
+
+const numbers = new Numbers(at("numbers"), (number, value) => ready() && controlled({...twinlight.setNumber(number, value), isMoving: true}));
 
 const lessons = new Lessons(twinlight.lessons(language), {
     open: (text) => load(name, text),
@@ -240,6 +258,7 @@ function group(label, options) {
 at("scenes").append(group("Scenes", builtIn.map((scene) => new Option(scene.name))),
                     group("Lessons", lessons.lessons.map(({name, title}) => new Option(title, LESSON + name))));
 at("scenes").addEventListener("change", () => openMenu(at("scenes").value));
+startGallery(at("all-scenes"), at("gallery"), builtIn, openBuiltIn);
 at("steps").addEventListener("change", draw);
 at("shading").addEventListener("change", draw);
 at("link").addEventListener("click", async () => {

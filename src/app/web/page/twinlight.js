@@ -90,6 +90,8 @@ export async function loadTwinlight(options = {}) {
                 module._release(place);
             }
         },
+        // What page_probe.h describes.
+        probe: (shading, x, y) => json("probe_pixel", SHADINGS[shading], x, y),
         explain: (shading, x, y) => textAt(call("explain_pixel", SHADINGS[shading], x, y)),
 
         // The window's keys and mouse. Answers: page_controls.h.
@@ -99,6 +101,8 @@ export async function loadTwinlight(options = {}) {
         drag: (looks, dx, dy) => json("drag", looks ? 1 : 0, dx, dy),
         endDrag: () => module._end_drag(),
         zoom: (steps) => json("zoom", steps),
+        numbers: () => json("number_list"),
+        setNumber: (number, value) => json("set_number", number, value),
 
         // Lessons, in the language "en" or "zh": page_lessons.h.
         lessons: (language) => json("lesson_list", language),
