@@ -391,6 +391,22 @@ TEST(WebPage, WorksAsOneFileInFirefox) {
     works_without_a_server("firefox", program);
 }
 
+// Contrast, names and labels, headings, what the keyboard reaches: of the page, an exported page and a report.
+TEST(WebPage, KeepsNobodyFromUsingIt) {
+    if (!is_built()) GTEST_SKIP() << kNotBuilt;
+    const std::string program = browser(), axe = "build/npm/node_modules/axe-core/axe.min.js";
+    if (program.empty()) GTEST_SKIP() << "there is no chromium (apt-get install chromium)";
+    if (!std::filesystem::exists(axe)) GTEST_SKIP() << "axe-core is not installed (make axe, which needs npm)";
+    const TemporaryFolder folder;
+    std::filesystem::copy(kPage, folder / "page", std::filesystem::copy_options::recursive);
+    EXPECT_EQ(run_program("twinlight", {"export", "terms", "--as", "html", "-o", folder / "export.html"}).status, 0);
+    EXPECT_EQ(run_program("twinlight", {"compare", "lab", "--size", "160x120", "-o", folder / "report"}).status, 0);
+    const ProgramResult run =
+        run_shell("", "timeout 200 node tests/web/axe.mjs " + program + " " + axe + " " + quoted(folder.str()));
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.out, "[]\n");
+}
+
 TEST(WebPage, DrawsEveryScene) {
     if (!is_built()) GTEST_SKIP() << kNotBuilt;
     const std::string program = browser();

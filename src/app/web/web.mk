@@ -102,3 +102,8 @@ $(PAGE)/package.json:
 	@mkdir -p $(@D); echo '{"type": "module"}' >$@
 
 -include $(OBJECTS_web:.o=.d)
+
+# axe-core, with which a test looks for what keeps people from using the pages. The tests skip this where it is not installed.
+.PHONY: axe
+axe:  ## install axe-core by npm into build/npm, for a test of the pages
+	@npm install --silent --no-save --ignore-scripts --prefix build/npm axe-core@4.14.1

@@ -16,7 +16,10 @@ function stored(theme) {
 export function startTheme(button) {
     const system = matchMedia("(prefers-color-scheme: dark)"), {dataset} = document.documentElement;
     const chosen = () => dataset.theme ?? (system.matches ? "dark" : "light");
-    const show = () => button.textContent = chosen() === "dark" ? "Light" : "Dark";
+    const show = () => {
+        button.textContent = chosen() === "dark" ? "Light" : "Dark";
+        button.ariaLabel = button.textContent + ": change the colours of the page";
+    };
     if (stored() in OTHER) dataset.theme = stored();
     button.addEventListener("click", () => {
         dataset.theme = OTHER[chosen()];
