@@ -3,6 +3,7 @@
 # "all" means all five. `tools/release.sh --notes VERSION` prints only the notes.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+unset MAKEFLAGS MAKELEVEL  # or make would have only one job
 
 notes() {  # what CHANGELOG.md has below the heading of this version
     awk -v version="$1" '/^## / { here = $2 == version; next } here' CHANGELOG.md | sed -e '/./,$!d'
