@@ -84,6 +84,7 @@ $(if $(CI)$(filter web release,$(MAKECMDGOALS)),node-acorn          ls /usr/shar
 $(if $(CI)$(filter web release,$(MAKECMDGOALS)),libjs-codemirror    ls /usr/share/javascript/codemirror)
 $(if $(CI)$(filter web release,$(MAKECMDGOALS)),esbuild             command -v esbuild)
 $(if $(CI)$(filter web release,$(MAKECMDGOALS)),zip                 command -v zip)
+$(if $(CI)$(filter slides,$(MAKECMDGOALS)),cmark-gfm           command -v cmark-gfm)
 $(if $(CI),man-db              command -v man)
 $(if $(CI),zsh                 command -v zsh)
 $(if $(CI),fish                command -v fish)
@@ -220,7 +221,7 @@ OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # Programs without a window link this as well as their own objects.
 OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(OBJECTS_library)
 
-.PHONY: all deps demo test test-binary bench fuzz bad-input nightly gallery programs golden tables instructions format check headers tidy clean help force
+.PHONY: all deps demo test test-binary bench fuzz bad-input nightly gallery slides programs golden tables instructions format check headers tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -280,6 +281,10 @@ nightly:  ## what takes too long for each change, on all five systems (PART='fuz
 gallery: deps  ## draw all scenes and their steps with every renderer: build/gallery/index.html (SCENES='lab report' draws some)
 	@$(MAKE) $(PROGRAMS)/twinlight
 	@tools/gallery.sh $(PROGRAMS)/twinlight build/gallery $(SCENES)
+
+slides: deps  ## the lecture as slides with live pictures, for a projector: build/slides/index.html
+	@$(MAKE) $(PROGRAMS)/twinlight
+	@tools/slides/slides.sh $(PROGRAMS)/twinlight build/slides
 
 deps:  ## install missing packages with apt; build nothing
 	@tools/deps.sh

@@ -185,7 +185,8 @@ TEST(LectureNoSpecular, BlackLampsAndABlackMaterialGiveTheSamePicture) {
 
 TEST(LectureMaterials, AreThoseOfTheWindow) {
     std::vector<Material> materials;  // of the teapots, each of which is several Draws
-    for (const Draw* draw : scene_of("materials").frame.draws())
+    const Scene scene = scene_of("materials");
+    for (const Draw* draw : scene.frame.draws())
         if (materials.empty() || draw->lighting.front.diffuse != materials.back().diffuse ||
             draw->lighting.front.specular != materials.back().specular)
             materials.push_back(draw->lighting.front);
@@ -203,7 +204,8 @@ TEST(LectureMaterials, AreThoseOfTheWindow) {
 }
 
 TEST(LectureQueries, ReturnPositionsInEyeCoordinates) {
-    const Draw& draw = *scene_of("queries").frame.draws().front();
+    const Scene scene = scene_of("queries");
+    const Draw& draw = *scene.frame.draws().front();
     const auto& lights = draw.lighting.lights;
     EXPECT_EQ(lights[0].position_eye, glm::dvec4(3, 4, 5, 1));
     // gluLookAt from (5, 3, 8): the lamp is behind the viewer's plane at z = 0 of the eye, minus the distance of the camera.

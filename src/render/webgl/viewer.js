@@ -192,5 +192,16 @@ for (const property of ["step", "shading"]) {
         show();
     });
 }
+// "#bare&step=2" or "#bare&step=The sum": only the picture, for a page that has it in a frame.
+function open_hash() {
+    const wanted = new URLSearchParams(location.hash.slice(1)), step = wanted.get("step"), select = at("step");
+    document.body.classList.toggle("bare", wanted.has("bare"));
+    const option = [...select.options].find(({value}, i) => step === value || Number(step) === i + 1);
+    if (!option) return;
+    select.value = option.value;
+    select.dispatchEvent(new Event("input"));
+}
 startTheme(at("theme"));
 show();
+open_hash();
+window.addEventListener("hashchange", open_hash);
