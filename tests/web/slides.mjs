@@ -6,7 +6,7 @@ import {Browser} from "./browser.mjs";
 const [folder, program] = process.argv.slice(2);
 const browser = await Browser.open(program, folder);
 const told = {};
-const key = (name) => browser.value(`document.dispatchEvent(new KeyboardEvent("keydown", {key: "${name}", bubbles: true, cancelable: true})), 0`);
+const key = (name) => browser.value(`document.body.dispatchEvent(new KeyboardEvent("keydown", {key: "${name}", bubbles: true, cancelable: true})), 0`);
 const shown = (selector) => browser.value(`[...document.querySelectorAll("${selector}")].filter((one) => one.checkVisibility()).map((one) => one.textContent.trim())`);
 // file: pages cannot look into each other, so the scene's page is opened by itself.
 async function lit_pixels(address) {
@@ -24,9 +24,9 @@ async function lit_pixels(address) {
 }
 
 try {
-    const opened = async (page) => {
+    const opened = async (page, hash = "") => {
         await browser.visit("about:blank");
-        await browser.visit(pathToFileURL(path.resolve(folder, page)).href);
+        await browser.visit(pathToFileURL(path.resolve(folder, page)).href + hash);
         for (const end = Date.now() + 60000; !(await browser.value(`document.getElementById("place")?.textContent`));) {
             if (Date.now() > end) throw new Error("no slide is shown");
             await new Promise((resolve) => setTimeout(resolve, 20));
@@ -47,7 +47,7 @@ try {
         }
         told[page] = {titles, crowded, place: (await shown("#place"))[0]};
     }
-    await opened("index.html#4");
+    await opened("index.html", "#4");
     told.before = [(await shown("h3"))[0], (await shown("aside")).length, (await shown("iframe")).length, (await shown("img")).length];
     const source = await browser.value(`document.querySelector("section:not([hidden]) iframe").src`);
     await key("n");

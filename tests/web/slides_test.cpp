@@ -51,7 +51,7 @@ TEST(Slides, HaveAHeadingEachAndALiveScene) {
     EXPECT_EQ(told["complaints"], Json::array());
     EXPECT_GT(told["scene"][0].get<int>(), 100) << "colours of the scene";
     EXPECT_EQ(told["scene"][1], false) << "only the picture";
-    EXPECT_EQ(told["scene"][2], "Diffuse only");
+    EXPECT_EQ(told["scene"][2], "Diffuse");
 }
 
 }  // namespace
