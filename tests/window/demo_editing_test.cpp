@@ -250,7 +250,7 @@ TEST_F(DemoEditing, OpensAnotherScene) {
     EXPECT_NE(title().find("second-light - twinlight"), std::string::npos);
     // The first line of the list that has this word: the tutor of materials.
     xdo("key ctrl+o type --delay 20 'each kind of light'");
-    xdo("mousemove 300 100 click 1");
+    xdo("mousemove 300 181 click 1");
     EXPECT_TRUE(answers());
     EXPECT_NE(title().find("tutor-material - twinlight"), std::string::npos);
 }

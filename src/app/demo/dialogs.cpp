@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/demo/panel_lesson.h"
+#include "app/demo/panes.h"
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
 #include "app/session/keys.h"
@@ -77,12 +78,10 @@ void Dialogs::begin(const Session& session) {
         path.copy(text_.data(), text_.size() - 1);
         text_[std::min(path.size(), text_.size() - 1)] = '\0';
     }
-    if (session.dialog == Dialog::kOpen) {
-        list_openable();
-    }
+    if (session.dialog == Dialog::kOpen) list_openable(session);
 }
 
-void Dialogs::show(Session& session) {
+void Dialogs::show(Session& session, Panes& panes) {
     if (shown_ != session.dialog) {
         if (shown_ != Dialog::kNone && begin_dialog(shown_)) {
             ImGui::CloseCurrentPopup();
@@ -99,7 +98,8 @@ void Dialogs::show(Session& session) {
         const ImVec2 size = ImGui::GetIO().DisplaySize;
         // What is found should be in sight.
         const float x = shown_ == Dialog::kFind ? size.x - at_scale(180) : size.x / 2;
-        ImGui::SetNextWindowPos({x, size.y / 3}, ImGuiCond_Always, {0.5F, 0.5F});
+        const float y = shown_ == Dialog::kOpen ? size.y / 2 : size.y / 3;
+        ImGui::SetNextWindowPos({x, y}, ImGuiCond_Always, {0.5F, 0.5F});
     }
     if (!begin_dialog(shown_)) {  // a click beside it
         shown_ = session.dialog = Dialog::kNone;
@@ -108,7 +108,7 @@ void Dialogs::show(Session& session) {
     switch (shown_) {
         case Dialog::kNone: break;
         case Dialog::kMenu: menu(session); break;
-        case Dialog::kOpen: open_scene(session); break;
+        case Dialog::kOpen: open_scene(session, panes); break;
         case Dialog::kSaveAs: save_as(session); break;
         case Dialog::kFind: find(session); break;
         case Dialog::kEnd: end(session); break;
@@ -170,21 +170,33 @@ void Dialogs::menu(Session& session) {
     if (!is_chosen) session.dialog = Dialog::kMenu;
 }
 
-void Dialogs::list_openable() {
+void Dialogs::list_openable(const Session& session) {
     openable_.clear();
+    for (const std::string& file : recent_files(session)) {
+        const fs::path path(file);
+        openable_.push_back(
+            {Group::kFiles, "Recent files", file, path.parent_path().string(), path.filename().string()});
+    }
+    for (const session::SceneGroup& group : session::scene_groups())
+        for (const std::string_view name : group.scenes) {
+            const auto file =
+                std::ranges::find(kSceneFiles, name, [](const EmbeddedFile& one) { return built_in_name(one); });
+            openable_.push_back(
+                {Group::kScenes, std::string(group.heading), std::string(name), caption_of(file->text).title});
+        }
+    for (const std::string_view name : lesson::names())
+        openable_.push_back(
+            {Group::kLessons, "Lessons", std::string(name), lesson::load_lesson(name, lessons_language()).title});
+    for (const session::TutorName& tutor : session::kTutors)
+        openable_.push_back(
+            {Group::kTutors, "Tutors", std::string(tutor.key), caption_of(session::tutor_text(tutor.key)).title});
     std::error_code error;
     std::vector<std::string> files;
     for (const auto& entry : fs::directory_iterator(".", error))
         if (entry.path().extension() == ".gl" || entry.path().extension() == ".c")
             files.push_back(entry.path().filename().string());
     std::ranges::sort(files);
-    for (std::string& name : files) openable_.push_back({Group::kFiles, std::move(name), ""});
-    for (const session::TutorName& tutor : session::kTutors)
-        openable_.push_back({Group::kTutors, std::string(tutor.key), caption_of(session::tutor_text(tutor.key)).title});
-    for (const std::string_view name : lesson::names())
-        openable_.push_back({Group::kLessons, std::string(name), lesson::load_lesson(name, lessons_language()).title});
-    for (const EmbeddedFile& file : kSceneFiles)
-        openable_.push_back({Group::kScenes, built_in_name(file), caption_of(file.text).title});
+    for (std::string& name : files) openable_.push_back({Group::kFiles, "Files in this folder", std::move(name)});
 }
 
 void Dialogs::open_entry(Session& session, const Openable& entry) {
@@ -198,36 +210,70 @@ void Dialogs::open_entry(Session& session, const Openable& entry) {
     }
 }
 
-// A start page as well: your files, tutors, lessons with ticks, and the built-in scenes with what they show.
-void Dialogs::open_scene(Session& session) {
+bool Dialogs::show_row(const Session& session, const Openable& entry, float width) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float name_at = 1.6F * ImGui::GetFontSize(), title_at = name_at + at_scale(160);
+    const bool is_chosen = ImGui::Selectable("##open");
+    if (entry.group == Group::kLessons && session::is_solved(session, entry.name)) draw_tick(at);
+    ImGui::SameLine(name_at);
+    ImGui::TextUnformatted(fitting({entry.label.empty() ? entry.name : entry.label}, title_at - name_at - 8).c_str());
+    ImGui::SameLine(title_at);
+    colored_text_line(kDim,
+                      fitting({entry.title, entry.title.substr(0, entry.title.find(':'))}, width - title_at - 24));
+    return is_chosen;
+}
+
+// A picture, once it is drawn, and the name below it.
+bool Dialogs::show_tile(Panes& panes, const Openable& entry, const ImVec2& size) {
+    const ImVec2 from = ImGui::GetCursorScreenPos(), to = plus(from, size);
+    const float picture = to.y - ImGui::GetFontSize() - at_scale(4);
+    const bool is_chosen = ImGui::Selectable("##open", false, 0, size);
+    if (!ImGui::IsItemVisible()) return is_chosen;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(from, {to.x, picture}, kBar, 3);
+    if (const unsigned texture = panes.small_picture(entry.name); texture != 0)
+        add_picture(draw, texture, from, {to.x, picture});
+    if (ImGui::IsItemHovered()) {
+        draw.AddRect(from, {to.x, picture}, kAccent, 3, ImDrawFlags_None, 2);
+        ImGui::SetTooltip("%s", wrapped(entry.title, 26 * ImGui::GetFontSize()).c_str());
+    }
+    draw.AddText({from.x + at_scale(2), picture + at_scale(2)}, kText, fitting({entry.name}, size.x).c_str());
+    return is_chosen;
+}
+
+// A start page as well: your last files, the built-in scenes as pictures, lessons with ticks, tutors, and the files here.
+void Dialogs::open_scene(Session& session, Panes& panes) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const float width = std::min(at_scale(760), 0.9F * window.x);
+    const float width = std::min(at_scale(800), 0.9F * window.x), gap = at_scale(10);
     ImGui::SetNextItemWidth(width);
     const bool is_typed = text_field("##file", "a file, or a word to look for in the list", text_, takes_focus_);
     std::optional<Openable> chosen;
     if (is_typed) {
         // Of those with one name, the scene.
-        const auto named =
-            std::ranges::find(openable_.rbegin(), openable_.rend(), std::string(text_.data()), &Openable::name);
-        chosen = named == openable_.rend() ? Openable{Group::kFiles, text_.data(), ""} : *named;
+        for (const Openable& entry : openable_)
+            if (entry.name == text_.data() && (!chosen || entry.group == Group::kScenes)) chosen = entry;
+        if (!chosen) chosen = Openable{Group::kFiles, "", text_.data()};
     }
-    ImGui::BeginChild("names", {width, std::min(at_scale(420), 0.55F * window.y)}, false);
-    constexpr const char* kTitles[] = {"Files in this folder", "Tutors", "Lessons", "Scenes"};
-    std::optional<Group> last;
+    ImGui::BeginChild("names", {width, std::min(at_scale(560), 0.62F * window.y)}, false);
+    const float room = ImGui::GetContentRegionAvail().x;
+    const int columns = std::max(1, static_cast<int>((room + gap) / (at_scale(140) + gap)));
+    const float tile = (room + gap) / static_cast<float>(columns) - gap;
+    std::string last;
+    int column = 0;
     for (const Openable& entry : openable_) {
         if (!session::has_text(entry.name + " " + entry.title, text_.data())) continue;
-        if (last != entry.group) heading(kTitles[static_cast<std::size_t>(entry.group)]);
-        last = entry.group;
+        if (last != entry.heading) {
+            heading(entry.heading);
+            column = 0;
+        }
+        last = entry.heading;
         ImGui::PushID(&entry);
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const float name_at = 1.6F * ImGui::GetFontSize(), title_at = name_at + at_scale(160);
-        if (ImGui::Selectable("##open")) chosen = entry;
-        if (entry.group == Group::kLessons && session::is_solved(session, entry.name)) draw_tick(at);
-        ImGui::SameLine(name_at);
-        ImGui::TextUnformatted(entry.name.c_str());
-        ImGui::SameLine(title_at);
-        colored_text_line(kDim,
-                          fitting({entry.title, entry.title.substr(0, entry.title.find(':'))}, width - title_at - 24));
+        if (entry.group != Group::kScenes) {
+            if (show_row(session, entry, width)) chosen = entry;
+        } else {
+            if (column++ % columns != 0) ImGui::SameLine(0, gap);
+            if (show_tile(panes, entry, {tile, 0.75F * tile + ImGui::GetFontSize() + at_scale(4)})) chosen = entry;
+        }
         ImGui::PopID();
     }
     ImGui::EndChild();

@@ -1,6 +1,8 @@
 // What is shown over the pictures: the menu of a click with the right button, and the window's questions.
 #pragma once
 
+#include <imgui.h>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -11,19 +13,21 @@
 
 namespace twinlight::demo {
 
+class Panes;
+
 class Dialogs {
   public:
     // Asks whether to bring these scenes back.
     void offer(session::Session& session, session::LostScenes lost);
     // To be called in every frame.
-    void show(session::Session& session);
+    void show(session::Session& session, Panes& panes);
     // The key Enter: the first button.
     void press_enter() { enter_ = true; }
 
   private:
     void begin(const session::Session& session);
     void menu(session::Session& session);
-    void open_scene(session::Session& session);
+    void open_scene(session::Session& session, Panes& panes);
     void save_as(session::Session& session);
     void find(session::Session& session);
     void end(session::Session& session);
@@ -41,10 +45,14 @@ class Dialogs {
     // What can be opened, in groups.
     enum class Group : std::uint8_t { kFiles, kTutors, kLessons, kScenes };
     struct Openable {
-        Group group;
-        std::string name, title;
+        Group group = Group::kFiles;
+        std::string heading, name;
+        std::string title{};  // beside the name
+        std::string label{};  // what is shown instead of the name, unless it is empty
     };
-    void list_openable();
+    void list_openable(const session::Session& session);
+    static bool show_row(const session::Session& session, const Openable& entry, float width);
+    static bool show_tile(Panes& panes, const Openable& entry, const ImVec2& size);
     void open_entry(session::Session& session, const Openable& entry);
     std::vector<Openable> openable_;
     std::optional<session::LostScenes> lost_;

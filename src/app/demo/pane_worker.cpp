@@ -80,6 +80,16 @@ bool PaneWorker::is_drawing() const {
     return is_drawing_now();
 }
 
+bool PaneWorker::is_drawing_now() const {
+    return draws_by_itself_ && (is_drawing_ || !std::ranges::all_of(jobs_, &PaneJob::is_small));
+}
+
+// Small pictures come last.
+std::vector<PaneJob>::iterator PaneWorker::next_job() {
+    const auto found = std::ranges::find(jobs_, false, &PaneJob::is_small);
+    return found == jobs_.end() ? jobs_.begin() : found;
+}
+
 void PaneWorker::wait(std::optional<std::chrono::milliseconds> most) const {
     std::unique_lock lock(mutex_);
     const auto is_done = [this] { return !is_drawing_now(); };
@@ -131,10 +141,12 @@ void PaneWorker::draw_jobs(programmable::Renderer& renderer, const std::function
         {
             const std::lock_guard lock(mutex_);
             if (jobs_.empty()) return;
-            job = std::move(jobs_.front());
-            jobs_.erase(jobs_.begin());
-            is_drawing_ = true;
+            const auto next = next_job();
+            job = std::move(*next);
+            jobs_.erase(next);
+            is_drawing_ = !job.is_small();
         }
+        if (job.is_small()) job.scene = job.make_scene();
         try {
             prepare(job.scene->frame.width, job.scene->frame.height);
         } catch (const std::exception&) {

@@ -30,6 +30,10 @@ struct PaneJob {
     Look look{};
     int revision = -1;      // of the session
     bool is_first = false;  // by this renderer with this look: it is drawn twice and the second is timed
+    // A picture for which nothing waits. Its scene is made when it is drawn.
+    std::function<std::shared_ptr<const Scene>()> make_scene{};
+
+    bool is_small() const { return make_scene != nullptr; }
 };
 
 struct PanePicture {
@@ -48,9 +52,9 @@ class PaneWorker {
 
     // Replaces a job of the same pane that has not begun.
     void request(PaneJob job);
-    // Whether anything is still to be drawn.
+    // Whether anything is still to be drawn, not counting small pictures.
     bool is_drawing() const;
-    // Waits until nothing is left to draw, or at most so long.
+    // Waits until that is drawn, or at most so long.
     void wait(std::optional<std::chrono::milliseconds> most = {}) const;
     // What was drawn since the last call, the oldest first. Without a thread it is drawn now, into the back buffer's lower left corner.
     std::vector<PanePicture> take();
@@ -58,7 +62,8 @@ class PaneWorker {
   private:
     void run();
     void draw_jobs(programmable::Renderer& renderer, const std::function<void(int width, int height)>& prepare);
-    bool is_drawing_now() const { return draws_by_itself_ && (is_drawing_ || !jobs_.empty()); }
+    std::vector<PaneJob>::iterator next_job();
+    bool is_drawing_now() const;
 
     mutable std::mutex mutex_;
     mutable std::condition_variable changed_;

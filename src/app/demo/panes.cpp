@@ -6,11 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/text/reason.h"
+#include "app/session/scenes.h"
 #include "judge/study/measure.h"
-#include "render/context/context.h"
 #include "render/context/gl.h"
-#include "render/fixed/fixed.h"
 #include "render/reference/reference.h"
 
 namespace twinlight::demo {
@@ -94,6 +92,10 @@ void Panes::request_picture(const Session& session, std::size_t number) {
 void Panes::take_pictures() {
     for (PanePicture& picture : painter_.take()) {
         const PaneJob& job = picture.job;
+        if (job.is_small()) {
+            take_small_picture(picture);
+            continue;
+        }
         Drawn& drawn = drawn_[job.pane];
         if (!drawn.wanted || drawn.wanted->pane.renderer != job.renderer || drawn.wanted->look != job.look) continue;
         drawn.error = picture.error;
@@ -112,6 +114,24 @@ void Panes::take_pictures() {
         drawn.revision = job.revision;
         drawn.reference.reset();
     }
+}
+
+// One at a time, so that a pane's picture never waits for more than one.
+unsigned Panes::small_picture(const std::string& scene) {
+    if (const auto found = small_.find(scene); found != small_.end()) return found->second->name();
+    if (small_wanted_) return 0;
+    small_wanted_ = scene;
+    PaneJob job;
+    job.pane = kPanes;  // none
+    job.make_scene = [scene] { return session::small_scene(scene, kSmallPicture); };
+    painter_.request(std::move(job));
+    return 0;
+}
+
+void Panes::take_small_picture(const PanePicture& picture) {
+    auto texture = std::make_unique<Texture>(GL_LINEAR);
+    texture->upload(picture.rgba, kSmallPicture.width, kSmallPicture.height);
+    small_[*std::exchange(small_wanted_, std::nullopt)] = std::move(texture);
 }
 
 // While the scene changes in every frame, only pictures that are compared with each other at once are needed as images.

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,12 +52,16 @@ class Panes {
     // Whether another frame would show more: the driver or the reference is at work, or pictures are still to be compared. `wait`
     // waits for them.
     bool is_busy(const session::Session& session) const {
-        return is_late_ || worker_.is_busy() || lacks_images(session);
+        return is_late_ || worker_.is_busy() || lacks_images(session) || small_wanted_;
     }
     void wait() const {
         painter_.wait();
         worker_.wait();
     }
+
+    // The texture of a small picture of a built-in scene, which is drawn when nothing else is; 0 until then.
+    unsigned small_picture(const std::string& scene);
+    static constexpr WindowSize kSmallPicture{320, 240};
 
     // How long the pane's last picture took.
     std::optional<double> last_ms(std::size_t pane) const { return drawn_[pane].times.last_ms(); }
@@ -105,6 +110,7 @@ class Panes {
     bool wants_image(const session::Session& session, std::size_t pane) const;
     void request_picture(const session::Session& session, std::size_t pane);
     void take_pictures();
+    void take_small_picture(const PanePicture& picture);
     void make_images(const session::Session& session);
     bool is_behind(const Drawn& drawn) const;
     void request_reference(const session::Session& session, const std::array<bool, session::kPanes>& shown);
@@ -128,8 +134,10 @@ class Panes {
     Difference difference_;
     WorldView world_;
     PaneWorker painter_;
-    bool is_late_ = false;                // the last frame did not get all pictures
-    std::shared_ptr<const Scene> scene_;  // the session's, for painter_
+    bool is_late_ = false;                                   // the last frame did not get all pictures
+    std::map<std::string, std::unique_ptr<Texture>> small_;  // by scene
+    std::optional<std::string> small_wanted_{};              // the one at work
+    std::shared_ptr<const Scene> scene_;                     // the session's, for painter_
     int scene_revision_ = -1;
     session::ReferenceWorker worker_;
     std::vector<std::shared_ptr<const session::ReferencePicture>> references_;  // the newest of each look

@@ -33,7 +33,7 @@ void StatusLine::show(session::Session& session, const Rectangle& bar, bool keep
     if (const std::string step = session::step_caption(commands(session)); !step.empty()) scene += ", " + step;
     draw.AddText(fonts().bold, height_of(*fonts().bold), {12, y}, kText, scene.c_str());
     const float after_name = 12 + fonts().bold->CalcTextSizeA(height_of(*fonts().bold), 1e4F, 0, scene.c_str()).x + 18;
-    const char* help = "? keys   right click: menu";
+    const char* help = "Ctrl+O scenes   ? keys   right click: menu";
     const float help_x = to.x - ImGui::CalcTextSize(help).x - 12;
     if (session.error.empty()) {
         draw.AddText({help_x, y}, kDim, help);

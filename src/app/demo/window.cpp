@@ -87,6 +87,7 @@ WindowSize Window::first_size() const {
 void Window::remember() {
     if (is_script()) return;
     preferences_.solved_lessons = session_.solved_lessons;
+    preferences_.recent_files = session_.recent_files;
     preferences_.lecture_symbols = session_.symbols == session::Symbols::kLecture;
     for (const session::PanelName& panel : session::kPanels)
         if (panel.value == session_.panel) preferences_.panel = panel.key;
@@ -97,6 +98,7 @@ Window::Window(std::shared_ptr<const CommandList> scene, const WindowOptions& op
     : options_(options), session_(std::move(scene), options.file), recovery_(recovery_folder_of(options)) {
     if (!is_script()) preferences_ = session::read_preferences(session::preferences_file());
     session_.solved_lessons = preferences_.solved_lessons;
+    session_.recent_files = preferences_.recent_files;
     if (preferences_.lecture_symbols) session_.symbols = session::Symbols::kLecture;
     session_.view = options.view;
     for (const session::PanelName& panel : session::kPanels)
@@ -148,9 +150,9 @@ int Window::run() {
     int argument_count = 1;
     char program[] = "twinlight-demo";
     char* arguments[] = {program, nullptr};
+    DrawingContext::allow_threads();
     glutInitErrorFuncUcall(refuse, nullptr);
     glutInit(&argument_count, arguments);
-    DrawingContext::allow_threads();
     // No GLUT_MULTISAMPLE: one sample, as in OSMesa. With alpha, since the reference's pictures have it, too.
     glutInitDisplayMode(GLUT_RGBA | GLUT_ALPHA | GLUT_DOUBLE | GLUT_DEPTH | GLUT_STENCIL);
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
@@ -166,7 +168,8 @@ int Window::run() {
 
     guarded(this, [](Window& self) {
         for (const char code : self.options_.keys) {
-            session::press(self.session_, static_cast<unsigned char>(code));
+            const bool is_ctrl = code >= 1 && code <= 26 && code != '\b' && code != '\t' && code != '\r';
+            session::press(self.session_, is_ctrl ? session::kCtrl + 'a' + code - 1 : static_cast<unsigned char>(code));
             self.carry_out_requests();
             refresh(self.session_, self.session_.width, self.session_.height);
         }
@@ -250,6 +253,7 @@ void Window::frame() {
     if (const std::string title = title_of(session_) + " - twinlight"; title != title_) {
         title_ = title;
         glutSetWindowTitle(title.c_str());
+        session::note_recent_file(session_);
     }
     session::refresh(session_, layout_.picture.width, layout_.picture.height);
     // What is written to a file shows no earlier picture.
@@ -269,7 +273,7 @@ void Window::frame() {
     if (layout_.code.height > 0) panels_->show_tutor(session_, layout_.code);
     status_line_.show(session_, layout_.status, options_.quit_after > 0);
     if (session_.keys_shown) show_keys(width_, height_);
-    dialogs_.show(session_);
+    dialogs_.show(session_, *panes_);
     ImGui::Render();
     const ImVec4 background = ImGui::ColorConvertU32ToFloat4(kBackground);
     glClearColor(background.x, background.y, background.z, 1);

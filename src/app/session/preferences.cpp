@@ -24,8 +24,12 @@ std::string preferences_file() {
 Preferences read_preferences(const std::string& file) {
     try {
         const nlohmann::json json = nlohmann::json::parse(read_file(file));
-        return {json.at("width"), json.at("height"), json.at("panel"), json.at("solved_lessons"),
-                json.value("lecture_symbols", false)};
+        return {json.at("width"),
+                json.at("height"),
+                json.at("panel"),
+                json.at("solved_lessons"),
+                json.value("lecture_symbols", false),
+                json.value("recent_files", std::vector<std::string>{})};
     } catch (const std::exception&) {
         return {};
     }
@@ -37,7 +41,8 @@ void write_preferences(const std::string& file, const Preferences& preferences) 
                                  {"height", preferences.height},
                                  {"panel", preferences.panel},
                                  {"solved_lessons", preferences.solved_lessons},
-                                 {"lecture_symbols", preferences.lecture_symbols}};
+                                 {"lecture_symbols", preferences.lecture_symbols},
+                                 {"recent_files", preferences.recent_files}};
     std::error_code ignored;
     std::filesystem::create_directories(std::filesystem::path(file).parent_path(), ignored);
     try {

@@ -11,6 +11,7 @@ struct Preferences {
     std::string panel{};        // a key of kPanels; empty: not known
     std::vector<std::string> solved_lessons{};
     bool lecture_symbols = false;
+    std::vector<std::string> recent_files{};  // Session::recent_files
 
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "scene/scenes/load.h"
+#include "scene/state/state.h"
 
 namespace twinlight::session {
+
+namespace fs = std::filesystem;
 
 void show_scene(Session& session, const std::string& name) {
     if (name == key_of(session)) return;
@@ -31,6 +35,61 @@ std::string neighbour_scene(const Session& session, int away) {
     const auto here = std::ranges::find(names, key_of(session)) - names.begin();
     const auto count = std::ssize(names);
     return names[static_cast<std::size_t>(((here + away) % count + count) % count)];
+}
+
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view kOfLecture[] = {"terms"sv,         "half-vector"sv,    "several-lights"sv, "spectral"sv,
+                                           "distant-light"sv, "distant-viewer"sv, "interpolation"sv,  "normals"sv};
+constexpr std::string_view kOfOpenGl[] = {"light-model"sv, "attenuation"sv,    "spotlight"sv,
+                                          "shininess"sv,   "materials"sv,      "color-material"sv,
+                                          "no-specular"sv, "material-forms"sv, "queries"sv};
+constexpr std::string_view kOfReports[] = {"report"sv, "cylinders"sv, "lab"sv, "tutorial"sv};
+constexpr std::string_view kBeyond[] = {"bezier"sv,     "buffers"sv, "environment"sv,   "fog-coordinates"sv,
+                                        "fragments"sv,  "labels"sv,  "monitor"sv,       "points"sv,
+                                        "shadow-map"sv, "tex-gen"sv, "solid-texture"sv, "texture-units"sv};
+constexpr std::string_view kForTests[] = {"commands"sv, "legacy"sv};
+constexpr SceneGroup kSceneGroups[] = {{"Lecture 3: local shading models", kOfLecture},
+                                       {"OpenGL's lights and materials", kOfOpenGl},
+                                       {"The report, the lab and the tutorial", kOfReports},
+                                       {"Beyond lighting", kBeyond},
+                                       {"For tests", kForTests}};
+
+}  // namespace
+
+std::span<const SceneGroup> scene_groups() { return kSceneGroups; }
+
+std::shared_ptr<const Scene> small_scene(const std::string& name, WindowSize size) {
+    const std::shared_ptr<const CommandList> commands = load_commands(name);
+    auto small = std::make_shared<const CommandList>(scaled(*commands, natural_size(*commands), size));
+    return std::make_shared<const Scene>(make_scene(std::move(small), {.width = size.width, .height = size.height}));
+}
+
+void note_recent_file(Session& session) {
+    constexpr std::size_t kMost = 10;
+    if (!session.file) return;
+    std::error_code error;
+    const std::string file = fs::absolute(*session.file, error).lexically_normal().string();
+    std::vector<std::string>& files = session.recent_files;
+    if (error || (!files.empty() && files.front() == file)) return;
+    std::erase(files, file);
+    files.insert(files.begin(), file);
+    files.resize(std::min(files.size(), kMost));
+}
+
+std::vector<std::string> recent_files(const Session& session) {
+    std::vector<std::string> files;
+    std::error_code error;
+    const fs::path here = fs::current_path(error);
+    for (const std::string& file : session.recent_files) {
+        if (!fs::is_regular_file(file, error)) continue;
+        const fs::path from_here = fs::path(file).lexically_relative(here);
+        const bool is_below = !from_here.empty() && *from_here.begin() != "..";
+        files.push_back(is_below ? from_here.string() : file);
+    }
+    return files;
 }
 
 }  // namespace twinlight::session

@@ -1,7 +1,11 @@
 // Opening scenes from the window: by name, and the ones before and after. Each scene keeps its history.
 #pragma once
 
+#include <memory>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/session/session.h"
 
@@ -9,6 +13,18 @@ namespace twinlight::session {
 
 // Shows a built-in scene or a file. One that was shown before comes back with its edits. Throws SceneError and FileError.
 void show_scene(Session& session, const std::string& name);
+// The session's file is now the first of its recent files, of which there are at most ten.
+void note_recent_file(Session& session);
+// The recent files that still exist. Those below this folder are named from here.
+std::vector<std::string> recent_files(const Session& session);
+// The built-in scenes as the lecture orders them (docs/lecture.md), below headings.
+struct SceneGroup {
+    std::string_view heading;
+    std::span<const std::string_view> scenes;
+};
+std::span<const SceneGroup> scene_groups();
+// A built-in scene for a picture of this size.
+std::shared_ptr<const Scene> small_scene(const std::string& name, WindowSize size);
 // The scene `away` places after this one (before it, if negative), in a circle: the built-in ones, then those of the user.
 std::string neighbour_scene(const Session& session, int away);
 

@@ -152,6 +152,7 @@ struct Session : OpenScene {
     std::optional<Animation> animation{};
     std::shared_ptr<LessonState> lesson{};      // null outside lessons (lesson_state.h)
     std::vector<std::string> solved_lessons{};  // their names
+    std::vector<std::string> recent_files{};    // with their folders, the last opened first (scenes.h)
     bool quit_requested = false;
     // Requests that the window carries out and clears.
     bool export_requested = false, screenshot_requested = false, save_requested = false, full_screen_requested = false;

@@ -14,7 +14,7 @@ TEST(SessionPreferences, AreReadAsTheyWereWritten) {
     const std::string folder = testing::TempDir() + "twinlight-preferences", file = folder + "/a/window.json";
     std::filesystem::remove_all(folder);
     EXPECT_EQ(read_preferences(file), Preferences{});
-    const Preferences some{900, 700, "lint", {"shininess", "overlay"}, true};
+    const Preferences some{900, 700, "lint", {"shininess", "overlay"}, true, {"/a/b.gl", "/c.gl"}};
     write_preferences(file, some);
     EXPECT_EQ(read_preferences(file), some);
     write_file_atomically(file, "{\"width\": \"wide\"}");

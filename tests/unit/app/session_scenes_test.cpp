@@ -1,0 +1,73 @@
+// The window's list of scenes: the built-in ones below headings, their small pictures, and the user's last files.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "../run_program.h"
+#include "app/session/scenes.h"
+#include "base/image/file.h"
+#include "scene/scenes/load.h"
+
+namespace twinlight::session::session_scenes_test {
+namespace {
+
+using Strings = std::vector<std::string>;
+
+TEST(SessionScenes, EachBuiltInSceneIsBelowOneHeading) {
+    std::multiset<std::string> listed, built_in;
+    for (const SceneGroup& group : scene_groups()) {
+        EXPECT_FALSE(group.heading.empty());
+        for (const std::string_view name : group.scenes) listed.emplace(name);
+    }
+    for (const EmbeddedFile& file : kSceneFiles) built_in.insert(built_in_name(file));
+    EXPECT_EQ(listed, built_in);
+}
+
+TEST(SessionScenes, SmallPicturesShowTheWholeScene) {
+    for (const std::string name : {"lab", "monitor"}) {
+        const auto small = small_scene(name, {320, 240});
+        EXPECT_EQ(small->frame.width, 320) << name;
+        EXPECT_EQ(small->frame.height, 240) << name;
+        const auto whole = make_scene(load_commands(name), {});
+        EXPECT_EQ(small->frame.draws().size(), whole.frame.draws().size()) << name;
+        const Rectangle &viewport = small->frame.draws().back()->raster.viewport,
+                        &of_whole = whole.frame.draws().back()->raster.viewport;
+        EXPECT_EQ(2 * viewport.width, of_whole.width) << name;
+    }
+}
+
+TEST(SessionScenes, RecentFilesAreTheLastOnesThatExist) {
+    const TemporaryFolder folder;
+    const auto file = [&](int i) { return folder / (std::to_string(i) + ".gl"); };
+    Session session(load_commands("terms"));
+    note_recent_file(session);
+    EXPECT_EQ(recent_files(session), Strings{});  // a built-in scene is no file
+    for (int i = 0; i < 12; ++i) {
+        write_file_atomically(file(i), "glRectf(0, 0, 1, 1);");
+        session.file = file(i);
+        note_recent_file(session);
+    }
+    session.file = file(5);
+    note_recent_file(session);
+    note_recent_file(session);
+    EXPECT_EQ(recent_files(session),
+              (Strings{file(5), file(11), file(10), file(9), file(8), file(7), file(6), file(4), file(3), file(2)}));
+    std::filesystem::remove(file(10));
+    EXPECT_EQ(recent_files(session)[2], file(9));
+}
+
+// So a file that was opened by its name is not opened a second time by its whole path.
+TEST(SessionScenes, RecentFilesBelowThisFolderAreNamedFromHere) {
+    Session session(load_commands("terms"));
+    session.file = "src/scene/scenes/lab.gl";
+    note_recent_file(session);
+    EXPECT_TRUE(std::filesystem::path(session.recent_files.front()).is_absolute());
+    EXPECT_EQ(recent_files(session), Strings{"src/scene/scenes/lab.gl"});
+}
+
+}  // namespace
+}  // namespace twinlight::session::session_scenes_test
