@@ -28,6 +28,7 @@
 #include "base/image/difference.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
+#include "base/text/json.h"
 #include "demo_window.h"
 #include "render/context/context.h"
 #include "render/fixed/fixed.h"
@@ -307,6 +308,24 @@ TEST_F(DemoWindow, DrawsBuiltInScenes) {
         ASSERT_EQ(ran.status, 0) << ran.output;
         expect_panes(picture(), session_after("", View::kGrid));
     }
+}
+
+// In no panel or view, with small letters and large ones. What a list cuts above and below does not count.
+TEST_F(DemoWindow, CutsNoTextAtFiveSizes) {
+    const std::string times = (folder() / "times.json").string();
+    for (const std::string size : {"800x600", "1024x768 --scale 1.5", "1366x768 --scale 2", "1280x800", "1920x1080"})
+        for (const std::string view :
+             {"lab --panel commands", "lab --view grid --panel lights", "report --view grid --probe 300,200",
+              "lab --view world --panel shaders", "report --view single --panel overlays", "report --panel accuracy",
+              "lab --panel save", "--lesson second-light --language en", "tests/window/mistakes.gl --panel lint",
+              "--tutor spot", "materials --keys '?'", "report --keys '\x0f'"}) {
+            SCOPED_TRACE(view + " --size " + size);
+            const Ran ran =
+                run(on_display(program() + " " + view + " --size " + size + " --quit-after 4 --times " + times));
+            ASSERT_EQ(ran.status, 0) << ran.output;
+            const auto cut = nlohmann::json::parse(read_file(times)).at("cut_letters");
+            EXPECT_TRUE(cut.empty()) << "letters are cut at " << cut.dump();
+        }
 }
 
 TEST_F(DemoWindow, ShowsTheNextStepFromTheSameCamera) {

@@ -35,6 +35,7 @@ std::vector<Piece> pieces_of(const Command& command) {
     bool after_comma = false;
     for (const PrintedPart& part : print_parts(command)) {
         if (part.argument) {
+            after_comma |= !pieces.empty() && pieces.back().text.ends_with('(');
             if (starts_color(command, *part.argument)) {
                 pieces.push_back({"", part.argument, after_comma, true});
                 after_comma = false;
@@ -50,6 +51,12 @@ std::vector<Piece> pieces_of(const Command& command) {
             continue;
         }
         std::string_view text = part.text;
+        constexpr std::string_view kPragma = "#pragma twinlight ";
+        if (text.starts_with(kPragma)) {
+            pieces.push_back({std::string(kPragma.substr(0, kPragma.size() - 1)), std::nullopt, false});
+            text.remove_prefix(kPragma.size());
+            after_comma = true;
+        }
         while (!text.empty()) {
             const std::size_t comma = text.find(", ");
             const std::string_view piece = text.substr(0, comma == std::string_view::npos ? comma : comma + 1);
@@ -61,9 +68,8 @@ std::vector<Piece> pieces_of(const Command& command) {
     return pieces;
 }
 
-// How many columns the pieces from `first` on need until a line may break again; an array counts as a whole.
-int columns_until_break(const std::vector<Piece>& pieces, std::size_t first) {
-    const bool is_array = pieces[first].text.ends_with('{');
+// How many columns the pieces from `first` on need until a line may break again, or until the array that begins there ends.
+int columns_until_break(const std::vector<Piece>& pieces, std::size_t first, bool is_array) {
     int columns = 0;
     for (std::size_t i = first; i < pieces.size(); ++i) {
         if (i > first && !is_array && pieces[i].may_break) break;
@@ -88,13 +94,16 @@ std::vector<PlacedPiece> placed_pieces(const Command& command, int columns) {
     int line = 0, column = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         if (pieces[i].may_break) {
-            const int needed = columns_until_break(pieces, i);
             const bool is_array = pieces[i].text.ends_with('{');
-            const bool helps = column > kIndent && (!is_array || kIndent + needed <= columns);
-            if (column + 1 + needed > columns && helps) {
+            const int needed = columns_until_break(pieces, i, is_array);
+            const auto fits = [&](int at, int count) { return at + count <= columns; };
+            // An array that is too long for a line begins where its first value has room.
+            const bool helps = column > kIndent && (!is_array || fits(kIndent, needed) ||
+                                                    !fits(column + 1, columns_until_break(pieces, i, false)));
+            if (!fits(column + 1, needed) && helps) {
                 ++line;
                 column = kIndent;
-            } else if (column > 0) {
+            } else if (column > 0 && !placed.back().piece.text.ends_with('(')) {
                 ++column;  // the space after the comma
             }
         }

@@ -25,7 +25,7 @@ struct PlacedPiece {
     int line = 0, column = 0;
 };
 
-// Breaks a call that is longer than `columns` after commas; an array stays on one line if it can. Numbers with many
+// Breaks a call that is longer than `columns` after commas, or before its first argument; an array stays on one line if it can. Numbers with many
 // digits are shortened.
 std::vector<PlacedPiece> placed_pieces(const Command& command, int columns);
 

@@ -133,6 +133,7 @@ class Window {
     std::optional<std::filesystem::file_time_type> file_time_;
     std::vector<double> frame_ms_;  // for options_.times
     std::array<std::vector<double>, session::kPanes> pane_ms_;
+    std::vector<std::array<int, 2>> cut_letters_;  // in the last frame, for options_.times
     Dialogs dialogs_;
     session::RecoveryFile recovery_;
     int recovery_revision_ = 0;  // of the history, that the recovery file has

@@ -123,7 +123,8 @@ int run(int argc, char** argv) {
     app.add_option("--quit-after", options.quit_after, "write the screenshot and quit after this many frames")
         ->check(number_from(1, kMaxFrames))
         ->option_text("FRAMES");
-    app.add_option("--times", options.times, "write the milliseconds of each frame to this JSON file")
+    app.add_option("--times", options.times,
+                   "write the milliseconds of each frame to this JSON file, and where letters are cut in the last one")
         ->option_text("FILE")
         ->check(not_empty());
 

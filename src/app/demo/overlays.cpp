@@ -281,7 +281,7 @@ void overlays_panel(session::Session& session) {
     bold_text("Wireframe");
     constexpr std::array<const char*, 3> kWireframes = {"Off", "Over the picture", "Lines only"};
     for (std::size_t i = 0; i < kWireframes.size(); ++i) {
-        if (i > 0) ImGui::SameLine();
+        if (i > 0) same_line_for(kWireframes[i]);
         if (ImGui::RadioButton(kWireframes[i], overlays.wireframe == static_cast<Wireframe>(i)))
             overlays.wireframe = static_cast<Wireframe>(i);
     }

@@ -142,7 +142,10 @@ void LightsPanel::show_light(session::Session& session, int light) {
                                      ImGuiTreeNodeFlags_NoTreePushOnOpen |
                                      (session.selected_light == light ? ImGuiTreeNodeFlags_Selected : 0);
     ImGui::PushStyleColor(ImGuiCol_Text, source.enabled ? kText : kDim);
-    const bool open = ImGui::TreeNodeEx("light", flags, "%s  %s", light_name(light).c_str(), kind.c_str());
+    const std::string name = light_name(light) + "  ";
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::GetTreeNodeToLabelSpacing();
+    const std::string title = fitting({name + kind, name + kind.substr(0, kind.find(','))}, room);
+    const bool open = ImGui::TreeNodeEx("light", flags, "%s", title.c_str());
     ImGui::PopStyleColor();
     if (ImGui::IsItemClicked()) {
         session.selected_light = light;

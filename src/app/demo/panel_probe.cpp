@@ -170,8 +170,11 @@ void ProbePanel::show_choice(Session& session) {
     ImGui::SameLine();
     int numbers[2] = {probe.is_vertex ? static_cast<int>(probe.draw) : probe.x,
                       probe.is_vertex ? static_cast<int>(probe.vertex) : probe.y};
-    ImGui::SetNextItemWidth(8 * ImGui::GetFontSize());
-    if (ImGui::InputInt2(probe.is_vertex ? "draw, vertex" : "x, y", numbers)) {
+    const char* const label = probe.is_vertex ? "draw, vertex" : "x, y";
+    const float room =
+        ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(label).x - ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetNextItemWidth(std::min(8 * ImGui::GetFontSize(), room));
+    if (ImGui::InputInt2(label, numbers)) {
         if (probe.is_vertex) {
             probe.draw = static_cast<std::size_t>(std::max(numbers[0], 1));
             probe.vertex = static_cast<std::size_t>(std::max(numbers[1], 1));
@@ -196,7 +199,9 @@ void ProbePanel::show_colors(const Session& session, const std::array<std::optio
         else
             ImGui::TextUnformatted("");
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(title_of(session, session.panes[pane]).c_str());
+        const char* const renderer = session::kRendererTitles[static_cast<std::size_t>(session.panes[pane].renderer)];
+        ImGui::TextUnformatted(
+            fitting({title_of(session, session.panes[pane]), renderer}, ImGui::GetContentRegionAvail().x).c_str());
         ImGui::TableNextColumn();
         ImGui::PushFont(fonts().code);
         if (colors[pane])

@@ -155,8 +155,9 @@ void ShadersPanel::show_glsl(Session& session) {
 void ShadersPanel::show(Session& session) {
     int kind = to_keep_ ? 1 : 0;
     ImGui::RadioButton("for this picture", &kind, 0);
-    ImGui::SameLine();
-    ImGui::RadioButton("to keep (GLSL 3.30)", &kind, 1);
+    constexpr const char* kToKeep = "to keep (GLSL 3.30)";
+    same_line_for(kToKeep);
+    ImGui::RadioButton(kToKeep, &kind, 1);
     to_keep_ = kind == 1;
     update(session);
     if (!trouble_.empty()) {

@@ -44,7 +44,7 @@ void StatusLine::show(session::Session& session, const Rectangle& bar, bool keep
     if (!session.error.empty()) {
         draw.AddText({after_name, y}, kText, session.error.c_str());
     } else if (!session.message.empty()) {
-        draw.AddText({after_name, y}, kAccent, session.message.c_str());
+        draw.AddText({after_name, y}, kAccent, fitting({session.message}, help_x - 12 - after_name).c_str());
     } else {
         draw.AddText({after_name, y}, kDim,
                      fitting({session::lights_summary(session.scene.frame)}, help_x - 12 - after_name).c_str());

@@ -93,6 +93,14 @@ bool text_field(const char* label, const char* hint, std::span<char> text, bool&
                                     took_focus, &takes_focus);
 }
 
+void same_line_for(const char* label) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float needed =
+        style.ItemSpacing.x + ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + ImGui::CalcTextSize(label).x;
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    if (ImGui::GetItemRectMax().x + needed <= right) ImGui::SameLine();
+}
+
 std::string fitting(const std::vector<std::string>& texts, float room) {
     const auto fits = [room](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x <= room; };
     for (const std::string& text : texts)

@@ -53,6 +53,8 @@ bool text_field(const char* label, const char* hint, std::span<char> text, bool&
 // character, but not before a closing mark.
 // `width`: instead of that room.
 std::string wrapped(const std::string& text, float width = 0);
+// The next item, a radio button with this label, stays in the line of the last one if there is room.
+void same_line_for(const char* label);
 // The title of a part of a panel.
 void heading(const std::string& text);
 

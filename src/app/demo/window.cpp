@@ -15,6 +15,7 @@
 #include <cstdlib>
 
 #include "app/demo/clipboard.h"
+#include "app/demo/cut_texts.h"
 #include "app/demo/glut_window.h"
 #include "app/demo/theme.h"
 #include "app/demo/x_drawing_context.h"
@@ -225,6 +226,7 @@ void Window::draw() {
         }
         frame();
         if (!options_.screenshot.empty()) save_screenshot();
+        cut_letters_ = cut_letters(*ImGui::GetDrawData());
     }
     if (session_.screenshot_requested) save_screenshot();
     if (panels_->saving().is_recording()) {
@@ -302,7 +304,8 @@ void Window::save_screenshot() {
 
 void Window::write_times() const {
     if (options_.times.empty()) return;
-    write_file_atomically(options_.times, nlohmann::json{{"frame_ms", frame_ms_}, {"pane_ms", pane_ms_}}.dump() + "\n");
+    const nlohmann::json json = {{"frame_ms", frame_ms_}, {"pane_ms", pane_ms_}, {"cut_letters", cut_letters_}};
+    write_file_atomically(options_.times, json.dump() + "\n");
 }
 
 // Also remembers what the next window starts with. Textures and programs are deleted while their context is current.

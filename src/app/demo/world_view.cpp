@@ -255,7 +255,11 @@ void WorldView::show(session::Session& session, const session::Cell& cell, unsig
     show_markers(session, box);
     draw.PopClipRect();
 
-    bar(cell.header, ImDrawFlags_RoundCornersTop, kText, "The scene from outside", fonts().bold);
+    ImGui::PushFont(fonts().bold);
+    const std::string title =
+        fitting({"The scene from outside", "From outside"}, static_cast<float>(cell.header.width) - 20);
+    ImGui::PopFont();
+    bar(cell.header, ImDrawFlags_RoundCornersTop, kText, title, fonts().bold);
     const auto shown_light = [&]() -> const LightMarker* {
         if (under_mouse_ && under_mouse_->light < world_.lights.size()) return &world_.lights[under_mouse_->light];
         const auto found = std::ranges::find_if(
