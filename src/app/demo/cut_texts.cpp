@@ -18,6 +18,18 @@ bool is_letter(const ImDrawVert* vertices, const ImDrawIdx* corners) {
     return from.x < to.x && from.y < to.y && vertices[a + 1].uv.y == from.y && vertices[a + 3].uv.x == from.x;
 }
 
+// Whether the letter is a part of one of the fonts' letters: labels of buttons and the like are cut so. Later releases of ImGui keep
+// their fonts elsewhere.
+bool is_part([[maybe_unused]] const ImVec2& from_uv, [[maybe_unused]] const ImVec2& to_uv) {
+#if IMGUI_VERSION_NUM < 19200
+    for (const ImFont* const font : ImGui::GetIO().Fonts->Fonts)
+        for (const ImFontGlyph& glyph : font->Glyphs)
+            if (glyph.V0 <= from_uv.y && to_uv.y <= glyph.V1 && glyph.U0 <= from_uv.x && to_uv.x <= glyph.U1)
+                return glyph.U0 < from_uv.x || to_uv.x < glyph.U1;
+#endif
+    return false;
+}
+
 }  // namespace
 
 std::vector<std::array<int, 2>> cut_letters(const ImDrawData& data) {
@@ -37,7 +49,9 @@ std::vector<std::array<int, 2>> cut_letters(const ImDrawData& data) {
                 const ImVec2 from = vertices[indices[i]].pos, to = vertices[indices[i + 2]].pos;
                 const ImVec4& clip = command.ClipRect;
                 const bool is_in_sight = from.x < clip.z && to.x > clip.x && from.y < clip.w && to.y > clip.y;
-                if (is_in_sight && (from.x < clip.x - kHidden || to.x > clip.z + kHidden))
+                const bool is_cut = from.x < clip.x - kHidden || to.x > clip.z + kHidden ||
+                                    is_part(vertices[indices[i]].uv, vertices[indices[i + 2]].uv);
+                if (is_in_sight && is_cut)
                     cut.push_back({static_cast<int>((from.x + to.x) / 2), static_cast<int>((from.y + to.y) / 2)});
                 i += 6;
             }

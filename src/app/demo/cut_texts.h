@@ -8,7 +8,7 @@
 
 namespace twinlight::demo {
 
-// The middles of the letters that the left or the right border of their clip rectangle cuts, in pixels. Letters that are cut above or
+// The middles of the letters that are cut at the left or at the right, in pixels. Letters that are cut above or
 // below are not meant: a list that scrolls cuts them.
 std::vector<std::array<int, 2>> cut_letters(const ImDrawData& data);
 

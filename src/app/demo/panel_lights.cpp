@@ -102,7 +102,8 @@ void LightsPanel::show_drawing(session::Session& session) {
     ImGui::TextUnformatted("Object");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
-    if (!ImGui::BeginCombo("##drawing", drawing_[chosen_].name.c_str(), ImGuiComboFlags_HeightLarge)) return;
+    if (!ImGui::BeginCombo("##drawing", fitting_in_combo(drawing_[chosen_].name).c_str(), ImGuiComboFlags_HeightLarge))
+        return;
     for (std::size_t i = 0; i < drawing_.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const std::string name = drawing_[i].name + (drawing_[i].is_lit ? "" : "  (not lit)");

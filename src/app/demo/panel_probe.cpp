@@ -264,9 +264,9 @@ void ProbePanel::show_fragment(Session& session) {
         const auto label = [this](std::size_t i) {
             return fmt::format("{}: {}##{}", fragments_[i].name, fragments_[i].fate, i);
         };
-        if (ImGui::BeginCombo(
-                "##fragment",
-                fmt::format("{} of {}: {}", fragment_ + 1, fragments_.size(), fragments_[fragment_].name).c_str())) {
+        if (ImGui::BeginCombo("##fragment", fitting_in_combo(fmt::format("{} of {}: {}", fragment_ + 1,
+                                                                         fragments_.size(), fragments_[fragment_].name))
+                                                .c_str())) {
             for (std::size_t i = 0; i < fragments_.size(); ++i)
                 if (ImGui::Selectable(label(i).c_str(), i == fragment_)) fragment_ = i;
             ImGui::EndCombo();

@@ -165,7 +165,7 @@ void ShadersPanel::show(Session& session) {
         return;
     }
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::BeginCombo("##program", shaders_[shown_].title.c_str())) {
+    if (ImGui::BeginCombo("##program", fitting_in_combo(shaders_[shown_].title).c_str())) {
         for (std::size_t i = 0; i < shaders_.size(); ++i) {
             ImGui::PushID(static_cast<int>(i));
             if (ImGui::Selectable(shaders_[i].title.c_str(), i == shown_)) shown_ = i;

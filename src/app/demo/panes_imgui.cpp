@@ -209,8 +209,11 @@ void Panes::show_header(Session& session, const Cell& cell) {
         if (ImGui::Selectable(title.c_str(), false, 0, {static_cast<float>(cell.header.width) - 20, 0}))
             ImGui::OpenPopup("pair");
     } else {
-        const std::string title = title_of(session, session.panes[cell.pane]);
-        if (ImGui::Selectable(title.c_str(), false, 0, {static_cast<float>(cell.header.width) - 20, 0})) {
+        const session::Pane& pane = session.panes[cell.pane];
+        const float room = static_cast<float>(cell.header.width) - 20;
+        const std::string title =
+            fitting({title_of(session, pane), session::kRendererTitles[static_cast<std::size_t>(pane.renderer)]}, room);
+        if (ImGui::Selectable(title.c_str(), false, 0, {room, 0})) {
             session.active = cell.pane;
             ImGui::OpenPopup("choose");
         }
@@ -275,8 +278,10 @@ void Panes::show_amplification(Session& session, const Rectangle& picture) {
     ImGui::SetNextItemWidth(static_cast<float>(width));
     constexpr std::array<int, 8> kFactors = {0, 1, 2, 4, 8, 16, 32, 64};
     int chosen = static_cast<int>(std::ranges::find(kFactors, session.amplification) - kFactors.begin());
-    const std::string shown = session.amplification == 0 ? fmt::format("x {} (auto)", difference_.amplification)
-                                                         : fmt::format("x {}", session.amplification);
+    const std::string factor =
+        fmt::format("x {}", session.amplification == 0 ? difference_.amplification : session.amplification);
+    const std::string shown =
+        session.amplification == 0 ? fitting({factor + " (auto)", factor}, static_cast<float>(width) - 12) : factor;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6, 2});
     if (ImGui::SliderInt("##amplification", &chosen, 0, 7, shown.c_str()))
         session.amplification = kFactors[static_cast<std::size_t>(std::clamp(chosen, 0, 7))];

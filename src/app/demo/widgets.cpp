@@ -114,6 +114,11 @@ std::string fitting(const std::vector<std::string>& texts, float room) {
     return cut + "...";
 }
 
+std::string fitting_in_combo(const std::string& text) {
+    const float arrow = ImGui::GetFrameHeight(), padding = 2 * ImGui::GetStyle().FramePadding.x;
+    return fitting({text}, ImGui::GetContentRegionAvail().x - arrow - padding);
+}
+
 void draw_arrow(ImDrawList& draw, const ImVec2& from, const ImVec2& to, ImU32 color) {
     const ImVec2 along{to.x - from.x, to.y - from.y};
     const float length = std::sqrt(along.x * along.x + along.y * along.y);

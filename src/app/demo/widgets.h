@@ -72,6 +72,8 @@ void draw_probe(ImDrawList& draw, const session::ProbeArrows& arrows,
 
 // The first of these texts that is not wider than `room`; if none fits, the last one, cut, with dots.
 std::string fitting(const std::vector<std::string>& texts, float room);
+// The same for the text of a combo box that is as wide as the panel.
+std::string fitting_in_combo(const std::string& text);
 
 // A square of this colour, as high as a line of text. Channels are clamped to [0, 1].
 void swatch(const Vec3<double>& color);
