@@ -67,7 +67,7 @@ function show(number) {
 function fit() {
     const slide = slides[now], room = main.getBoundingClientRect().height;
     slide.style.zoom = 1;
-    for (let zoom = 0.95; zoom > 0.5 && slide.scrollHeight * slide.style.zoom > room + 1; zoom -= 0.05) slide.style.zoom = zoom;
+    for (let zoom = 0.95; zoom > 0.3 && slide.scrollHeight * slide.style.zoom > room + 1; zoom -= 0.05) slide.style.zoom = zoom;
 }
 function show_live() {
     slides[now].classList.toggle("is-live");
