@@ -181,6 +181,7 @@ void Dialogs::list_openable(const Session& session) {
         for (const std::string_view name : group.scenes) {
             const auto file =
                 std::ranges::find(kSceneFiles, name, [](const EmbeddedFile& one) { return built_in_name(one); });
+            if (file == kSceneFiles.end()) continue;
             openable_.push_back(
                 {Group::kScenes, std::string(group.heading), std::string(name), caption_of(file->text).title});
         }

@@ -41,11 +41,12 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::string_view kOfLecture[] = {"terms"sv,         "half-vector"sv,    "several-lights"sv, "spectral"sv,
-                                           "distant-light"sv, "distant-viewer"sv, "interpolation"sv,  "normals"sv};
-constexpr std::string_view kOfOpenGl[] = {"light-model"sv, "attenuation"sv,    "spotlight"sv,
-                                          "shininess"sv,   "materials"sv,      "color-material"sv,
-                                          "no-specular"sv, "material-forms"sv, "queries"sv};
+constexpr std::string_view kOfLecture[] = {"terms"sv,    "cosine"sv,        "half-vector"sv,    "several-lights"sv,
+                                           "spectral"sv, "distant-light"sv, "distant-viewer"sv, "interpolation"sv,
+                                           "normals"sv,  "mesh-normals"sv};
+constexpr std::string_view kOfOpenGl[] = {"light-model"sv,    "attenuation"sv,    "spotlight"sv,      "shininess"sv,
+                                          "materials"sv,      "material-color"sv, "color-material"sv, "no-specular"sv,
+                                          "material-forms"sv, "queries"sv};
 constexpr std::string_view kOfReports[] = {"report"sv, "cylinders"sv, "lab"sv, "tutorial"sv};
 constexpr std::string_view kBeyond[] = {"bezier"sv,     "buffers"sv, "environment"sv,   "fog-coordinates"sv,
                                         "fragments"sv,  "labels"sv,  "monitor"sv,       "points"sv,

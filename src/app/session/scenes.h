@@ -17,7 +17,7 @@ void show_scene(Session& session, const std::string& name);
 void note_recent_file(Session& session);
 // The recent files that still exist. Those below this folder are named from here.
 std::vector<std::string> recent_files(const Session& session);
-// The built-in scenes as the lecture orders them (docs/lecture.md), below headings.
+// The names of the built-in scenes as the lecture orders them (docs/lecture.md), below headings. A name may be that of a scene to come.
 struct SceneGroup {
     std::string_view heading;
     std::span<const std::string_view> scenes;
