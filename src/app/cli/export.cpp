@@ -50,12 +50,14 @@ Scene with_texels(Scene scene, const programmable::Options& options) {
 // All steps of the scene.
 std::string page_of(const std::vector<Scene>& scenes, const programmable::Options& options) {
     std::vector<webgl::PageStep> steps;
-    webgl::PageText text{scenes.size() > 1 ? scenes.front().name() : scenes.front().title()};
     for (const Scene& scene : scenes) {
         const CommandList* list = scene.recording->command_list();
-        if (list) text.shows = caption_of(*list).title, text.notice = caption_of(*list).notice;
         steps.push_back({&scene.frame, list && list->step > 0 ? list->steps[list->step - 1] : ""});
     }
+    const Scene& first = scenes.front();
+    const CommandList* list = first.recording->command_list();
+    const Caption caption = list ? caption_of(*list) : Caption{};
+    const webgl::PageText text{scenes.size() > 1 ? first.name() : first.title(), caption.title, caption.notice};
     return webgl::exported_page(steps, options, text);
 }
 

@@ -24,7 +24,9 @@ WITHOUT_web := $(wildcard src/lighting/points_avx*.cpp) $(filter-out %/tolerance
     $(filter-out %/scene_of_choice.cpp,$(wildcard src/judge/study/*.cpp)) \
     $(filter-out $(patsubst %,src/app/session/%.cpp,$(SESSION_web)),$(wildcard src/app/session/*.cpp))
 sources_web = $(sort $(filter-out $(WITHOUT_web),$(wildcard $(1)/*.cpp)))
-OBJECTS_web := $(ROOMS_web:%=$(WEB)/objects/%.room.o) $(WEB)/objects/stb.o \
+# Rooms that no picture waits for are made small. (All of the module with -Oz would make the reference a third slower.)
+SMALL_web := $(addprefix src/,scene/mesh scene/recorded scene/scenes scene/trace judge/explain judge/lesson judge/study app/session)
+OBJECTS_web := $(ROOMS_web:%=$(WEB)/objects/%.room.o) $(WEB)/objects/stb.o $(WEB)/objects/demangle.o \
     $(patsubst %,$(WEB)/objects/embedded/%.o,scenes scene_assets shaders webgl lessons lessons-zh)
 HEADERS_web := fmt glm nlohmann stb tiny_obj_loader.h
 
@@ -44,9 +46,9 @@ LDFLAGS_web := -O2 -fwasm-exceptions -sMODULARIZE=1 -sEXPORT_ES6=1 -sENVIRONMENT
 web: deps  ## build the page for browsers: build/web/twinlight.html, and build/web/page for a host
 	@$(MAKE) $(WEB)/twinlight.zip $(WEB)/twinlight-page.zip
 
-$(WEB)/flags: $(if $(subst |$(EMXX) $(CXXFLAGS_web) $(LDFLAGS_web)|,,|$(file <$(WEB)/flags)|),force)
+$(WEB)/flags: $(if $(subst |$(EMXX) $(CXXFLAGS_web) $(SMALL_web) $(LDFLAGS_web)|,,|$(file <$(WEB)/flags)|),force)
 	@mkdir -p $(WEB)/include; ln -sf $(HEADERS_web:%=/usr/include/%) $(WEB)/include
-	@printf '%s\n' '$(EMXX) $(CXXFLAGS_web) $(LDFLAGS_web)' >$@
+	@printf '%s\n' '$(EMXX) $(CXXFLAGS_web) $(SMALL_web) $(LDFLAGS_web)' >$@
 
 $(OBJECTS_web): $(WEB)/flags
 # A room's list of sources is written only if it changed, so that a new file compiles its own room and no other.
@@ -58,8 +60,8 @@ endef
 $(foreach name,$(ROOMS_web),$(eval $(call room_web,$(name))))
 $(WEB)/objects/%.room.o: $(WEB)/objects/%.room.cpp
 	@echo "compile $*/*.cpp for browsers"
-	@$(EMXX) $(CXXFLAGS_web) $(if $(filter $(LESS),$*),-O1) -iquote . -MMD -MP -c $< -o $@
-$(WEB)/objects/stb.o: src/app/web/compat/stb.cpp
+	@$(EMXX) $(CXXFLAGS_web) $(if $(filter $(SMALL_web),$*),-Oz,$(if $(filter $(LESS),$*),-O1)) -iquote . -MMD -MP -c $< -o $@
+$(WEB)/objects/%.o: src/app/web/compat/%.cpp
 	@$(EMXX) $(CXXFLAGS_web) -w -c $< -o $@
 $(WEB)/objects/embedded/%.o: $(BUILD)/embedded/%.cpp
 	@mkdir -p $(@D); $(EMXX) $(CXXFLAGS_web) -MMD -MP -c $< -o $@
