@@ -220,6 +220,8 @@ OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
 OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # Programs without a window link this as well as their own objects.
 OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(OBJECTS_library)
+# What changes twinlight's pictures: all but its commit.
+OBJECTS_cli := $(call object,$(SOURCES_cli)) $(OFFSCREEN)
 
 .PHONY: all deps demo test test-binary bench fuzz bad-input nightly gallery slides programs golden tables instructions format check headers tidy clean help force
 .DEFAULT_GOAL := all
@@ -394,7 +396,7 @@ objects_first = $(foreach layer,$(layers),$(filter $(layer),$(objects_more)))
 link = @echo "link $@"; mkdir -p $(@D); \
     $(CXX) $(LDFLAGS_all) $(objects_first) $(filter-out $(objects_first),$(objects_more)) $(objects_less) -o $@
 
-$(PROGRAMS)/twinlight: $(call object,$(SOURCES_cli)) $(OBJECT_version) $(OFFSCREEN)
+$(PROGRAMS)/twinlight: $(OBJECTS_cli) $(OBJECT_version)
 	$(link) $(LIBS_offscreen) $(LIBS)
 
 # The window has no use for some rooms, so it need not wait for them.
