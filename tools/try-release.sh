@@ -26,7 +26,7 @@ diff -r -x hosting.html "$work/twinlight" build/web/page || fail "the zip file d
 tar xzf "$sources" -C "$work"
 (cd "$work/twinlight-$version" && make programs >"$work/log" 2>&1) || { tail -n 20 "$work/log"; fail "the sources do not build"; }
 "$work/twinlight-$version/build/twinlight" --version | tee "$work/printed"
-grep -qx "commit *$(git rev-parse HEAD | cut -c1-8)" "$work/printed" || fail "--version of the sources does not name the commit"
+grep -qx "commit *$(gzip -dc "$sources" | git get-tar-commit-id | cut -c1-8)" "$work/printed" || fail "--version of the sources does not name the commit"
 
 packages=0
 for package in "$folder"/twinlight_*.deb; do
