@@ -1,20 +1,18 @@
-// scene-pictures.mjs PROGRAM LECTURE: prints the list of scenes for the page as JSON: by the headings of LECTURE (docs/lecture.md), each scene
-// where it first comes, with a small picture by the shaders of PROGRAM (twinlight).
+// scene-pictures.mjs PROGRAM: prints the list of scenes for the page as JSON: by headings, as PROGRAM (twinlight) lists them, each scene with a
+// small picture by its shaders.
 import {execFile} from "node:child_process";
-import fs from "node:fs";
 import os from "node:os";
 import {promisify} from "node:util";
 
-const [program, lecture] = process.argv.slice(2);
+const [program] = process.argv.slice(2);
 const run = promisify(execFile), SIZE = "160x120";
 
 const {scenes} = JSON.parse((await run(program, ["scenes", "--json"])).stdout);
-const names = new Set(scenes.map(({name}) => name)), groups = [];
-for (const section of fs.readFileSync(lecture, "utf8").split(/^##+ /m).slice(1)) {
-    const found = [...section.matchAll(/build\/twinlight\S*(?: [a-z]+)? ([a-z-]+)/g)].map(([, name]) => name).filter((name) => names.delete(name));
-    if (found.length > 0) groups.push({heading: section.slice(0, section.indexOf("\n")), scenes: found});
+const groups = [];
+for (const {heading, name} of scenes) {
+    if (groups.at(-1)?.heading !== heading) groups.push({heading, scenes: []});
+    groups.at(-1).scenes.push(name);
 }
-groups.push({heading: "More scenes", scenes: [...names]});
 
 const pictures = {}, left = scenes.values();
 await Promise.all(os.cpus().map(async () => {

@@ -18,7 +18,7 @@ case $name in
     twinlight) list=$program ;;
     *) list=$(dirname "$program")/twinlight ;;
 esac
-scenes=$("$list" scenes | awk '/^[^ ]/ { printf "%s%s", (NR > 1 ? " " : ""), $1 }')
+scenes=$("$list" scenes | awk '/^  [^ ]/ { printf "%s%s", (n++ ? " " : ""), $1 }')
 
 parts | awk -F '\t' -v shell="$shell" -v program="$name" -v scenes="$scenes" -v cases="$*" '
     function quoted(text) { gsub(/\047/, "\047\\\047\047", text); return "\047" text "\047" }

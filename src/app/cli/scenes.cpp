@@ -8,6 +8,7 @@
 #include "base/text/json.h"
 #include "scene/scenes/caption.h"
 #include "scene/scenes/load.h"
+#include "scene/scenes/scene_groups.h"
 
 namespace twinlight::cli {
 
@@ -37,22 +38,29 @@ std::string wrapped(const std::string& words, std::size_t indent) {
     return text;
 }
 
+const EmbeddedFile& file_of(std::string_view scene) {
+    return *std::ranges::find_if(kSceneFiles, [&](const EmbeddedFile& file) { return built_in_name(file) == scene; });
+}
+
 int list(const ScenesArguments& arguments) {
     if (arguments.json) {
         Json json = {{"scenes", Json::array()}};
-        for (const EmbeddedFile& file : kSceneFiles) {
-            const std::string name = built_in_name(file);
-            json["scenes"].push_back(
-                {{"name", name}, {"description", caption_of(file.text).title}, {"steps", load_commands(name)->steps}});
-        }
+        for (const SceneGroup& group : scene_groups())
+            for (const std::string_view name : group.scenes)
+                json["scenes"].push_back({{"name", name},
+                                          {"heading", group.heading},
+                                          {"description", caption_of(file_of(name).text).title},
+                                          {"steps", load_commands(std::string(name))->steps}});
         write_result(json.dump(2) + "\n");
         return kFine;
     }
     std::size_t width = 0;
     for (const EmbeddedFile& file : kSceneFiles) width = std::max(width, built_in_name(file).size());
     std::string text;
-    for (const EmbeddedFile& file : kSceneFiles) {
-        text += fmt::format("{:{}}  {}\n", built_in_name(file), width, wrapped(caption_of(file.text).title, width + 2));
+    for (const SceneGroup& group : scene_groups()) {
+        text += fmt::format("{}{}\n", text.empty() ? "" : "\n", group.heading);
+        for (const std::string_view name : group.scenes)
+            text += fmt::format("  {:{}}  {}\n", name, width, wrapped(caption_of(file_of(name).text).title, width + 4));
     }
     write_result(text);
     return kFine;

@@ -24,6 +24,7 @@
 #include "scene/command/names.h"
 #include "scene/scenes/caption.h"
 #include "scene/scenes/load.h"
+#include "scene/scenes/scene_groups.h"
 
 namespace twinlight::demo {
 
@@ -177,7 +178,7 @@ void Dialogs::list_openable(const Session& session) {
         openable_.push_back(
             {Group::kFiles, "Recent files", file, path.parent_path().string(), path.filename().string()});
     }
-    for (const session::SceneGroup& group : session::scene_groups())
+    for (const SceneGroup& group : scene_groups())
         for (const std::string_view name : group.scenes) {
             const auto file =
                 std::ranges::find(kSceneFiles, name, [](const EmbeddedFile& one) { return built_in_name(one); });

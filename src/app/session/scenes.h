@@ -2,9 +2,7 @@
 #pragma once
 
 #include <memory>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/session/session.h"
@@ -17,12 +15,6 @@ void show_scene(Session& session, const std::string& name);
 void note_recent_file(Session& session);
 // The recent files that still exist. Those below this folder are named from here.
 std::vector<std::string> recent_files(const Session& session);
-// The names of the built-in scenes as the lecture orders them (docs/lecture.md), below headings. A name may be that of a scene to come.
-struct SceneGroup {
-    std::string_view heading;
-    std::span<const std::string_view> scenes;
-};
-std::span<const SceneGroup> scene_groups();
 // A built-in scene for a picture of this size.
 std::shared_ptr<const Scene> small_scene(const std::string& name, WindowSize size);
 // The scene `away` places after this one (before it, if negative), in a circle: the built-in ones, then those of the user.

@@ -82,8 +82,8 @@ $(PAGE)/mesa.json: $(OBJECTS_cli) tools/mesa-pictures.mjs tools/png.mjs $(addpre
 	@echo "draw the built-in scenes with Mesa, for the page"
 	@node tools/mesa-pictures.mjs $(PROGRAMS)/twinlight $(@D) >$@.new && mv $@.new $@
 # The pictures of the list of scenes.
-$(PAGE)/scenes.json: $(OBJECTS_cli) tools/scene-pictures.mjs docs/lecture.md | $(PROGRAMS)/twinlight
-	@mkdir -p $(@D); node tools/scene-pictures.mjs $(PROGRAMS)/twinlight docs/lecture.md >$@.new && mv $@.new $@
+$(PAGE)/scenes.json: $(OBJECTS_cli) tools/scene-pictures.mjs | $(PROGRAMS)/twinlight
+	@mkdir -p $(@D); node tools/scene-pictures.mjs $(PROGRAMS)/twinlight >$@.new && mv $@.new $@
 # The whole page.
 FILES_page := $(PAGE)/module.js $(patsubst src/app/web/page/%,$(PAGE)/%,$(wildcard src/app/web/page/*)) $(SHARED_web) $(EDITOR_web)
 $(WEB)/twinlight.html: $(FILES_page) $(PAGE)/mesa.json $(PAGE)/scenes.json tools/pack-page.mjs
