@@ -18,7 +18,7 @@ scripts_install := $(wildcard tools/install/*.awk tools/install/*.sh)
 $(manuals): $(MADE)/%.1: $(PROGRAMS)/% $(scripts_install)
 	@mkdir -p $(@D); tools/install/man.sh $< >$@
 $(manuals_html): %.html: %
-	@mandoc -T html $< | sed 's,<head>,&<style>body { max-width: 55em; margin: 1em auto; padding: 0 1em; font: 1em/1.5 system-ui\, sans-serif; color-scheme: light dark; }</style>,' >$@
+	@mandoc -T html $< | sed 's,<head>,&<style>body { max-width: 55em; margin: 1em auto; padding: 0 1em; font: 1em/1.5 system-ui\, sans-serif; color-scheme: light dark; } h1\, h2 { font-size: 1.2em; } .permalink { color: inherit; text-decoration: none; }</style>,' >$@
 $(completions): programs $(scripts_install) $(FILES_cases)
 	@mkdir -p $(@D); tools/install/completion.sh $(subst .,,$(suffix $@)) $(PROGRAMS)/$(basename $(@F)) $(basename $(notdir $(sort $(FILES_cases)))) >$@
 
