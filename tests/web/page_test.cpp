@@ -440,8 +440,8 @@ TEST(WebPage, DrawsEveryScene) {
     EXPECT_EQ(page["numbers"][0], "GL_LIGHT0 GL_POSITION x\n1\nGL_LIGHT0 GL_POSITION y\n2\nGL_FRONT GL_SHININESS\n20");
     EXPECT_NE(page["numbers"][1].get<std::string>().find("{-0.5, 2, 3, 1}"), std::string::npos) << page["numbers"];
     EXPECT_NE(page["numbers"][1].get<std::string>().find("GL_SHININESS, 64);  // dull"), std::string::npos);
-    EXPECT_EQ(page["gallery"].front(), "The standard model");
-    EXPECT_EQ(page["gallery"].back(), "More scenes");
+    EXPECT_EQ(page["gallery"].front(), "Lecture 3: local shading models");
+    EXPECT_EQ(page["gallery"].back(), "For tests");
     EXPECT_EQ(page["cards"][0], page["cards"][1]);
     EXPECT_EQ(page["chosen"], (Json{"terms", false}));
     EXPECT_TRUE(page["error"].get<std::string>().starts_with("3:1: error: ")) << page["error"];

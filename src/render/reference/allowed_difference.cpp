@@ -368,6 +368,13 @@ class OpenPixels {
         });
     }
 
+    static bool covers_nothing(const Piece& piece) {
+        constexpr int kFar = 1 << 24;
+        bool covers = false;
+        for_each_pixel(piece, reach_of(piece, {-kFar, -kFar, kFar, kFar}), [&](int, int) { covers = true; });
+        return !covers;
+    }
+
     // Lines and points: a pixel is certain if the piece covers all its neighbours; other covered pixels and neighbours
     // are open. Smooth ones have neighbours up to two pixels away: 3.2 leaves the coverage to drivers, and in Mesa's it
     // falls within the last pixel inside of the border.
@@ -379,8 +386,8 @@ class OpenPixels {
         std::vector<std::pair<int, int>> covered;
         const auto cover = [&](int x, int y) { covered.emplace_back(x, y); };
         for_each_pixel(piece, around, cover);
-        // A line that leaves no diamond covers nothing, or one fragment nearby.
-        const bool nothing = covered.empty();
+        // A line that leaves no diamond covers nothing, or one fragment nearby. It may also cover pixels elsewhere.
+        const bool nothing = covered.empty() && covers_nothing(piece);
         if (nothing) for_each(point_square(glm::dvec2(piece.ends().from.position_window), piece.size, around), cover);
         if (covered.empty()) return;
         PixelRect box{INT_MAX, INT_MAX, INT_MIN, INT_MIN};

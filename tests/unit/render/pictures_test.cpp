@@ -65,6 +65,19 @@ void expect_same(const Frame& frame, const std::string& name) {
     }
 }
 
+// Bands have 16 rows. The line begins two rows above the border between two of them.
+TEST(Pictures, HaveNoEdgeBelowALineThatBeginsInTheNextBand) {
+    const CommandList line = read_scene(
+        "glOrtho(0, 48, 0, 36, -1, 1);\nglLineWidth(3);\nglBegin(GL_LINES);\nglVertex2f(24.4, 17.9);\n"
+        "glVertex2f(24.3, 21.3);\nglEnd();\n",
+        "line.gl", "line");
+    const Frame frame = make_frame(line, {.width = kWidth, .height = kHeight});
+    const OpenDifference found = whole_difference(frame, kAsInGl);
+    const auto is_drawn = [&](int x, int y) { return found.drawn[found.channels.index(x, kHeight - 1 - y)] != 0; };
+    EXPECT_TRUE(is_drawn(24, 18));
+    for (int x = 0; x < kWidth; ++x) EXPECT_FALSE(is_drawn(x, 15)) << x;
+}
+
 TEST(Pictures, OfBuiltInScenesAreDrawnAgainOnlyWhereTheyChange) {
     for (const EmbeddedFile& file : kSceneFiles) {
         if (file.name == "spectral.gl") continue;  // slow
