@@ -192,6 +192,13 @@ const checks = {
             await dropped(files);
             told.dumpErrors.push(await text("messages"));
         }
+        // A lesson that a teacher wrote: one of ours under another name.
+        const lesson = fs.readFileSync("docs/lessons/shininess.md", "utf8").replace(/^# .*/, "# Glass");
+        await dropped([["glass.md", Buffer.from(lesson).toString("base64")]]);
+        told.droppedLesson = [await browser.value(`document.querySelector("#lesson h2").textContent`)];
+        await browser.value(`document.getElementById("check").click()`);
+        await browser.until(`document.getElementById("result").className`);
+        told.droppedLesson.push(await text("result"));
         await dropped([["mine.gl", btoa("// mine\nglRectf(0, 0, 1, 1);\n")]]);
         told.droppedScene = [await sceneText(), await browser.value(`document.getElementById("scenes").value`)];
         // The events of a .trace in one chunk.

@@ -522,6 +522,9 @@ TEST(WebPage, DrawsEveryScene) {
     EXPECT_NE(themes[0][0], themes[1][0]);
     EXPECT_EQ(themes[2], themes[1]) << "after loading the page again";
     EXPECT_EQ(themes[3], themes[0]);
+    EXPECT_EQ(page["droppedLesson"][0], "Glass");
+    EXPECT_TRUE(page["droppedLesson"][1].get<std::string>().starts_with("Not yet. The highlight covers 1 times"))
+        << page["droppedLesson"];
     EXPECT_EQ(page["droppedScene"], (Json{"// mine\nglRectf(0, 0, 1, 1);\n", ""})) << "none of the list";
     const std::string dump = page["dump"][0], verdict_on_dump = page["dump"][1];
     EXPECT_TRUE(dump.starts_with("// dump.txt, frame 0: 300 x 300 pixels.")) << dump.substr(0, 200);

@@ -132,8 +132,11 @@ EXPORT const char* set_number(int number, double value) {
 EXPORT const char* lesson_list(const char* language) {
     return answered([&] { return page_lessons(language_of(language)); });
 }
-EXPORT const char* check_answer(const char* name, const char* language, const char* answer_text) {
-    return answered([&] { return checked_answer(name, language_of(language), answer_text); });
+EXPORT const char* read_own_lesson(const char* name, const char* language, const char* text) {
+    return answered([&] { return own_lesson(name, language_of(language), text); });
+}
+EXPORT const char* check_answer(const char* name, const char* language, const char* answer_text, const char* own_text) {
+    return answered([&] { return checked_answer(name, language_of(language), answer_text, own_text); });
 }
 
 EXPORT const char* forms(int shading) {

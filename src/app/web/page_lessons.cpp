@@ -9,27 +9,38 @@
 
 namespace twinlight::web {
 
+namespace {
+
+Json json_of(const lesson::Lesson& lesson) {
+    Json verdicts = Json::array();
+    for (std::size_t i = 0; i < lesson.choices.size(); ++i)
+        verdicts.push_back(lesson::verdict_on_prediction(lesson, i));
+    return {{"name", lesson.name},
+            {"title", lesson.title},
+            {"about", lesson.about},
+            {"question", lesson.question},
+            {"scene", lesson.scene},
+            {"changed", lesson.changed},
+            {"prediction", lesson.prediction},
+            {"choices", lesson.choices},
+            {"verdicts", verdicts},
+            {"seen", lesson.seen},
+            {"task", lesson.task},
+            {"because", session::because_of(lesson)}};
+}
+
+lesson::Lesson lesson_of_text(const std::string& name, lesson::Language language, std::string_view text) {
+    lesson::Lesson lesson = lesson::read_lesson(text, name);
+    lesson.language = language;
+    return lesson;
+}
+
+}  // namespace
+
 std::string page_lessons(lesson::Language language) {
     const session::LessonWords& words = session::words_of(language);
     Json list = Json::array();
-    for (const std::string_view name : lesson::names()) {
-        const lesson::Lesson lesson = lesson::load_lesson(name, language);
-        Json verdicts = Json::array();
-        for (std::size_t i = 0; i < lesson.choices.size(); ++i)
-            verdicts.push_back(lesson::verdict_on_prediction(lesson, i));
-        list.push_back({{"name", lesson.name},
-                        {"title", lesson.title},
-                        {"about", lesson.about},
-                        {"question", lesson.question},
-                        {"scene", lesson.scene},
-                        {"changed", lesson.changed},
-                        {"prediction", lesson.prediction},
-                        {"choices", lesson.choices},
-                        {"verdicts", verdicts},
-                        {"seen", lesson.seen},
-                        {"task", lesson.task},
-                        {"because", session::because_of(lesson)}});
-    }
+    for (const std::string_view name : lesson::names()) list.push_back(json_of(lesson::load_lesson(name, language)));
     return dumped({{"words",
                     {{"prediction", words.prediction},
                      {"task", words.task},
@@ -44,8 +55,14 @@ std::string page_lessons(lesson::Language language) {
                    {"lessons", list}});
 }
 
-std::string checked_answer(const std::string& name, lesson::Language language, std::string_view answer) {
-    const lesson::Lesson lesson = lesson::load_lesson(name, language);
+std::string own_lesson(const std::string& name, lesson::Language language, std::string_view text) {
+    return dumped(json_of(lesson_of_text(name, language, text)));
+}
+
+std::string checked_answer(const std::string& name, lesson::Language language, std::string_view answer,
+                           std::string_view own_text) {
+    const lesson::Lesson lesson =
+        own_text.empty() ? lesson::load_lesson(name, language) : lesson_of_text(name, language, own_text);
     lesson::Grade grade;
     try {
         grade = lesson::Grader(lesson).grade(std::make_shared<const CommandList>(read_for_page(answer, name, "")));

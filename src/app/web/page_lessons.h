@@ -12,7 +12,13 @@ namespace twinlight::web {
 // "seen", "task", "because"}]}, in the order of teaching. words: app/session's for the panel of lessons; verdicts: a sentence for each choice.
 std::string page_lessons(lesson::Language language);
 
-// JSON: {"right", "check", "reason"}, as `twinlight lesson NAME --check FILE --json` prints them.
-std::string checked_answer(const std::string& name, lesson::Language language, std::string_view answer);
+// JSON: one of these, of a lesson that somebody wrote: the text of a file NAME.md. Throws std::runtime_error with the line that breaks
+// the format.
+std::string own_lesson(const std::string& name, lesson::Language language, std::string_view text);
+
+// JSON: {"right", "check", "reason"}, as `twinlight lesson NAME --check FILE --json` prints them. `own_text`: of own_lesson(); empty for
+// one of ours.
+std::string checked_answer(const std::string& name, lesson::Language language, std::string_view answer,
+                           std::string_view own_text = {});
 
 }  // namespace twinlight::web

@@ -48,7 +48,7 @@ export class Lessons {
         this.checked = null;
         const {words} = this, seen = element("div", "", "seen"), result = element("p", "", "result");
         result.setAttribute("role", "status");
-        const following = this.lessons[this.lessons.indexOf(lesson) + 1];
+        const place = this.lessons.indexOf(lesson), following = place < 0 ? undefined : this.lessons[place + 1];
         const choices = document.createElement("p");
         choices.className = "choices";
         choices.append(...lesson.choices.map((choice, i) =>

@@ -245,7 +245,7 @@ const numbers = new Numbers(at("numbers"), (number, value) => ready() && control
 const lessons = new Lessons(twinlight.lessons(language), {
     open: (text) => load(name, text),
     text: () => editor.text,
-    check: (lesson, text) => workers.do({work: "check", given: {lesson: lesson.name, language, text}}, {soon: true, keep: true}),
+    check: (lesson, text) => workers.do({work: "check", given: {lesson: lesson.name, language, text, own: lesson.own}}, {soon: true, keep: true}),
     next: openLesson,
 });
 
@@ -284,6 +284,13 @@ addEventListener("drop", async (event) => {
     const files = [...event.dataTransfer.files];
     if (files.length === 0) return;
     try {
+        // A teacher's own lesson.
+        const page = files.find(({name}) => name.endsWith(".md"));
+        if (page) {
+            const own = await page.text();
+            await openLesson({...twinlight.ownLesson(page.name.slice(0, -3), language, own), own});
+            return;
+        }
         const {name, text, size, beside} = await sceneIn(files, twinlight);
         for (const [file, bytes] of beside) twinlight.keepFile(file, bytes);
         if (beside.length > 0) {

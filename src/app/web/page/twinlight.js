@@ -106,7 +106,9 @@ export async function loadTwinlight(options = {}) {
 
         // Lessons, in the language "en" or "zh": page_lessons.h.
         lessons: (language) => json("lesson_list", language),
-        checkAnswer: ({lesson, language, text}) => json("check_answer", lesson, language, text),
+        ownLesson: (name, language, text) => json("read_own_lesson", name, language, text),
+        // own: the text of a lesson that was dropped.
+        checkAnswer: ({lesson, language, text, own = ""}) => json("check_answer", lesson, language, text, own),
 
         // What the scene can be exported as, and its text.
         forms: (shading) => json("forms", SHADINGS[shading]),
