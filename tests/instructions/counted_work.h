@@ -17,5 +17,6 @@ std::size_t counted_patches();    // a sphere's triangles in patches
 
 // Makes what they work on, which is not counted.
 void prepare();
+void prepare_plans();  // before counted_plan()
 
 }  // namespace twinlight::counted

@@ -101,6 +101,7 @@ TEST(CountedWork, IsDone) {
     counted::prepare();
     EXPECT_GT(counted::counted_read(), 1000u);
     EXPECT_GT(counted::counted_state(), 100u);
+    counted::prepare_plans();
     EXPECT_GT(counted::counted_plan(), 100u);
     EXPECT_EQ(counted::counted_reference(), 65u * 33u);
     EXPECT_EQ(counted::counted_patches(), (64u * 32 * 2 * 3 + 4094) / 4095);

@@ -203,6 +203,50 @@ TEST_F(LessonClass, IsGradedInOneLessonOrInOnesOwn) {
     EXPECT_EQ(all["answers"][16]["result"], "right");
 }
 
+// A right answer in C++, which no reader of ours takes.
+TEST(LessonClassCommand, RunsProgramsInCpp) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "ann");
+    write_file_atomically(folder / "ann/shininess.cpp", R"(
+#include <GL/glut.h>
+#include <vector>
+static void display() {
+    glClearColor(0.35, 0.42, 0.5, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_DEPTH_TEST);
+    glMatrixMode(GL_PROJECTION); glLoadIdentity();
+    gluPerspective(40, 4.0 / 3.0, 1, 50);
+    glMatrixMode(GL_MODELVIEW); glLoadIdentity();
+    gluLookAt(0, 0, 6,  0, 0, 0,  0, 1, 0);
+    
+    { const GLfloat v[] = {1, 1, 2, 0}; glLightfv(GL_LIGHT0, GL_POSITION, v); };
+    glEnable(GL_LIGHTING);
+    glEnable(GL_LIGHT0);
+    
+    { const GLfloat v[] = {0.6, 0.1, 0.1, 1}; glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, v); };
+    { const GLfloat v[] = {0.7, 0.7, 0.7, 1}; glMaterialfv(GL_FRONT, GL_SPECULAR, v); };
+    glMaterialf(GL_FRONT, GL_SHININESS, 64);
+    glutSolidSphere(1.8, 160, 80);
+    
+    glutSwapBuffers();
+}
+int main(int argc, char** argv) {
+    std::vector<int> nothing;
+    glutInit(&argc, argv); glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH); glutInitWindowSize(640, 480);
+    glutCreateWindow("a"); glutDisplayFunc(display); glutMainLoop();
+}
+)");
+    const ProgramResult read = run_lesson({"--check", folder.str()});
+    EXPECT_EQ(read.status, 2);
+    EXPECT_TRUE(read.out.starts_with(
+        "ann  shininess  0/1  not read  it is C++; run it: twinlight lesson --check FOLDER --run\n"))
+        << read.out;
+    const ProgramResult run = run_lesson({"--check", folder.str(), "--run"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(run.out.starts_with("ann  shininess  1/1  right\n")) << run.out;
+    EXPECT_NE(run.err.find("compiles and runs the programs of"), std::string::npos) << run.err;
+}
+
 TEST(LessonClassCommand, RefusesAFolderWithoutAnswers) {
     const TemporaryFolder folder;
     EXPECT_EQ(run_lesson({"--check", folder.str()}).err,
