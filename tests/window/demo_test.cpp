@@ -151,7 +151,7 @@ class DemoWindow : public testing::Test {
         ASSERT_EQ(screenshot.height, height);
         const Layout places = layout(session, width, height, 1);
         refresh(session, places.picture.width, places.picture.height);
-        // Of the picture's size: the driver interpolates downwards from the top.
+        // The context is as large as the picture, because the driver interpolates from the top down.
         const auto context = make_offscreen_context(places.picture.width, places.picture.height);
         const PixelMask edges = reference::allowed_difference(session.scene.frame, {}).edge;
         for (const Cell& cell : places.cells) {

@@ -23,6 +23,9 @@ using report::escaped;
 
 enum class Sheet : std::uint8_t { kQuestion, kSolution };
 
+constexpr const char* kTableStart =
+    "<table class=\"sheet\"><thead><tr><th></th><th></th><th>red</th><th>green</th><th>blue</th></tr></thead>\n";
+
 // A fixed number of digits would hide that 0.8 was typed.
 std::string color_cells(const glm::dvec4& color) {
     return fmt::format("<td>{:.5g}</td><td>{:.5g}</td><td>{:.5g}</td>", color.r, color.g, color.b);
@@ -37,8 +40,7 @@ std::string color_table_row(std::string_view symbol, std::string_view what, cons
 // The numbers that the scene gives and that no line of the derivation names by itself.
 std::string given_table(const Draw& draw, const LitPoint& point, const std::vector<int>& lights) {
     const lighting::Material<double>& material = point.material;
-    std::string html =
-        "<table class=\"sheet\"><thead><tr><th></th><th></th><th>red</th><th>green</th><th>blue</th></tr></thead>\n";
+    std::string html = kTableStart;
     html += color_table_row("a_cm", "material: ambient", color_cells(material.ambient));
     html += color_table_row("d_cm", "material: diffuse", color_cells(material.diffuse));
     html += color_table_row("s_cm", "material: specular", color_cells(material.specular));
@@ -100,8 +102,7 @@ std::string row_of(const Line& line, const std::string& formula, Sheet sheet) {
 }
 
 std::string calculation(const explain::Lines& lines, Sheet sheet) {
-    std::string html =
-        "<table class=\"sheet\"><thead><tr><th></th><th></th><th>red</th><th>green</th><th>blue</th></tr></thead>\n";
+    std::string html = kTableStart;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         // A formula and, without a symbol of its own, its result.
         const bool has_result = lines[i].kind == Line::Kind::kValue && !lines[i].is_result && i + 1 < lines.size() &&

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <deque>
 #include <filesystem>
 #include <map>
@@ -18,6 +17,7 @@
 #include "app/cli/lint_files.h"
 #include "app/cli/progress.h"
 #include "app/cli/run_program.h"
+#include "base/image/difference.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
 #include "base/text/json.h"
@@ -34,6 +34,8 @@ namespace fs = std::filesystem;
 // The forms of an answer, the first that is there counts.
 constexpr std::array<std::string_view, 7> kExtensions = {".gl", ".c", ".cpp", ".cc", ".cxx", ".py", ".trace"};
 
+constexpr int kDifferenceFactor = 4;  // of the page's pictures
+
 enum class Verdict : std::uint8_t { kRight, kWrong, kNotRead, kMissing };
 struct VerdictWords {
     const char *english, *chinese;
@@ -46,7 +48,7 @@ struct Row {
     Verdict verdict = Verdict::kMissing;
     int points = 0, most = 0;
     std::vector<std::string> reasons{};
-    std::string picture{}, difference{};  // PNG; empty where there is none
+    std::string picture{}, difference{};  // PNGs; empty without an answer that can be drawn
 
     bool is(Verdict one) const { return verdict == one; }
 };
@@ -75,8 +77,9 @@ bool is_answer(const fs::path& path) {
 // A student's answers by the lessons' names. Of two answers to one lesson, the form that comes first in kExtensions.
 std::map<std::string, fs::path> answers_of(const fs::path& folder) {
     std::map<std::string, fs::path> answers;
+    const std::vector<fs::path> entries = entries_in(folder);
     for (const std::string_view extension : kExtensions)
-        for (const fs::path& path : entries_in(folder))
+        for (const fs::path& path : entries)
             if (extension_of(path.string()) == extension) answers.emplace(path.stem().string(), path);
     return answers;
 }
@@ -140,22 +143,11 @@ std::shared_ptr<const CommandList> commands_of_answer(const ClassArguments& argu
     return std::make_shared<CommandList>(commands_to_print(load_scene(recorded, std::nullopt, part)));
 }
 
-// |answer - start| in each channel, four times as bright.
-Image brighter_difference(const Image& answer, const Image& start) {
-    Image difference(answer.width, answer.height, {0, 0, 0, 1});
-    for (std::size_t i = 0; i < answer.pixels.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c)
-            difference.pixels[i][c] = std::min(1.0F, 4 * std::abs(answer.pixels[i][c] - start.pixels[i][c]));
-    return difference;
-}
-
 struct LessonToGrade {
     explicit LessonToGrade(const lesson::Lesson& to_grade) : lesson(to_grade) {}
 
     const lesson::Lesson& lesson;
     lesson::Grader grader{lesson};
-    lesson::Work start{lesson::commands_of(lesson, lesson.scene)};
-    int most = grader.most_points();
 };
 
 void grade_answer(const ClassArguments& arguments, const LessonToGrade& lesson, Row& row) {
@@ -172,7 +164,8 @@ void grade_answer(const ClassArguments& arguments, const LessonToGrade& lesson, 
         return;
     }
     try {
-        const lesson::Marks marks = lesson.grader.marks(answer);
+        const lesson::Work work(answer, &lesson.grader.start());
+        const lesson::Marks marks = lesson.grader.marks(work);
         row.points = marks.points;
         row.verdict = Verdict::kRight;
         for (const lesson::Marks::Result& result : marks.results) {
@@ -181,9 +174,8 @@ void grade_answer(const ClassArguments& arguments, const LessonToGrade& lesson, 
             row.reasons.push_back(fmt::format("{}: {}", result.key, result.reason));
         }
         if (arguments.page.empty()) return;
-        const lesson::Work work(answer, &lesson.start);
         row.picture = encode_png(work.picture());
-        row.difference = encode_png(brighter_difference(work.picture(), lesson.start.picture()));
+        row.difference = encode_png(difference_picture(work.picture(), work.start().picture(), kDifferenceFactor));
     } catch (const SceneError& error) {  // OpenGL refuses it
         fail(Verdict::kWrong, error);
     } catch (const std::exception& error) {
@@ -260,11 +252,13 @@ std::string marks_page(const std::vector<Row>& rows, const std::deque<LessonToGr
             "<table class=\"marks\"><thead><tr><th scope=\"col\">{}</th><th scope=\"col\">{}</th><th "
             "scope=\"col\">{}</th><th scope=\"col\">{}</th><th scope=\"col\">{}</th></tr></thead>\n<tbody>\n",
             chinese ? "学生" : "Student", chinese ? "得分" : "Points", chinese ? "图像" : "Picture",
-            chinese ? "与起始场景之差（4 倍）" : "Difference from the start (4 times)", chinese ? "理由" : "Why");
+            chinese ? fmt::format("与起始场景之差（{} 倍）", kDifferenceFactor)
+                    : fmt::format("Difference from the start ({} times)", kDifferenceFactor),
+            chinese ? "理由" : "Why");
         html += fmt::format(
             "<tr><th scope=\"row\">{}</th><td></td>{}<td></td><td></td></tr>\n",
             chinese ? "起始场景" : "The scene to start from",
-            marks_figure(encode_png(one.start.picture()), chinese ? "起始场景" : "the scene to start from"));
+            marks_figure(encode_png(one.grader.start().picture()), chinese ? "起始场景" : "the scene to start from"));
         for (const Row& row : rows) {
             if (row.lesson != one.lesson.name) continue;
             std::string why;
@@ -308,7 +302,7 @@ int grade_class(const ClassArguments& arguments) {
         for (const LessonToGrade& one : graders) {
             if (Interrupt::came()) break;
             bar.show(static_cast<int>(rows.size()), static_cast<int>(all), student.name);
-            Row row{.student = student.name, .lesson = one.lesson.name, .most = one.most};
+            Row row{.student = student.name, .lesson = one.lesson.name, .most = one.grader.most_points()};
             if (const auto answer = student.answers.find(row.lesson); answer != student.answers.end()) {
                 row.file = answer->second.string();
                 grade_answer(arguments, one, row);

@@ -10,8 +10,8 @@ namespace twinlight::cli {
 
 struct ClassArguments {
     std::string folder;
-    std::vector<lesson::Lesson>
-        lessons{};  // to grade; empty: those that students answered, and the folder's own, FOLDER/LESSON.md
+    // To grade. Empty: those that students answered, and the folder's own, FOLDER/LESSON.md.
+    std::vector<lesson::Lesson> lessons{};
     lesson::Language language = lesson::Language::kEnglish;
     std::string csv{}, page{};  // a file or - for the table, and a folder for the page; empty: none
     bool json = false, runs_programs = false;

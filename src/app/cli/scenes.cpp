@@ -38,9 +38,7 @@ std::string wrapped(const std::string& words, std::size_t indent) {
     return text;
 }
 
-const EmbeddedFile& file_of(std::string_view scene) {
-    return *std::ranges::find_if(kSceneFiles, [&](const EmbeddedFile& file) { return built_in_name(file) == scene; });
-}
+std::string title_of(std::string_view scene) { return caption_of(find_built_in(scene)->text).title; }
 
 int list(const ScenesArguments& arguments) {
     if (arguments.json) {
@@ -49,7 +47,7 @@ int list(const ScenesArguments& arguments) {
             for (const std::string_view name : group.scenes)
                 json["scenes"].push_back({{"name", name},
                                           {"heading", group.heading},
-                                          {"description", caption_of(file_of(name).text).title},
+                                          {"description", title_of(name)},
                                           {"steps", load_commands(std::string(name))->steps}});
         write_result(json.dump(2) + "\n");
         return kFine;
@@ -60,7 +58,7 @@ int list(const ScenesArguments& arguments) {
     for (const SceneGroup& group : scene_groups()) {
         text += fmt::format("{}{}\n", text.empty() ? "" : "\n", group.heading);
         for (const std::string_view name : group.scenes)
-            text += fmt::format("  {:{}}  {}\n", name, width, wrapped(caption_of(file_of(name).text).title, width + 4));
+            text += fmt::format("  {:{}}  {}\n", name, width, wrapped(title_of(name), width + 4));
     }
     write_result(text);
     return kFine;
@@ -68,14 +66,13 @@ int list(const ScenesArguments& arguments) {
 
 int run_scenes(const ScenesArguments& arguments) {
     if (arguments.name.empty()) return list(arguments);
-    std::vector<std::string> names;
-    for (const EmbeddedFile& file : kSceneFiles) {
-        names.push_back(built_in_name(file));
-        if (names.back() != arguments.name) continue;
-        const Json json = {{"name", arguments.name}, {"description", caption_of(file.text).title}, {"text", file.text}};
-        write_result(arguments.json ? json.dump(2) + "\n" : std::string(file.text));
+    if (const EmbeddedFile* file = find_built_in(arguments.name)) {
+        const Json json = {{"name", arguments.name}, {"description", title_of(arguments.name)}, {"text", file->text}};
+        write_result(arguments.json ? json.dump(2) + "\n" : std::string(file->text));
         return kFine;
     }
+    std::vector<std::string> names;
+    for (const EmbeddedFile& file : kSceneFiles) names.push_back(built_in_name(file));
     const auto near = nearest(arguments.name, {names.begin(), names.end()});
     throw UsageError(
         fmt::format("there is no built-in scene '{}'; {}", arguments.name,

@@ -179,13 +179,9 @@ void Dialogs::list_openable(const Session& session) {
             {Group::kFiles, "Recent files", file, path.parent_path().string(), path.filename().string()});
     }
     for (const SceneGroup& group : scene_groups())
-        for (const std::string_view name : group.scenes) {
-            const auto file =
-                std::ranges::find(kSceneFiles, name, [](const EmbeddedFile& one) { return built_in_name(one); });
-            if (file == kSceneFiles.end()) continue;
-            openable_.push_back(
-                {Group::kScenes, std::string(group.heading), std::string(name), caption_of(file->text).title});
-        }
+        for (const std::string_view name : group.scenes)
+            openable_.push_back({Group::kScenes, std::string(group.heading), std::string(name),
+                                 caption_of(find_built_in(name)->text).title});
     for (const std::string_view name : lesson::names())
         openable_.push_back(
             {Group::kLessons, "Lessons", std::string(name), lesson::load_lesson(name, lessons_language()).title});

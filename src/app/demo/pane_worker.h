@@ -71,7 +71,7 @@ class PaneWorker {
     std::vector<PanePicture> pictures_;
     bool is_drawing_ = false, is_ending_ = false;
     bool draws_by_itself_ = false;                       // in a thread with a context
-    std::unique_ptr<programmable::Renderer> of_window_;  // where there is none
+    std::unique_ptr<programmable::Renderer> of_window_;  // draws in the window's context without such a thread
     std::thread thread_;                                 // the last member: it uses the others
 };
 

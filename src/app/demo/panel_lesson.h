@@ -9,7 +9,7 @@
 
 namespace twinlight::demo {
 
-// Of the lessons that the window lists and opens: the letters that it has decide.
+// The language of the window's lessons: Chinese if the window's font has Chinese letters.
 lesson::Language lessons_language();
 
 class LessonPanel {

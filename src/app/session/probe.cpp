@@ -75,7 +75,7 @@ constexpr SymbolRow kSymbols[] = {{"f is 1 because n.VP > 0", "counted because n
                                   {"c_pri", "I"},
                                   {"c_sec", "I_s"}};
 
-// The text with the lecture's symbols in the place of whole words.
+// Replaces words by the lecture's symbols; only whole words count.
 std::string in_lecture_symbols(std::string_view text, std::span<const SymbolRow> rows) {
     const auto is_in_word = [&](std::size_t at) {
         return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');

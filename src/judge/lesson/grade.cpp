@@ -67,20 +67,20 @@ Grade Grader::grade(std::shared_ptr<const CommandList> answer) const {
     return {true};
 }
 
-int Grader::most_points() const {
-    return static_cast<int>(
-        std::ranges::count_if(lesson_.checks, [&](const Check& check) { return !result(check, start_).is_passed; }));
+const std::vector<bool>& Grader::passed_at_start() const {
+    if (passed_at_start_.empty())
+        for (const Check& check : lesson_.checks) passed_at_start_.push_back(result(check, start_).is_passed);
+    return passed_at_start_;
 }
 
-Marks Grader::marks(std::shared_ptr<const CommandList> answer) const {
-    const Work work(std::move(answer), &start_);
-    Marks marks;
-    for (const Check& check : lesson_.checks) {
-        const bool was_passed = result(check, start_).is_passed;
-        marks.results.push_back(result(check, work));
+int Grader::most_points() const { return static_cast<int>(std::ranges::count(passed_at_start(), false)); }
+
+Marks Grader::marks(const Work& answer) const {
+    Marks marks{.most = most_points()};
+    for (std::size_t i = 0; i < lesson_.checks.size(); ++i) {
+        marks.results.push_back(result(lesson_.checks[i], answer));
         const bool is_passed = marks.results.back().is_passed;
-        if (!was_passed) ++marks.most;
-        if (is_passed != was_passed) marks.points += is_passed ? 1 : -1;
+        if (is_passed != passed_at_start()[i]) marks.points += is_passed ? 1 : -1;
     }
     marks.points = std::max(marks.points, 0);
     return marks;

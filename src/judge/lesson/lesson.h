@@ -96,15 +96,18 @@ class Grader {
     explicit Grader(const Lesson& lesson);
     // A scene that GL refuses is a wrong answer, with GL's error as the reason.
     Grade grade(std::shared_ptr<const CommandList> answer) const;
-    // Throws SceneError for a scene that GL refuses.
-    Marks marks(std::shared_ptr<const CommandList> answer) const;
+    // `answer` is one to start().
+    Marks marks(const Work& answer) const;
     int most_points() const;
+    const Work& start() const { return start_; }
 
   private:
     Marks::Result result(const Check& check, const Work& work) const;
+    const std::vector<bool>& passed_at_start() const;  // of each check
 
     Lesson lesson_;
     Work start_;
+    mutable std::vector<bool> passed_at_start_;  // empty until it is needed
 };
 
 // The commands of a lesson's scene. `text` is Lesson::scene or Lesson::changed.

@@ -33,7 +33,7 @@ namespace twinlight::lesson {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-// Of a picture to compare with.
+// The largest file and the longest side of a picture that unlike() reads.
 constexpr std::size_t kMaxPictureBytes = 1U << 24;
 constexpr int kMaxSide = 1024;
 

@@ -100,20 +100,25 @@ CommandList read_built_in(const EmbeddedFile& file, const ReadOptions& options) 
     return read_scene(file.text, name, built_in_name(file), images_built_in, with_meshes);
 }
 
+const EmbeddedFile* find_built_in(std::string_view name) {
+    const auto file =
+        std::ranges::find_if(kSceneFiles, [&](const EmbeddedFile& one) { return built_in_name(one) == name; });
+    return file == kSceneFiles.end() ? nullptr : &*file;
+}
+
 std::shared_ptr<const Recording> load_recording(const std::string& scene, std::optional<WindowSize> window,
                                                 const std::string& step, std::optional<int> context,
                                                 std::function<bool(Enum mode, std::size_t vertices)> fits) {
     const ReadOptions options{.step = step, .window = window, .fits = std::move(fits)};
     if (scene == "-") return load_standard_input(options, context);
-    std::vector<std::string> names;
-    for (const EmbeddedFile& file : kSceneFiles) {
-        names.push_back(built_in_name(file));
-        if (names.back() == scene) return std::make_shared<CommandList>(read_built_in(file, options));
-    }
+    if (const EmbeddedFile* file = find_built_in(scene))
+        return std::make_shared<CommandList>(read_built_in(*file, options));
     const std::filesystem::path path = scene;
     // A plain word that is not a file was meant as the name of a built-in scene.
     std::error_code ignored;
     if (!path.has_parent_path() && !path.has_extension() && !std::filesystem::exists(path, ignored)) {
+        std::vector<std::string> names;
+        for (const EmbeddedFile& file : kSceneFiles) names.push_back(built_in_name(file));
         const auto near = nearest(scene, {names.begin(), names.end()});
         throw SceneError(scene + ": there is no built-in scene and no file with this name; " +
                          (near ? "did you mean '" + std::string(*near) + "'?" : "'twinlight scenes' lists the scenes"));

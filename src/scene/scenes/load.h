@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/image/embedded.h"
@@ -19,6 +20,8 @@ extern const std::vector<EmbeddedFile> kSceneFiles;
 inline std::string built_in_name(const EmbeddedFile& file) {
     return std::string(file.name.substr(0, file.name.rfind(".gl")));
 }
+// Null if there is none of this name.
+const EmbeddedFile* find_built_in(std::string_view name);
 // The pictures and meshes that they load.
 extern const std::vector<EmbeddedFile> kSceneAssets;
 

@@ -96,8 +96,8 @@ TEST(LessonCommand, WritesTheSceneAndGradesIt) {
     EXPECT_EQ(graded["answers"][2]["check"], "size");
 }
 
-// A lesson of one's own starts as a copy of one of ours.
-TEST(LessonCommand, TakesALessonOfOnesOwn) {
+// A teacher starts from a copy of a built-in lesson.
+TEST(LessonCommand, TakesATeachersLesson) {
     const TemporaryFolder folder;
     const std::string own = folder / "glass.md", start = folder / "start.gl";
     EXPECT_EQ(run_lesson({"shininess", "-o", own}).status, 0);

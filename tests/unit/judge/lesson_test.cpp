@@ -88,7 +88,7 @@ TEST_P(Lessons, GradeThreeRightAndThreeWrongAnswers) {
         }
         // Marks agree with the grade.
         if (check != "unreadable") {
-            const Marks marks = grader.marks(load_commands(file));
+            const Marks marks = grader.marks(Work(load_commands(file), &grader.start()));
             EXPECT_EQ(marks.points == marks.most, grade.is_right);
             EXPECT_EQ(marks.most, grader.most_points());
             EXPECT_EQ(marks.results.size(), page().checks.size());
