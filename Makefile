@@ -176,7 +176,7 @@ SOURCES_some_tests := $(if $(FOLDERS),$(filter $(FOLDERS:%=%/%),$(SOURCES_tests)
 SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egls) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_web) $(SOURCES_tests) $(SOURCES_recorder) \
     $(SOURCES_bench) $(SOURCES_fuzz))
 HEADERS := $(sort $(shell find src tests -name '*.h'))
-EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes scene_assets shaders webgl pages cases lessons lessons-zh tutors recorder)
+EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes scene_assets shaders webgl pages cases conformance lessons lessons-zh tutors recorder)
 # The scenes that only tests need come last.
 SCENES_of_tests := $(patsubst %,src/scene/scenes/%.gl,commands legacy)
 FILES_scenes := $(sort $(filter-out $(SCENES_of_tests),$(wildcard src/scene/scenes/*.gl))) $(SCENES_of_tests)
@@ -188,6 +188,7 @@ FILES_webgl := $(addprefix src/render/webgl/,exported_page.html gl.js theme.css 
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
 CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
 FILES_cases := $(wildcard golden/hard/*.gl)
+FILES_conformance := $(sort $(wildcard src/judge/conformance/suite/*))
 FILES_tutors := $(wildcard src/app/session/tutors/*.gl)
 FILES_lessons := $(filter-out %/README.md,$(wildcard docs/lessons/*.md))
 FILES_lessons_zh := $(filter-out %/README.md,$(wildcard docs/zh-CN/lessons/*.md))
@@ -213,7 +214,7 @@ ROOMS := $(patsubst %/,%,$(sort $(dir $(filter-out $(ALONE),$(SOURCES_all)))))
 object = $(sort $(patsubst %.cpp,$(BUILD)/objects/%.o,$(filter $(ALONE),$(1))) \
     $(patsubst %,$(BUILD)/objects/%.room.o,$(patsubst %/,%,$(dir $(filter-out $(ALONE),$(1))))))
 # The rooms that are optimised less.
-LESS := $(patsubst %,src/%,app app/cli app/demo app/session app/web base/text judge/check judge/explain judge/fuzz judge/lesson judge/lint \
+LESS := $(patsubst %,src/%,app app/cli app/demo app/session app/web base/text judge/check judge/conformance judge/explain judge/fuzz judge/lesson judge/lint \
     judge/report judge/study render/programmable/export render/webgl scene/scenes) \
     $(patsubst %/,%,$(sort $(dir $(SOURCES_tests))))
 OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
@@ -317,7 +318,7 @@ check:  ## check the format, compile each file by itself, run clang-tidy, and ru
 
 # A source includes its own header first, so only headers without a source are compiled here. (export/loader.h is C; only Emscripten needs
 # app/web/compat.)
-HEADERS_alone := $(filter-out $(SOURCES_all:.cpp=.h) $(FILES_shaders) src/app/web/compat/%,$(HEADERS))
+HEADERS_alone := $(filter-out $(SOURCES_all:.cpp=.h) $(FILES_shaders) $(FILES_conformance) src/app/web/compat/%,$(HEADERS))
 headers: deps  ## compile headers by themselves: each must include what it uses (units=files does so with sources)
 	@$(MAKE) --keep-going $(HEADERS_alone:%=alone/%)
 alone/%: %
@@ -345,7 +346,7 @@ include src/app/web/web.mk
 
 # Files that are rewritten when their content changes: the compiler's flags, the list of files, the folders of tests, and the commit.
 flags := $(compile) $(CXXFLAGS_all) $(OPTIMISATION_less) $(LESS) $(LDFLAGS_all)
-files := $(SOURCES_all) $(FILES_scenes) $(FILES_scene_assets) $(FILES_shaders) $(FILES_webgl) $(FILES_pages) $(FILES_cases) $(FILES_lessons) $(FILES_lessons_zh) $(FILES_tutors)
+files := $(SOURCES_all) $(FILES_scenes) $(FILES_scene_assets) $(FILES_shaders) $(FILES_webgl) $(FILES_pages) $(FILES_cases) $(FILES_conformance) $(FILES_lessons) $(FILES_lessons_zh) $(FILES_tutors)
 tests := $(FOLDERS)
 commit := $(shell tools/commit.sh 2>/dev/null)
 # (make 4.3 leaves some files' last line break in place.)
@@ -400,7 +401,7 @@ $(PROGRAMS)/twinlight: $(OBJECTS_cli) $(OBJECT_version)
 	$(link) $(LIBS_offscreen) $(LIBS)
 
 # The window has no use for some rooms, so it need not wait for them.
-SOURCES_demo_library := $(filter-out src/judge/check/% src/judge/fuzz/% src/judge/oracle/%,$(SOURCES_library))
+SOURCES_demo_library := $(filter-out src/judge/check/% src/judge/conformance/% src/judge/fuzz/% src/judge/oracle/%,$(SOURCES_library))
 $(PROGRAMS)/twinlight-demo: $(call object,$(SOURCES_demo) $(SOURCES_demo_library)) $(OBJECT_version) $(OBJECTS_embedded)
 	$(link) $(LIBS_window) $(LIBS)
 
@@ -443,6 +444,8 @@ $(BUILD)/embedded/pages.cpp: $(FILES_pages) $(BUILD)/files tools/embed.sh
 	$(call embed,kPageFiles,$(sort $(FILES_pages)))
 $(BUILD)/embedded/cases.cpp: $(FILES_cases) $(BUILD)/files tools/embed.sh
 	$(call embed,kCaseFiles,$(sort $(FILES_cases)))
+$(BUILD)/embedded/conformance.cpp: $(FILES_conformance) $(BUILD)/files tools/embed.sh
+	$(call embed,kConformanceFiles,$(FILES_conformance))
 $(BUILD)/embedded/tutors.cpp: $(FILES_tutors) $(BUILD)/files tools/embed.sh
 	$(call embed,kTutorFiles,$(FILES_tutors))
 $(BUILD)/embedded/lessons.cpp: $(FILES_lessons) $(BUILD)/files tools/embed.sh

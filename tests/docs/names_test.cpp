@@ -56,7 +56,8 @@ class Known {
                 tests_.push_back(match->str(1) + "/" + match->str(2) + ".");
         }
         makefile_ =
-            "\n" + read_file("Makefile") + read_file("tools/install/install.mk") + read_file("src/app/web/web.mk");
+            "\n" + read_file("Makefile") + read_file("tools/install/install.mk") + read_file("src/app/web/web.mk") +
+            read_file("src/judge/conformance/suite/Makefile");  // in a folder of `check --write-cases`
         const std::string help = help_of("twinlight", "");
         const std::regex command("\n  ([a-z]+) +[A-Z]");
         const std::string list = help.substr(help.find("ubcommands:"));

@@ -6,11 +6,11 @@
 
 #include "app/cli/check_page.h"
 #include "app/cli/command_line.h"
-#include "app/cli/reproducer.h"
 #include "base/image/file.h"
 #include "base/text/json.h"
 #include "judge/check/suite.h"
 #include "judge/compare/releases.h"
+#include "judge/conformance/case_programs.h"
 #include "render/context/driver_name.h"
 
 namespace twinlight::cli {
@@ -21,7 +21,7 @@ using namespace check;
 
 struct CheckArguments {
     std::vector<std::string> names;
-    std::string reproducers, page;  // folders; empty: not wanted
+    std::string programs, page;  // folders; empty: not wanted
     bool json = false;
 };
 
@@ -139,36 +139,39 @@ std::string json_of(const std::string& driver, const std::vector<Case>& cases, c
            "\n";  // file names may hold any bytes
 }
 
-// NAME.c for each case that the fixed function gets wrong, and the page. All files, or none if the disk is full.
-void write_files(const CheckArguments& arguments, Suite& suite, const std::vector<Case>& cases,
-                 std::vector<Result>& results) {
-    std::vector<std::string> programs;
+void write_page(const std::string& folder, Suite& suite, const std::vector<Case>& cases, std::vector<Result>& results) {
+    for (std::size_t i = 0; i < cases.size(); ++i) suite.draw_vertices(cases[i], results[i]);
+    const std::string page = check_page(suite.driver(), cases, results);
+    write_files_atomically({{(std::filesystem::path(folder) / "index.html").string(), page}}, {},
+                           MissingFolders::kMade);
+}
+
+// The cases as C programs: all files, or none if the disk is full. Nothing is drawn.
+int write_programs(const std::string& folder, const std::vector<Case>& cases) {
+    const conformance::CasePrograms programs = conformance::case_programs(cases);
     std::vector<FileToWrite> files;
-    if (!arguments.reproducers.empty())
-        for (std::size_t i = 0; i < cases.size(); ++i)
-            programs.push_back(reproducer(suite.driver(), cases[i], results[i]));
-    for (std::size_t i = 0; i < programs.size(); ++i)
-        if (!programs[i].empty())
-            files.push_back(
-                {(std::filesystem::path(arguments.reproducers) / (cases[i].name + ".c")).string(), programs[i]});
-    std::string page;
-    if (!arguments.page.empty()) {
-        for (std::size_t i = 0; i < cases.size(); ++i) suite.draw_vertices(cases[i], results[i]);
-        page = check_page(suite.driver(), cases, results);
-        files.push_back({(std::filesystem::path(arguments.page) / "index.html").string(), page});
-    }
+    for (const conformance::ProgramFile& file : programs.files)
+        files.push_back({(std::filesystem::path(folder) / file.name).string(), file.text});
     write_files_atomically(files, {}, MissingFolders::kMade);
-    if (!arguments.reproducers.empty()) make_folder(arguments.reproducers);  // also if there is nothing to show
+    const bool is_one = programs.written.size() == 1;
+    std::string text = fmt::format("{} case{} in {}: run {} with `make report` there (README.md).\n",
+                                   programs.written.size(), is_one ? "" : "s", folder, is_one ? "it" : "them");
+    if (!programs.left_out.empty())
+        text += fmt::format("Not written, because GL's fixed function lacks what they need: {}.\n",
+                            fmt::join(programs.left_out, ", "));
+    write_result(text);
+    return kFine;
 }
 
 int run_check(const CheckArguments& arguments) {
     const std::vector<Case> cases = load_cases(arguments.names);
     for (const std::string& folder :
-         {arguments.reproducers, arguments.page})  // before the work: a bad folder fails at once
+         {arguments.programs, arguments.page})  // before the work: a bad folder fails at once
         if (!folder.empty()) try_folder(folder);
+    if (!arguments.programs.empty()) return write_programs(arguments.programs, cases);
     Suite suite;
     std::vector<Result> results = suite.run(cases);
-    write_files(arguments, suite, cases, results);
+    if (!arguments.page.empty()) write_page(arguments.page, suite, cases, results);
     write_result(arguments.json ? json_of(suite.driver(), cases, results)
                                 : suite.driver() + "\n\n" + table(cases, results) + summary(suite.driver(), results));
     return counted(results).failing == 0 ? kFine : kDifferent;
@@ -183,19 +186,21 @@ Subcommand add_check(CLI::App& app) {
         ->add_option("CASE", arguments->names,
                      "names of built-in cases, or your own case files (default: all built-in cases)")
         ->type_name("");
-    check
-        ->add_option(
-            "--write-reproducers", arguments->reproducers,
-            "for each case that the driver gets wrong, write a C program (GLUT) that shows the bug into this folder; "
-            "created if it does not exist")
-        ->type_name("DIR")
-        ->check(not_empty());
+    CLI::Option* programs =
+        check
+            ->add_option(
+                "--write-cases", arguments->programs,
+                "instead of testing, write the cases as C programs into this folder, with a Makefile that runs them on "
+                "any GL; created if it does not exist")
+            ->type_name("DIR")
+            ->check(not_empty());
     check
         ->add_option("--html", arguments->page,
                      "write a page of all cases, index.html, into this folder; created if it does not exist")
         ->type_name("DIR")
-        ->check(not_empty());
-    check->add_flag("--json", arguments->json, "print one JSON object instead of the table");
+        ->check(not_empty())
+        ->excludes(programs);
+    check->add_flag("--json", arguments->json, "print one JSON object instead of the table")->excludes(programs);
     check->footer(
         "Results of the driver's fixed function:\n"
         "  pass        the expected answer\n"

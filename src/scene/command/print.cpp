@@ -316,8 +316,8 @@ std::string print_scene(const CommandList& scene) {
     return (window == WindowSize{} ? "" : print_window_size(window)) + print_lines(scene, "");
 }
 
-std::string print_c_function(const CommandList& scene) {
-    return "static void draw_scene(void) {\n" + print_lines(scene, "    ") + "}\n";
+std::string print_c_function(const CommandList& scene, std::string_view name) {
+    return fmt::format("static void {}(void) {{\n", name) + print_lines(scene, "    ") + "}\n";
 }
 
 namespace {
@@ -362,7 +362,7 @@ std::string print_c_program(const CommandList& scene) {
         "#define GL_GLEXT_PROTOTYPES\n"
         "#include <GL/freeglut.h>\n#include <math.h>\n\n",
         title, kPrintedProgram);
-    text += print_c_function(scene);
+    text += print_c_function(scene, "draw_scene");
     text +=
         "\n"
         "static void display(void) {\n"

@@ -95,10 +95,10 @@ struct ReadOptions {
 CommandList read_scene(std::string_view text, const std::string& file, const std::string& name,
                        const ImageLoader& load_image = no_images, const ReadOptions& options = {});
 
-std::string print_command(const Command& command);       // "glEnable(GL_LIGHT0);", no newline
-std::string print_scene(const CommandList& scene);       // one line per command
-std::string print_c_function(const CommandList& scene);  // "static void draw_scene(void) { ... }"
-std::string print_c_program(const CommandList& scene);   // a freeglut program that draws the scene
+std::string print_command(const Command& command);                              // "glEnable(GL_LIGHT0);", no newline
+std::string print_scene(const CommandList& scene);                              // one line per command
+std::string print_c_function(const CommandList& scene, std::string_view name);  // "static void NAME(void) { ... }"
+std::string print_c_program(const CommandList& scene);  // a freeglut program that draws the scene
 inline constexpr std::string_view kPrintedProgram = ": a scene of Twinlight as a C program.";  // its first line
 
 }  // namespace twinlight

@@ -95,6 +95,24 @@ std::vector<Command> mesh_commands(const Command& pragma) {
     return result;
 }
 
+std::vector<Command> shape_commands(const Command& shape) {
+    std::vector<Command> result;
+    const auto add = [&](CommandId id, std::vector<double> arguments) {
+        result.push_back({id, std::move(arguments), shape.place});
+    };
+    for (const ShapePart& part : shape_parts(shape)) {
+        add(CommandId::glBegin, {static_cast<double>(part.mode)});
+        const std::size_t count = part.indices.empty() ? part.vertices.size() : part.indices.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const ShapeVertex& v = part.vertices[part.indices.empty() ? i : part.indices[i]];
+            add(CommandId::glNormal3d, {v.normal_object.x, v.normal_object.y, v.normal_object.z});
+            add(CommandId::glVertex3d, {v.position_object.x, v.position_object.y, v.position_object.z});
+        }
+        add(CommandId::glEnd, {});
+    }
+    return result;
+}
+
 CommandList with_pragmas_written_out(const CommandList& scene) {
     CommandList result{scene.name, {}};
     result.window = scene.window;
@@ -107,19 +125,7 @@ CommandList with_pragmas_written_out(const CommandList& scene) {
             result.commands.push_back(gl_command_of(command).value_or(command));
             continue;
         }
-        const auto add = [&](CommandId id, std::vector<double> arguments) {
-            result.commands.push_back({id, std::move(arguments), command.place});
-        };
-        for (const ShapePart& part : shape_parts(command)) {
-            add(CommandId::glBegin, {static_cast<double>(part.mode)});
-            const std::size_t count = part.indices.empty() ? part.vertices.size() : part.indices.size();
-            for (std::size_t i = 0; i < count; ++i) {
-                const ShapeVertex& v = part.vertices[part.indices.empty() ? i : part.indices[i]];
-                add(CommandId::glNormal3d, {v.normal_object.x, v.normal_object.y, v.normal_object.z});
-                add(CommandId::glVertex3d, {v.position_object.x, v.position_object.y, v.position_object.z});
-            }
-            add(CommandId::glEnd, {});
-        }
+        std::ranges::copy(shape_commands(command), std::back_inserter(result.commands));
     }
     return result;
 }

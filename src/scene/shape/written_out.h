@@ -16,6 +16,9 @@ std::optional<Command> gl_command_of(const Command& pragma);
 // bound texture where a material has one.
 std::vector<Command> mesh_commands(const Command& pragma);
 
+// The primitives of a shape of GLUT or of #pragma twinlight shape(...), by glBegin, with normals; the last normal stays the current one.
+std::vector<Command> shape_commands(const Command& shape);
+
 // The scene with these pragmas converted, and with each `#pragma twinlight shape(...)` replaced by its primitives.
 CommandList with_pragmas_written_out(const CommandList& scene);
 

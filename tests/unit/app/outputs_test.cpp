@@ -59,16 +59,27 @@ class Outputs : public testing::Test {
 };
 
 TEST_F(Outputs, OfEveryCommandThatDoNotFitAreTold) {
-    for (const std::string& arguments : std::vector<std::string>{
-             "--help", "--version", "render --help", "scenes", "explain report", "explain report --json",
-             "explain report --pixel 320,240", "export report --as c", "export report --as glsl",
-             "render report --with reference --size 8x6 -o -", "compare report --size 8x6 -o " + in_folder("report"),
-             "compare report --size 8x6 --json -o " + in_folder("report"),
-             "study report --quick --seconds 0.01 --size 8x6 -o " + in_folder("study"),
-             "study report --quick --seconds 0.01 --size 8x6 --json -o " + in_folder("study"),
-             "fuzz --count 1 -o " + in_folder("fuzz"), "fuzz --count 1 --json -o " + in_folder("fuzz"),
-             "check light-none rescale-1e7", "check light-none --json",
-             "check rescale-1e7 --html " + in_folder("page") + " --write-reproducers " + in_folder("faults")}) {
+    for (const std::string& arguments :
+         std::vector<std::string>{"--help",
+                                  "--version",
+                                  "render --help",
+                                  "scenes",
+                                  "explain report",
+                                  "explain report --json",
+                                  "explain report --pixel 320,240",
+                                  "export report --as c",
+                                  "export report --as glsl",
+                                  "render report --with reference --size 8x6 -o -",
+                                  "compare report --size 8x6 -o " + in_folder("report"),
+                                  "compare report --size 8x6 --json -o " + in_folder("report"),
+                                  "study report --quick --seconds 0.01 --size 8x6 -o " + in_folder("study"),
+                                  "study report --quick --seconds 0.01 --size 8x6 --json -o " + in_folder("study"),
+                                  "fuzz --count 1 -o " + in_folder("fuzz"),
+                                  "fuzz --count 1 --json -o " + in_folder("fuzz"),
+                                  "check light-none rescale-1e7",
+                                  "check light-none --json",
+                                  "check rescale-1e7 --html " + in_folder("page"),
+                                  "check rescale-1e7 --write-cases " + in_folder("cases")}) {
         const ProgramResult result = run_shell("twinlight", "\"$PROGRAM\" " + arguments + " >/dev/full");
         EXPECT_EQ(result.status, 2) << arguments;
         EXPECT_EQ(result.err, "twinlight: standard output: No space left on device\n") << arguments;
@@ -80,8 +91,7 @@ TEST_F(Outputs, LeaveNoFileWhereTheDiskIsFull) {
              "render report --with reference --size 64x48 -o " + in_folder("p.png"),
              "compare report --size 8x6 -o " + in_folder("report"),
              "study report --quick --seconds 0.01 --size 8x6 -o " + in_folder("study"), kFuzz + in_folder("fuzz"),
-             "check rescale-1e7 --html " + in_folder("page"),
-             "check rescale-1e7 --write-reproducers " + in_folder("faults"),
+             "check rescale-1e7 --html " + in_folder("page"), "check rescale-1e7 --write-cases " + in_folder("cases"),
              "export report --as glsl -o " + in_folder("shaders"), "lint --rules -o " + in_folder("rules")}) {
         // No file may be longer than 512 bytes. A signal says so, too, which must not end the program.
         const ProgramResult result = run_shell("twinlight", "ulimit -f 1; \"$PROGRAM\" " + arguments);
@@ -100,11 +110,10 @@ TEST_F(Outputs, OfSeveralFilesAreWholeOrNotThere) {
     EXPECT_NE(rules.err.find("lint.md: File too large\n"), std::string::npos) << rules.err;
     EXPECT_EQ(folder_.names(), std::vector<std::string>{});
     write_file_atomically(folder_ / "file", "");
-    const ProgramResult both =
-        run_shell("twinlight", "ulimit -f 24; \"$PROGRAM\" check rescale-1e7 --write-reproducers " +
-                                   in_folder("faults") + " --html " + in_folder("page"));
-    EXPECT_EQ(both.status, 2);
-    EXPECT_NE(both.err.find("index.html: File too large\n"), std::string::npos) << both.err;
+    const ProgramResult cases =
+        run_shell("twinlight", "ulimit -f 16; \"$PROGRAM\" check rescale-1e7 --write-cases " + in_folder("cases"));
+    EXPECT_EQ(cases.status, 2);
+    EXPECT_NE(cases.err.find("hard_case.c: File too large\n"), std::string::npos) << cases.err;
     EXPECT_EQ(folder_.names(), std::vector<std::string>{"file"});
 }
 
@@ -112,8 +121,10 @@ TEST_F(Outputs, AreWholeOrNotThereAfterAnInterruption) {
     const std::vector<std::string> commands = {
         "render report --with reference --size 320x240 -o " + in_folder("p.png"),
         "compare report --size 160x120 -o " + in_folder("report"),
-        "study report --quick --seconds 0.1 --size 16x12 -o " + in_folder("study"), kFuzz + in_folder("fuzz"),
-        "check --html " + in_folder("page") + " --write-reproducers " + in_folder("faults")};
+        "study report --quick --seconds 0.1 --size 16x12 -o " + in_folder("study"),
+        kFuzz + in_folder("fuzz"),
+        "check --html " + in_folder("page"),
+        "check --write-cases " + in_folder("cases")};
     int interrupted = 0;
     for (const std::string& arguments : commands) {
         for (const char* signal : {"INT", "TERM", "HUP"}) {
@@ -144,7 +155,7 @@ constexpr Writer kWriters[] = {
     {"export small.gl --as html -o", "page.html", "page.html"},
     {"lesson overlay -o", "start.gl", "start.gl"},
     {"check rescale-1e7 --html", "cases", "cases/index.html"},
-    {"check rescale-1e7 --write-reproducers", "faults", "faults/rescale-1e7.c"},
+    {"check rescale-1e7 --write-cases", "cases", "cases/window_win32.c"},
     {"study small.gl --quick --size 4x4 --seconds 0 -o", "study", "study/index.html"},
     {"lint --rules -o", "rules", "rules/lint.md"},
 };

@@ -1,0 +1,205 @@
+// twinlight check --write-cases, to its end: the programs are compiled and run on the system's GL, and agree with what the suite lists for it.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "../unit/run_program.h"
+#include "base/image/file.h"
+#include "judge/check/case.h"
+#include "judge/compare/departures.h"
+#include "render/context/driver_name.h"
+#include "xvfb.h"
+
+namespace twinlight::case_programs_test {
+namespace {
+
+// The lines that programs print: the name of GL, and "NAME: VERDICT ...".
+struct Lines {
+    std::string gl;
+    std::map<std::string, std::string> of_cases;
+
+    explicit Lines(const std::string& out) {
+        std::istringstream stream(out);
+        for (std::string line; std::getline(stream, line);) {
+            const std::size_t at = line.find(": ");
+            if (at == std::string::npos) continue;
+            if (line.starts_with("GL: "))
+                gl = line.substr(4);
+            else
+                of_cases[line.substr(0, at)] = line.substr(at + 2);
+        }
+    }
+    std::string verdict(const std::string& name) const {
+        const auto found = of_cases.find(name);
+        if (found == of_cases.end()) return "";
+        return found->second.substr(0, std::min(found->second.find(" ("), found->second.find(':')));
+    }
+    // As driver_name() writes it.
+    std::string driver() const {
+        const std::size_t renderer = gl.find("; "), version = gl.find("; ", renderer + 2);
+        return fmt::format("{}, {}, GLX", gl.substr(renderer + 2, version - renderer - 2), gl.substr(version + 2));
+    }
+};
+
+class CasePrograms : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (run_shell("", "command -v " + compiler_).status != 0) GTEST_SKIP() << "there is no C compiler";
+        if (!server_.running()) GTEST_SKIP() << server_.reason();
+    }
+    ProgramResult written(std::vector<std::string> cases) const {
+        cases.insert(cases.begin(), {"check", "--write-cases", folder_.str()});
+        return run_program("twinlight", cases);
+    }
+    ProgramResult in_folder(const std::string& command) const {
+        return run_shell("", "cd " + quoted(folder_.str()) +
+                                 " && export LIBGL_ALWAYS_SOFTWARE=1 DISPLAY=" + server_.display() + " && " + command);
+    }
+    ProgramResult made(const std::string& goals) const {
+        return in_folder("make CC=" + compiler_ + " CFLAGS='-Wall -Wextra -Wpedantic -Werror' " + goals);
+    }
+    std::string own_case(const char* expectation) const {
+        const std::string path = folder_ / "small.gl";
+        write_file_atomically(path,
+                              std::string("// what: w\n// why: w\n// text: 2.14.1\n// status: defined\n// derived: d\n"
+                                          "// expect: ") +
+                                  expectation +
+                                  "\nglTranslatef(-0.75, -0.75, 0);\nglEnable(GL_LIGHTING);\n"
+                                  "glMaterialfv(GL_FRONT, GL_EMISSION, (GLfloat[]){0.5, 2, -1, 1});\n"
+                                  "glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (GLfloat[]){0, 0, 0, 1});\n"
+                                  "glBegin(GL_POINTS); glVertex3f(0, 0, 0); glEnd();\n");
+        return path;
+    }
+
+    const std::string compiler_ = "${CC:-gcc}";
+    const Xvfb server_;
+    const TemporaryFolder folder_;
+};
+
+// Where clip coordinates are near the largest float, llvmpipe draws no point; feedback has its colour.
+bool is_lost_by_the_rasteriser(const std::string& name) { return name == "clip-w-1e37"; }
+
+TEST_F(CasePrograms, FindTheListedBugsAndNoOthers) {
+    ASSERT_EQ(written({}).status, 0);
+    const ProgramResult built = made("build/all");
+    ASSERT_EQ(built.status, 0) << built.err;
+    const Lines by_feedback(in_folder("build/all").out), by_pixels(in_folder("build/all --pixel").out);
+    if (!compare::is_measured(parse_driver_name(by_feedback.driver())))
+        GTEST_SKIP() << "nobody has looked at the departures of " << by_feedback.gl;
+    int wrong = 0, pixels = 0;
+    for (const check::Case& of : check::load_cases()) {
+        if (!by_feedback.of_cases.contains(of.name)) continue;  // the fixed function lacks what it needs
+        const std::string feedback = by_feedback.verdict(of.name), pixel = by_pixels.verdict(of.name);
+        if (of.is_ruling) {
+            EXPECT_TRUE(feedback == "right" || feedback == "open") << of.name << ": " << feedback;
+            EXPECT_TRUE(pixel == "right" || pixel == "open" || pixel == "not run") << of.name << ": " << pixel;
+            continue;
+        }
+        const bool departs = std::ranges::any_of(
+            of.differs, [&](const check::Differs& differs) { return differs.is_of(by_feedback.driver()); });
+        const std::string expected = departs ? "wrong" : "right";
+        EXPECT_EQ(feedback, expected) << of.name << ": " << by_feedback.of_cases.at(of.name);
+        if (pixel != "not run" && !is_lost_by_the_rasteriser(of.name)) {
+            EXPECT_EQ(pixel, expected) << of.name << ": " << by_pixels.of_cases.at(of.name);
+            ++pixels;
+        }
+        wrong += departs;
+    }
+    EXPECT_GE(wrong, 60);
+    EXPECT_GE(pixels, 230);
+}
+
+// A case that expects something else than the text says, and the same corrected.
+TEST_F(CasePrograms, SayWhatIsWrong) {
+    for (const auto& [wrong, right, finding] :
+         {std::tuple("vertex 0: 0.75 2 -1 1", "vertex 0: 0.5 2 -1 1",
+                     "wrong (feedback): vertex 0: expected (0.75, 2, -1, 1), this GL gives (0.5, 2, -1, 1)"),
+          std::tuple("pixel 8,55: 0.75 1 0 1", "pixel 8,55: 0.5 1 0 1",
+                     "wrong (pixel): pixel 8,55: expected (0.75, 1, 0, 1), this GL gives (0.5019608, 1, 0, 1)")}) {
+        ASSERT_EQ(written({own_case(wrong)}).status, 0);
+        ASSERT_EQ(made("build/small").status, 0);
+        const ProgramResult found = in_folder("build/small");
+        EXPECT_EQ(found.status, 1) << found.err;
+        EXPECT_NE(found.out.find("small: " + std::string(finding) + "; OpenGL 2.1, section 2.14.1\n"),
+                  std::string::npos)
+            << found.out;
+        ASSERT_EQ(written({own_case(right)}).status, 0);
+        ASSERT_EQ(made("build/small").status, 0);
+        const ProgramResult corrected = in_folder("build/small");
+        EXPECT_EQ(corrected.status, 0) << corrected.out;
+        EXPECT_NE(corrected.out.find("small: right"), std::string::npos) << corrected.out;
+    }
+}
+
+TEST_F(CasePrograms, EndWith77WhereTheyCannotRun) {
+    ASSERT_EQ(written({"color-hdr", "pixels-copied-mask", "texture-3d-level", "vertex-w-2"}).status, 0);
+    ASSERT_EQ(made("all").status, 0);
+    const auto expect_77 = [&](const std::string& command, const std::string& reason) {
+        const ProgramResult result = in_folder(command);
+        EXPECT_EQ(result.status, 77) << command << result.err;
+        EXPECT_NE(result.out.find(": not run: " + reason), std::string::npos) << command << ": " << result.out;
+    };
+    // freeglut ends the program with status 1.
+    expect_77("DISPLAY= build/vertex-w-2", "a library ended the program");
+    expect_77("DISPLAY= build/all", "a library ended the program");
+    expect_77("build/color-hdr --pixel", "8 bits cannot show a colour outside [0, 1]");
+    expect_77("MESA_GL_VERSION_OVERRIDE=1.3 build/pixels-copied-mask", "this GL has no glWindowPos2i (OpenGL 1.4)");
+    // All cases go on after one that cannot run.
+    const Lines old(in_folder("MESA_GL_VERSION_OVERRIDE=1.1 build/all").out);
+    EXPECT_EQ(old.verdict("pixels-copied-mask"), "not run");
+    EXPECT_EQ(old.verdict("texture-3d-level"), "not run");
+    EXPECT_NE(old.verdict("vertex-w-2"), "not run");
+    // Without unclamped colours the clamped ones are compared.
+    const ProgramResult clamped = in_folder("MESA_EXTENSION_OVERRIDE=-GL_ARB_color_buffer_float build/color-hdr");
+    EXPECT_EQ(clamped.status, 0) << clamped.out;
+}
+
+TEST_F(CasePrograms, AreSummedUp) {
+    ASSERT_EQ(written({"light-behind", "vertex-w-2", "color-hdr"}).status, 0);
+    for (const char* goal : {"report", "report-at-once"}) {
+        const ProgramResult result = made(std::string(goal) + " ARGUMENTS=--pixel");
+        ASSERT_EQ(result.status, 0) << result.err;
+        EXPECT_NE(result.out.find("3 cases: 1 right, 1 wrong, 0 open, 1 not run, 0 crashed\n"), std::string::npos)
+            << result.out;
+        const auto json = nlohmann::json::parse(read_file(folder_ / "report.json"));
+        EXPECT_EQ(json.at("wrong"), 1);
+        EXPECT_EQ(json.at("cases").size(), 3u);
+        EXPECT_EQ(json.at("cases").at(1).at("name"), "vertex-w-2");
+        EXPECT_EQ(json.at("cases").at(1).at("result"), "wrong");
+        EXPECT_EQ(json.at("cases").at(1).at("read_by"), "pixel");
+        const std::string page = read_file(folder_ / "report.html");
+        EXPECT_LT(page.find("<tr id=\"vertex-w-2\">"),
+                  page.find("<tr id=\"light-behind\">"));  // what is wrong comes first
+    }
+}
+
+// A crash is no wrong answer, and the cases after it still run.
+TEST_F(CasePrograms, GoOnAfterACrash) {
+    ASSERT_EQ(written({"light-behind", "vertex-w-2", "color-hdr"}).status, 0);
+    std::filesystem::create_directory(folder_ / "build");
+    write_file_atomically(
+        folder_ / "build/all",
+        "#!/bin/sh\n"
+        "echo 'GL: a; b; c'\n"
+        "case $* in\n"
+        "*light-behind) echo 'vertex-w-2: wrong (pixel): \"<&\\'; echo 'color-hdr: crashed: signal 6' ;;\n"
+        "*color-hdr) ;;\n"
+        "*) echo 'light-behind: crashed: signal 11' ;;\n"
+        "esac\n");
+    const ProgramResult result =
+        in_folder("chmod +x build/all && sh run.sh '' '' build/all > results.txt && sh report.sh results.txt");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("3 cases: 0 right, 1 wrong, 0 open, 0 not run, 2 crashed\n"), std::string::npos)
+        << result.out;
+    const auto json = nlohmann::json::parse(read_file(folder_ / "report.json"));
+    EXPECT_EQ(json.at("gl"), "a; b; c");
+    EXPECT_EQ(json.at("cases").at(1).at("finding"), "\"<&\\");
+    EXPECT_NE(read_file(folder_ / "report.html").find("\"&lt;&amp;\\"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace twinlight::case_programs_test
