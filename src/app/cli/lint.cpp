@@ -256,7 +256,7 @@ Subcommand add_lint(CLI::App& app) {
     add_memory_option(*lint, arguments->memory);
     add_calls_flag(*lint, arguments->calls);
     lint->add_flag("--json", arguments->json,
-                   "print one JSON object instead of the text; of several files: {\"files\": [...]}");
+                   "print one JSON object instead of the text; for several files: {\"files\": [...]}");
     lint->add_flag("--csv", arguments->csv,
                    "print a table for spreadsheets: one row for each warning, and for each file without any");
     lint->add_option("--fix", arguments->fix,
@@ -270,17 +270,15 @@ Subcommand add_lint(CLI::App& app) {
         ->type_name("FILE")
         ->check(not_empty());
     lint->footer(
-        "Several pictures of a program are looked at: the first, the second, one after a second and one after a key; "
-        "of\n"
-        "a recording the first that draws, the next and a later one. --frame N: only that one (of a program that is "
-        "read,\n"
-        "0 or 1).\n"
+        "It looks at several pictures of a program: the first, the second, one after a second and one after a key; of\n"
+        "a recording, at the first that draws, the next and a later one. --frame N: only that one (for a program that\n"
+        "is read, 0 or 1).\n"
         "A comment in the scene silences a warning: // twinlight: allow(NAME), at the end of a line for that line, or\n"
         "on a line of its own for the whole scene.\n"
         "  twinlight lint homework.c           a whole program, read without a compiler\n"
         "  twinlight lint program.trace        a recording\n"
         "  twinlight lint --run lamp.cpp       any other program: compiles, runs and records it\n"
-        "  twinlight lint --csv homework/      all scenes, C programs and recordings of a folder\n"
+        "  twinlight lint --csv homework/      all scenes, C programs and recordings in a folder\n"
         "Exit status: 0 no warnings, 1 some warnings, 2 a file that could not be read, or bad usage.");
     return {lint, [arguments] { return run_lint(*arguments); }};
 }

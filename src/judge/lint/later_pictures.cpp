@@ -330,7 +330,7 @@ class LightBeforeIdentity : public MovingLights {
             warn({.place = command.place,
                   .message = fmt::format(
                       "the {} of {} is set before glLoadIdentity ({}): from the second picture on the "
-                      "matrix that the picture before left moves it",
+                      "matrix that the previous picture left moves it",
                       enum_name(pname_of(command)), light_name(light_of(command).value_or(0)), where(*reset())),
                   .fix = "call glLoadIdentity before it, and set the camera there",
                   .edits = {{.place = *reset(), .is_after = true, .moved = command.place}},
@@ -455,7 +455,7 @@ std::vector<Rule> later_picture_rules() {
          true},
         {"light-before-identity",
          "The position of a light is set before `glLoadIdentity`. From the second picture on it is moved by the matrix "
-         "that the picture before left. (The pictures here show the second call.)",
+         "that the previous picture left. (The pictures here show the second call.)",
          "Section 2.14.1: a position is transformed by the modelview matrix of the moment when it is set. Section "
          "2.11.2: the matrix stays until a command changes it.",
          "glLoadIdentity(); before the position",

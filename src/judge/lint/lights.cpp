@@ -184,7 +184,7 @@ class SpotOfDirectional : public InEveryDraw {
         if (!place) return;
         warn_directional(
             light, *place,
-            fmt::format("{} is a spotlight with w = 0: it has no place, so its cone holds all points or none",
+            fmt::format("{} is a spotlight with w = 0: it has no place, so its cone contains all points or none",
                         light_name(light)),
             parameters);
     }
@@ -486,7 +486,7 @@ std::vector<Rule> light_rules() {
 )",
          make_watch<AttenuationOfDirectional>},
         {"light0-initial",
-         "Of `GL_LIGHT0` only the ambient colour is set. The light also shines white, from the viewer. (For a lamp at "
+         "Only the ambient colour of `GL_LIGHT0` is set. The light also shines white, from the viewer. (For a lamp at "
          "the "
          "viewer's head, set its position or its diffuse colour.)",
          "Table 2.10: the initial diffuse and specular colours of `GL_LIGHT0` are white, and its initial position is "
@@ -502,7 +502,7 @@ std::vector<Rule> light_rules() {
          make_watch<OnlyAmbientSet>},
         {"spot-directional",
          "A light is a spotlight, but its position has w = 0. Every point lies in the same direction from it, so the "
-         "cone holds everything or nothing.",
+         "cone contains everything or nothing.",
          "Section 2.14.1: the cone compares the direction to the vertex with the spot direction; with w = 0 it is the "
          "same for all vertices.",
          "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){x, y, z, 1});",
@@ -542,7 +542,7 @@ std::vector<Rule> light_rules() {
  glutSolidSphere(1.5, 40, 20);
 )",
          make_watch<OddW>},
-        {"color-255", "A colour is given as 0 to 255, where GL counts from 0 to 1. Everything it lights is white.",
+        {"color-255", "A colour is given as 0 to 255, but GL's range is 0 to 1. Everything it lights is white.",
          "Section 2.14.1: colours are floats; 1 is full intensity, and sums above 1 are clamped (2.14.6).",
          "divide by 255, or use glColor3ub",
          R"(// the view

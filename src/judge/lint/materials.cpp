@@ -262,10 +262,9 @@ class ShininessFraction : public MaterialWatch {
         if (!shininess || !has_specular_light(draw) || is_black(front.specular)) return;
         if (front.shininess <= 0 || front.shininess >= 1) return;
         warn({.place = shininess->place,
-              .message =
-                  fmt::format("GL_SHININESS is {:.4g}: in tables of materials such values are parts of 128, but GL "
-                              "counts from 0 to 128",
-                              front.shininess),
+              .message = fmt::format("GL_SHININESS is {:.4g}: in tables of materials such values are fractions of 128, "
+                                     "but GL's range is 0 to 128",
+                                     front.shininess),
               .fix = fmt::format("glMaterialf({}, GL_SHININESS, {:.4g});", enum_name(shininess->enumerant(0)),
                                  front.shininess * 128),
               .edits = {{.place = shininess->place,
@@ -577,7 +576,7 @@ std::vector<Rule> material_rules() {
 )",
          make_watch<SpecularWithoutShininess>},
         {"shininess-fraction",
-         "`GL_SHININESS` is between 0 and 1, as in tables of materials that count in parts of 128. The highlight "
+         "`GL_SHININESS` is between 0 and 1, as in tables of materials that give fractions of 128. The highlight "
          "covers the whole lit side.",
          "Section 2.14.1: the shininess is an exponent from 0 to 128. Values of other formats need their own factor: "
          "an OBJ file's go to 1000.",

@@ -152,7 +152,7 @@ class TextureLeftOn : public LeftOn {
 std::vector<Rule> overlay_rules() {
     return {
         {"lit-overlay",
-         "After a lit scene in perspective something flat is drawn over it without depth test (text, a panel), and "
+         "Something flat (text, a panel) is drawn over a lit scene in perspective, without depth test, and "
          "`GL_LIGHTING` is still enabled. Its colours are those of a lit surface.",
          "Section 2.14.1: with `GL_LIGHTING` every vertex is lit, also in an orthographic projection. Section 2.13: "
          "text "

@@ -299,7 +299,7 @@ std::vector<Rule> turned_normals_rules() {
                                                                "scale-zero", "winding-against-normals"};
     return {
         {"normals-turned",
-         "Some normals of a surface point to its one side, and some to its other side. Where the side without normals "
+         "Some normals of a surface point to one side of it, and some to the other. Where the side without normals "
          "is "
          "seen, it is dark.",
          "Section 2.14.1: n . VP is 0 where the light is behind the surface, and the normal decides where that is. "

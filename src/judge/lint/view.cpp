@@ -274,7 +274,7 @@ std::vector<Rule> view_rules() {
 )",
          make_watch<CameraInProjection>},
         {"projection-not-reset",
-         "A perspective is multiplied to one that is already there, as when `glLoadIdentity` is missing from a reshape "
+         "A perspective is multiplied by one that is already there, as when `glLoadIdentity` is missing from a reshape "
          "function.",
          "Section 2.11.2: `gluPerspective` and `glFrustum` multiply the current matrix; they do not replace it.",
          "glLoadIdentity();",
@@ -293,7 +293,7 @@ std::vector<Rule> view_rules() {
         {"aspect-of-viewport",
          "The aspect of `gluPerspective` is not that of the viewport. The picture is squeezed: a ball looks like an "
          "egg. "
-         "Often `width / height` is a division of integers, which drops the fraction.",
+         "Often `width / height` is an integer division, which drops the fraction.",
          "Section 2.11.1: the viewport stretches the view volume to its own width and height.",
          "gluPerspective(45, (double)width / height, 1, 100);",
          R"( glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -349,7 +349,7 @@ std::vector<Rule> view_rules() {
 )",
          make_watch<EmptyDepthRange>},
         {"depth-not-cleared",
-         "The depths are not cleared before objects are drawn with the depth test. Objects of the picture before "
+         "The depths are not cleared before objects are drawn with the depth test. Objects of the previous picture "
          "hide them.",
          "Section 4.2.3: `glClear` clears only the buffers that it names.",
          "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);",
