@@ -94,7 +94,7 @@ void add_recorded_options(CLI::App& app, RecordedPart& part) {
 
 void add_calls_flag(CLI::App& app, bool& calls) {
     app.add_flag("--calls", calls,
-                 "show also the functions of a recorded program that led to each place: main > display > draw_lamp");
+                 "also show the functions of a recorded program that led to each place: main > display > draw_lamp");
 }
 
 void add_step_option(CLI::App& app, std::string& step, const std::string& default_step) {

@@ -231,7 +231,7 @@ Subcommand add_compare(CLI::App& app) {
     compare
         ->add_option_function<std::string>(
             "--shading", [arguments](const std::string& name) { arguments->per_pixel = kPixelShadings.at(name); },
-            "shading of the pictures that are lit at every pixel; exact draws curved shapes from their equations")
+            "for the pictures that are lit at every pixel; exact draws curved shapes from their equations")
         ->type_name("phong|exact")
         ->check(one_of(kPixelShadings))
         ->default_str("phong");

@@ -208,18 +208,18 @@ Subcommand add_explain(CLI::App& app) {
                      "show the lighting equation with its numbers at one pixel; 0,0 is the top left corner")
         ->type_name("X,Y")
         ->check(not_empty());
-    command->add_option("--vertex", arguments->vertex, "the same at a vertex; draws and vertices count from 1")
+    command->add_option("--vertex", arguments->vertex, "the same at a vertex; draws and vertices are counted from 1")
         ->type_name("DRAW,N")
         ->check(not_empty());
     command->add_flag("--all", arguments->all,
-                      "show also lights and effects that the scene does not turn on, and every vertex of a pixel");
+                      "also show lights and effects that the scene does not turn on, and every vertex of a pixel");
     command
         ->add_option("--as", arguments->form,
                      "exercise: with --pixel, an exam sheet: the equation with its numbers left blank, and a second "
                      "page with the "
                      "solution; lit at the pixel, unless --shading says gouraud or flat")
         ->type_name("exercise")
-        ->check(CLI::IsMember({"exercise"}));
+        ->check(CLI::IsMember({"exercise"}).description(""));
     command->add_option("-o", arguments->output, "the file of the exam sheet, a page to print; - for standard output")
         ->type_name("FILE")
         ->check(not_empty());

@@ -38,7 +38,7 @@ constexpr Words kEnglish = {
     "not read",
     "{} of {} right.\n",
     "To see whether your prediction is right: twinlight lesson {0} --predict A\n"
-    "To write the scene to start from:        twinlight lesson {0} -o {0}.gl\n"
+    "To write the starting scene:             twinlight lesson {0} -o {0}.gl\n"
     "To check your answer:                    twinlight lesson {0} --check {0}.gl\n",
 };
 constexpr Words kChinese = {
@@ -222,7 +222,7 @@ int run_lesson(LessonArguments& arguments) {
 Subcommand add_lesson(CLI::App& app) {
     const auto arguments = std::make_shared<LessonArguments>();
     CLI::App* lesson = app.add_subcommand("lesson", "List the lessons, print one, or check answers to it");
-    lesson->add_option("NAME", arguments->name, "print this lesson: one of ours by its name, or a file, LESSON.md")
+    lesson->add_option("NAME", arguments->name, "print this lesson: a built-in one, or a file, LESSON.md")
         ->type_name("");
     lesson
         ->add_option(
@@ -245,7 +245,7 @@ Subcommand add_lesson(CLI::App& app) {
     lesson
         ->add_option(
             "-o", arguments->output,
-            "write the scene to start from to this file, or the whole lesson to a file "
+            "write the starting scene to this file, or the whole lesson to a file "
             "LESSON.md, to write your own; - for standard output. With a folder: write a page with all pictures there")
         ->type_name("FILE")
         ->check(not_empty());

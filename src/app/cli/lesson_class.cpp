@@ -95,8 +95,8 @@ std::vector<Student> students_of(const std::string& folder) {
     for (const fs::path& path : entries_in(folder))
         if (fs::is_directory(path)) students.push_back({path.filename().string(), path, answers_of(path)});
     if (students.empty())
-        throw UsageError(fmt::format(
-            "{}: this folder has no folders of students; answers must be FOLDER/STUDENT/LESSON.gl", one_line(folder)));
+        throw UsageError(fmt::format("{}: this folder has no student folders; answers must be FOLDER/STUDENT/LESSON.gl",
+                                     one_line(folder)));
     return students;
 }
 
@@ -257,8 +257,8 @@ std::string marks_page(const std::vector<Row>& rows, const std::deque<LessonToGr
             chinese ? "理由" : "Why");
         html += fmt::format(
             "<tr><th scope=\"row\">{}</th><td></td>{}<td></td><td></td></tr>\n",
-            chinese ? "起始场景" : "The scene to start from",
-            marks_figure(encode_png(one.grader.start().picture()), chinese ? "起始场景" : "the scene to start from"));
+            chinese ? "起始场景" : "The starting scene",
+            marks_figure(encode_png(one.grader.start().picture()), chinese ? "起始场景" : "the starting scene"));
         for (const Row& row : rows) {
             if (row.lesson != one.lesson.name) continue;
             std::string why;
@@ -284,8 +284,8 @@ int grade_class(const ClassArguments& arguments) {
         const fs::path inside =
             fs::weakly_canonical(arguments.page).lexically_relative(fs::weakly_canonical(arguments.folder));
         if (!inside.empty() && *inside.begin() != "..")
-            throw UsageError(fmt::format("-o {}: this lies among the answers; choose a folder beside them",
-                                         one_line(arguments.page)));
+            throw UsageError(
+                fmt::format("-o {}: this is among the answers; choose a folder beside them", one_line(arguments.page)));
     }
     name_others(students, lessons);
     if (arguments.runs_programs)

@@ -50,10 +50,9 @@ Subcommand add_record(CLI::App& app) {
     const auto arguments = std::make_shared<RecordArguments>();
     CLI::App* record = app.add_subcommand("record", "Run a program and record what it draws, as a .trace file");
     record
-        ->add_option(
-            "PROGRAM", arguments->run.command,
-            "a program, or files of C or C++, which are compiled (freeglut, GLU), or one of Python (PyOpenGL); "
-            "and the program's arguments. Write -- before it if these start with -")
+        ->add_option("PROGRAM", arguments->run.command,
+                     "a program; C or C++ files, which are compiled (freeglut, GLU); or a Python file (PyOpenGL); "
+                     "and the program's arguments. Write -- before it if these start with -")
         ->required()
         ->type_name("[ARGUMENTS...]")
         ->check(not_empty());
@@ -64,7 +63,7 @@ Subcommand add_record(CLI::App& app) {
     record->footer(
         "This runs the program with all your rights; it is not a sandbox. Do not run programs that you do not trust.\n"
         "A recording has the call stacks, so the other commands name the lines of the program's own source, if it was\n"
-        "compiled with -g; sources that are given here are.\n"
+        "compiled with -g, as sources given here are.\n"
         "  twinlight record lamp.cpp room.cpp -lGLEW\n"
         "  twinlight record --keys 'wwd<Left>' ./lamp\n"
         "  twinlight record lamp.py\n"

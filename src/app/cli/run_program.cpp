@@ -168,25 +168,23 @@ void add_run_options(CLI::App& app, RunArguments& run) {
            "end the program after this time (default: 3; if it draws nothing, 8 and 20)")
         ->type_name("S")
         ->check(number_from(0.1, 3600.0));
-    app.add_option("--frames", run.frames, "end the program after so many frames, but not before one that draws")
+    app.add_option("--frames", run.frames, "end the program after this many frames, but not before one that draws")
         ->type_name("N")
         ->check(number_from(1, 1'000'000))
         ->default_str(std::to_string(run.frames));
-    app.add_option(
-           "--keys", run.keys,
-           "send these keys to the program's window, in a display of its own; <Left>, <F1>, <Escape> are keys by their "
-           "names")
+    app.add_option("--keys", run.keys,
+                   "send these keys to the program's window, in a display of its own; <Left>, <F1>, <Escape> name keys")
         ->type_name("TEXT")
         ->check(not_empty());
     app.add_option_function<std::string>(
            "--api", [&run](const std::string& name) { run.window_system = kWindowSystems.at(name); },
-           "how the program opens its window (default: by its libraries)")
+           "how the program opens its window (default: found from its libraries)")
         ->type_name("glx|egl")
         ->check(one_of(kWindowSystems));
     const auto add = [&](const char* name, std::vector<std::string>& values, const char* type, const char* what) {
         app.add_option(name, values, what)->type_name(type)->allow_extra_args(false)->check(not_empty());
     };
-    add("-l", run.libraries, "NAME", "for the compiler: link this library; freeglut, GLU and GL always are");
+    add("-l", run.libraries, "NAME", "for the compiler: link this library; freeglut, GLU and GL are always linked");
     add("-I", run.headers, "DIR", "for the compiler: look for headers in this folder");
     add("-D", run.macros, "NAME", "for the compiler: define this macro");
     add("-L", run.library_folders, "DIR", "for the compiler: look for libraries in this folder");

@@ -88,8 +88,9 @@ Lines level_of_detail_lines(const TextureSteps& steps, const TextureUnit& unit) 
                 steps.of_point ? "always 1 for a point (3.8.8)" : "texels per pixel, in x or y: the larger (3.8.8)") +
            line("lambda", fmt::format("{:.5g}", steps.lambda), how) +
            line("filter", enum_name(steps.filter),
-                steps.is_magnified ? fmt::format("GL_TEXTURE_MAG_FILTER, for lambda is at most {} (3.8.9)", limit)
-                                   : fmt::format("GL_TEXTURE_MIN_FILTER, for lambda is more than {} (3.8.8)", limit));
+                steps.is_magnified
+                    ? fmt::format("GL_TEXTURE_MAG_FILTER, because lambda is at most {} (3.8.9)", limit)
+                    : fmt::format("GL_TEXTURE_MIN_FILTER, because lambda is more than {} (3.8.8)", limit));
 }
 
 Lines texels_lines(const TextureSteps& steps, const Texture& texture) {

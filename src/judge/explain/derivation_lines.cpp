@@ -112,7 +112,7 @@ Lines typed_lines(const char* what, const Value& typed, const std::string& eye, 
     const bool untransformed = typed.eye_from_typed == glm::dmat4(1);
     return line(what, format(typed.value), "typed at " + typed.place.str()) +
            line("", eye,
-                untransformed ? "eye coordinates: the same, for the modelview matrix was the identity there,"
+                untransformed ? "eye coordinates: the same, because the modelview matrix was the identity,"
                               : "eye coordinates: the typed value times the modelview matrix at that call") +
            (untransformed ? line("", "", "so it moves with the camera") : Lines{});
 }

@@ -210,7 +210,7 @@ TEST_F(ExplainFragment, HasALineForEachStep) {
                              "    s, t, r, q   (0.63281, 0.67969, 0, 1)",
                              "    rho          0.03125 ",
                              "    lambda       -5 ",
-                             "    filter       GL_LINEAR                       GL_TEXTURE_MAG_FILTER, for lambda",
+                             "    filter       GL_LINEAR                       GL_TEXTURE_MAG_FILTER, because lambda",
                              "    level 0      weight 1.00000                  2 x 2 texels\n",
                              "                 texel 0, 0, weight 0.03296 ",
                              "                 texel 1, 1, weight 0.65796 ",

@@ -251,13 +251,13 @@ TEST(LessonClassCommand, RefusesAFolderWithoutAnswers) {
     const TemporaryFolder folder;
     EXPECT_EQ(run_lesson({"--check", folder.str()}).err,
               "twinlight: " + folder.str() +
-                  ": this folder has no folders of students; answers must be FOLDER/STUDENT/LESSON.gl\n");
+                  ": this folder has no student folders; answers must be FOLDER/STUDENT/LESSON.gl\n");
     std::filesystem::create_directory(folder / "ann");
     EXPECT_EQ(run_lesson({"--check", folder.str()}).err,
               "twinlight: " + folder.str() +
                   ": no file in it is named after a lesson; 'twinlight lesson' lists the lessons\n");
     EXPECT_EQ(run_lesson({"shininess", "--check", folder.str(), "-o", folder / "page"}).err,
-              "twinlight: -o " + folder.str() + "/page: this lies among the answers; choose a folder beside them\n");
+              "twinlight: -o " + folder.str() + "/page: this is among the answers; choose a folder beside them\n");
     EXPECT_EQ(run_lesson({"shininess", "--csv", "a.csv"}).err, "twinlight: --csv needs --check FOLDER\n");
 }
 
