@@ -255,8 +255,9 @@ TEST_F(ExportedPage, NamesWhatWebglLacks) {
                           "glVertex2f(1, 0); glEnd();\n");
     used(scene);
     EXPECT_NE(
-        page_.find("This picture lacks a part, because WebGL does:</p>\n<ul>\n<li>line 2: after a turn, line stipples "
-                   "are still those of the first view</li>\n</ul>"),
+        page_.find(
+            "This picture lacks a part, because WebGL lacks it:</p>\n<ul>\n<li>line 2: after a turn, line stipples "
+            "are still those of the first view</li>\n</ul>"),
         std::string::npos);
 }
 

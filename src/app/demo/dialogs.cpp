@@ -333,7 +333,7 @@ void Dialogs::file_changed(Session& session) {
     ImGui::TextUnformatted(
         fmt::format("{} was saved by another program, which changed a line that you changed here.", *session.file)
             .c_str());
-    dim_text("Undo and redo switch between the two versions; Ctrl+S writes the one on show.");
+    dim_text("Undo and redo switch between the two versions; Ctrl+S writes the one shown.");
     if (first_button("Keep mine")) session.dialog = Dialog::kNone;
     if (ImGui::Button("Use the file's")) {
         session.history.undo();
@@ -343,8 +343,8 @@ void Dialogs::file_changed(Session& session) {
 }
 
 void Dialogs::recovered(Session& session) {
-    ImGui::TextUnformatted(fmt::format("A window ended with unsaved changes: {}.", lost_->summary).c_str());
-    if (first_button("Bring the changes back")) attempt(session, [&] { session::restore(session, *lost_); });
+    ImGui::TextUnformatted(fmt::format("A window closed with unsaved changes: {}.", lost_->summary).c_str());
+    if (first_button("Restore the changes")) attempt(session, [&] { session::restore(session, *lost_); });
     if (ImGui::Button("Discard them")) {
         session::forget(*lost_);
         session.dialog = Dialog::kNone;

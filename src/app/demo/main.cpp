@@ -61,7 +61,7 @@ lesson::Lesson lesson_named(const std::string& name, lesson::Language& language)
 }
 
 int run(int argc, char** argv) {
-    CLI::App app("Opens a window that draws a scene three ways, side by side, and lets you change every call of it.",
+    CLI::App app("Opens a window that draws a scene three ways, side by side, and lets you change every call in it.",
                  "twinlight-demo");
     app.footer("Keys:\n" + session::keys_help());
     add_version_flag(app, "twinlight-demo");
@@ -89,7 +89,7 @@ int run(int argc, char** argv) {
                if (!language) throw CLI::ValidationError("--language", "'" + name + "' is not one of en, zh");
                options.language = *language;
            },
-           "of the lessons: English or Chinese (default: the environment's language)")
+           "language of the lessons: English or Chinese (default: the environment's language)")
         ->option_text("en|zh");
     std::string step;
     app.add_option("--step", step, "the step of a scene with steps to show first: its number, from 1, or its title")
@@ -111,7 +111,7 @@ int run(int argc, char** argv) {
            },
            "explain the pixel at X,Y of the picture, from its top left")
         ->option_text("X,Y");
-    add_size_option(app, size, "as it was last, or what fits the screen");
+    add_size_option(app, size, "the last one, or what fits the screen");
     app.add_option("--scale", options.scale, "the size of letters: 1 for 96 dots per inch (default: the screen's)")
         ->check(number_from(0.5, kMaxScale))
         ->option_text("NUMBER");

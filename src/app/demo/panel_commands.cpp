@@ -287,7 +287,7 @@ void CommandsPanel::show_tools(Session& session) {
         return pressed;
     };
     if (button("Undo", session.history.can_undo(), "undo the last edit (z)")) session::press(session, 'z');
-    if (button("Redo", session.history.can_redo(), "do it again (y)")) session::press(session, 'y');
+    if (button("Redo", session.history.can_redo(), "redo the undone edit (y)")) session::press(session, 'y');
     const std::size_t count = has_selected ? session::end_of_group(*list, index) - index + 1 : 0;
     const std::string name = has_selected ? std::string(list->commands[index].name()) : "";
     if (button("Up", has_selected && index > 0, "move the selected call up")) move_call(session, index, false);
@@ -361,7 +361,7 @@ void CommandsPanel::show_calls(Session& session, const std::vector<std::size_t>&
     show_argument_menu(session);
     if (replaced_) show_insert(session);
     show_help(session,
-              "Drag a number, or click it to type. Drag the light at the left. Point at the picture to see why a pixel "
+              "Drag a number, or click it to type. Drag the light on the left. Point at the picture to see why a pixel "
               "has its "
               "colour.");
 }

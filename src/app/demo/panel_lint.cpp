@@ -71,7 +71,7 @@ bool LintPanel::show(session::Session& session) {
         colored_text(kGood, "No mistakes in the lighting.");
         dim_text(
             "The linter checks what GL accepts without an error: lights that are black, positions set before the "
-            "camera, normals that are not unit, and more.");
+            "camera, normals not of length 1, and more.");
         return false;
     }
     dim_text("GL accepts these commands, but the picture is probably not what you want.");

@@ -90,7 +90,7 @@ void SavePanel::show(Session& session) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     ImGui::InputText("##folder", folder_.data(), folder_.size());
-    dim_text("No file is replaced: a number is added to a name that exists.");
+    dim_text("No file is overwritten: a name that exists gets a number.");
     for (const session::FormName& form : session::kForms)
         if (row(form.words, form.what)) save(session, form.value);
     if (row("Screenshot", "the whole window: NAME.png (key p)")) session.screenshot_requested = true;

@@ -171,16 +171,16 @@ unsigned Panes::shown_texture(const Session& session, std::size_t pane) const {
 std::string Panes::time_of(const Session& session, std::size_t number) const {
     const Drawn& drawn = drawn_[number];
     if (session.panes[number].renderer == Path::kReference) {
-        if (!drawn.reference) return "at work ...";
+        if (!drawn.reference) return "drawing ...";
         if (drawn.revision != session.revision) {
             const double age = std::chrono::duration<double>(Clock::now() - drawn.since).count();
-            return fmt::format("{:.1f} s old, at work ...", age);
+            return fmt::format("{:.1f} s old, drawing ...", age);
         }
-        if (drawn.reference->divisor > 1) return "coarse, at work ...";
+        if (drawn.reference->divisor > 1) return "coarse, drawing ...";
     }
     const auto ms = drawn.times.median_ms();
     // What is drawn fast is late only if the driver compiles.
-    if (is_late_ && is_behind(drawn)) return ms && *ms > kSlowMs ? "at work ..." : "compiling ...";
+    if (is_late_ && is_behind(drawn)) return ms && *ms > kSlowMs ? "drawing ..." : "compiling ...";
     return ms ? ms_text(*ms) : "";
 }
 
@@ -229,7 +229,7 @@ void Panes::show_header(Session& session, const Cell& cell) {
 // The sentence in a pane's footer.
 std::pair<std::string, unsigned> Panes::footer_of(const Session& session, std::size_t number, float room) const {
     if (number == kDifferencePane) {
-        if (!has_difference(session) || !difference_.verdict) return {"Not known yet: the reference is at work", kDim};
+        if (!has_difference(session) || !difference_.verdict) return {"Not known yet: the reference is drawing", kDim};
         const PairVerdict& verdict = *difference_.verdict;
         return {fitting(verdict.texts, room), verdict_color(verdict.verdict)};
     }

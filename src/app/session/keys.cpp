@@ -203,7 +203,7 @@ constexpr Key kKeys[] = {
     {'h', 'h', "h", "hide or show the panel", [](Session& s, int) { s.panel_shown = !s.panel_shown; }, Menu::kWindow,
      false},
     {kF11, kF11, "F11", "full screen", [](Session& s, int) { s.full_screen_requested = true; }, Menu::kWindow, false},
-    {kCtrl + '+', kCtrl + '+', "Ctrl and + - 0", "larger or smaller letters, or their first size",
+    {kCtrl + '+', kCtrl + '+', "Ctrl and + - 0", "larger or smaller letters, or their original size",
      [](Session& s, int) { s.letters_requested = 1; }, Menu::kNone, false},
     {kCtrl + '=', kCtrl + '=', "", "", [](Session& s, int) { s.letters_requested = 1; }, Menu::kNone, false},
     {kCtrl + '-', kCtrl + '-', "", "", [](Session& s, int) { s.letters_requested = -1; }, Menu::kNone, false},

@@ -78,7 +78,7 @@ std::string DroppedFiles::scene_of_recording(const std::string& name) {
     scene += print_scene(commands_to_print(recorded.scene));
     if (scene.size() > kMaxPageBytes)
         throw SceneError(fmt::format(
-            "{}: as a scene, this has {} MiB, and the limit of this page is {} MiB. The program twinlight can "
+            "{}: as a scene, this is {} MiB long, and the limit of this page is {} MiB. The program twinlight can "
             "draw it: 'twinlight compare {}'. If an earlier frame is enough, write it with 'twinlight export {} "
             "--as scene --frame N', and drop that",
             recorded.scene.name(), scene.size() >> 20, kMaxPageBytes >> 20, one_line(name), one_line(name)));

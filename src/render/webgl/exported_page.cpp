@@ -63,7 +63,7 @@ std::string in_lines(const Json& header) {
 
 std::string missing_text(const std::map<std::string, Place>& missing) {
     if (missing.empty()) return "";
-    std::string text = "<p>This picture lacks a part, because WebGL does:</p>\n<ul>\n";
+    std::string text = "<p>This picture lacks a part, because WebGL lacks it:</p>\n<ul>\n";
     for (const auto& [message, place] : missing) text += fmt::format("<li>line {}: {}</li>\n", place.line, message);
     return text + "</ul>\n";
 }

@@ -84,7 +84,7 @@ async function draw() {
     for (const canvas of document.querySelectorAll("canvas")) canvas.classList.add("stale");
     opened = answer.errors.length === 0 ? answer : null;
     if (!opened) {
-        at("verdict").textContent = "The scene has errors; the pictures are those before.";
+        at("verdict").textContent = "The scene has errors; the pictures are the previous ones.";
         return;
     }
     setSteps(answer);
@@ -100,7 +100,7 @@ async function draw() {
         pixels = renderer.draw(frame);
         show("shaders", pixels, size);
         for (const {line, column, message: text} of frame.header.missing)
-            message("note", {line, column, text: "the shaders' picture lacks a part, because WebGL does: " + text});
+            message("note", {line, column, text: "the shaders' picture lacks a part, because WebGL lacks it: " + text});
     } catch (error) {
         message("error", {line: 0, text: error.message});
     }
