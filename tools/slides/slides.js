@@ -24,7 +24,8 @@ function slide_of(elements) {
     }
     for (const answer of notes.querySelectorAll("details")) answer.open = true;
     // Links lead to pages that are not here.
-    for (const link of slide.querySelectorAll("a[href]")) if (!/^https?:/.test(link.getAttribute("href"))) link.replaceWith(...link.childNodes);
+    for (const link of [...slide.querySelectorAll("a[href]"), ...notes.querySelectorAll("a[href]")])
+        if (!/^https?:/.test(link.getAttribute("href"))) link.replaceWith(...link.childNodes);
     const scene = scene_of(notes) ?? scene_of(slide), picture = [...slide.children].find((one) => one.querySelector("img"));
     if (scene && picture) {
         const frame = document.createElement("iframe");
