@@ -104,7 +104,7 @@ Reader::Operand Reader::member_of(const Operand& whole, const Token& start) {
             place = Lvalue{value.object, static_cast<std::size_t>(value.offset), value.of};
     }
     if (!place || !place->type->is_struct())
-        fail(op.place, "{} is no struct{}, so it has no member {}", shown(start),
+        fail(op.place, "{} is not a struct{}, so it has no member {}", shown(start),
              op.is("->") || !place || !place->type->is_pointer() ? "" : " but a pointer; write -> instead of '.'",
              shown(name));
     const std::optional<Member> member = find_member(*place->type, name.text);
@@ -139,7 +139,7 @@ const Function& Reader::function_behind(const Value& pointer, const Place& place
         if (pointer.object && !pointer.object->function_name.empty())
             out_of_reach(place, fmt::format("the function '{}', which this file does not define",
                                             pointer.object->function_name));
-        fail(place, "this is no function");
+        fail(place, "this is not a function");
     }
     return found->second;
 }
@@ -149,7 +149,7 @@ const Function& Reader::function_behind(const Value& pointer, const Place& place
 // The bytes from a pointer or a struct on, of which there must be `count`.
 std::span<std::byte> Reader::bytes_behind(const Value& value, std::size_t count, bool is_written, const Place& place) {
     if (value.is_null()) fail(place, "this pointer is NULL; let it point into an array first");
-    if (!value.object || !value.object->memory) fail(place, "this is no memory of the program, or it was freed");
+    if (!value.object || !value.object->memory) fail(place, "this is not the program's memory, or it was freed");
     Object& object = *value.object;
     if (is_written && object.is_constant) fail(place, "a text in quotes cannot be changed");
     const auto offset = static_cast<std::size_t>(value.offset);

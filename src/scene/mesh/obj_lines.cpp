@@ -99,7 +99,7 @@ class Checker {
                                  end == digits.data() + digits.size();
             if (!is_read) refuse(line_, "expected a number, found {}", in_quotes(text));
             if (error != std::errc() || !(std::abs(value) <= std::numeric_limits<float>::max()))
-                refuse(line_, "{} is no finite float", in_quotes(text));
+                refuse(line_, "{} is not a finite float", in_quotes(text));
             if (++count > most) refuse(line_, "{} has at most {} numbers", elements.name, most);
         }
         if (count < least) refuse(line_, "{} needs {} numbers, but {} are given", elements.name, least, count);
@@ -129,7 +129,7 @@ class Checker {
             if (text.empty()) return;
             text.remove_prefix(1);
         }
-        refuse(line_, "{} is no corner of a face; it must look like 7, 7/2, 7//3 or 7/2/3", in_quotes(whole));
+        refuse(line_, "{} is not a corner of a face; it must look like 7, 7/2, 7//3 or 7/2/3", in_quotes(whole));
     }
 
     // Indices count from 1; -1 is the last element so far.
@@ -137,7 +137,7 @@ class Checker {
         std::int64_t index = 0;
         const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
         if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
-            refuse(line_, "{} is no corner of a face; it must look like 7, 7/2, 7//3 or 7/2/3", in_quotes(whole));
+            refuse(line_, "{} is not a corner of a face; it must look like 7, 7/2, 7//3 or 7/2/3", in_quotes(whole));
         const auto so_far = static_cast<std::int64_t>(elements.count);
         if (error != std::errc() || index == 0)
             refuse(line_, "a face uses {} {}; indices start at 1", elements.name, in_quotes(digits));

@@ -114,9 +114,9 @@ TEST(ProgramStructs, NameTheMemberThatIsMissing) {
         EXPECT_NE(error.find(part), std::string::npos) << error;
     };
     has("struct light a; a.powre = 1;", "3:19: this struct has no member 'powre'; did you mean power?");
-    has("struct light a, *p = &a; p.power = 1;", "3:27: 'p' is no struct but a pointer; write -> instead of '.'");
+    has("struct light a, *p = &a; p.power = 1;", "3:27: 'p' is not a struct but a pointer; write -> instead of '.'");
     has("struct light *p = 0; p->power = 1;", "3:22: this pointer is NULL");
-    has("int i; i.x = 1;", "3:9: 'i' is no struct, so it has no member 'x'");
+    has("int i; i.x = 1;", "3:9: 'i' is not a struct, so it has no member 'x'");
 }
 
 TEST(ProgramPointers, PointAtPointersAndFunctions) {
