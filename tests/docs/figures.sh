@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Prints the table "How near the three pictures are" of docs/figures.md: tests/docs/figures.sh, after make programs.
+# Prints the table "How close the three pictures are" of docs/figures.md: tests/docs/figures.sh, after make programs.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 folder=$(mktemp -d)

@@ -425,7 +425,7 @@ const std::vector<Departure>& departures() {
          .seen_on = kBoth,
          .command_rule = transfers_stencil_values},
         {.name = "the mode of copied depths",
-         .section = "3.8.14: GL_DEPTH_TEXTURE_MODE says as which format the texture environment sees depths",
+         .section = "3.8.14: GL_DEPTH_TEXTURE_MODE says in which format the texture environment sees depths",
          .seen_on = kBoth,
          .command_rule = copies_depths_after_mode,
          .rewrite = &sets_mode_after_copy},

@@ -178,7 +178,7 @@ Measure colors_apart(Rectangle a, Rectangle b) {
 // The file is read once, when the check is.
 Measure unlike(const std::string& folder, const std::string& name, double codes) {
     if (name.find_first_of("/\\") != std::string::npos)
-        throw std::runtime_error(fmt::format("'{}': the picture must lie beside the lesson, in the same folder", name));
+        throw std::runtime_error(fmt::format("'{}': the picture must be beside the lesson, in the same folder", name));
     const std::string path = (std::filesystem::path(folder) / name).string();
     const PngPixels goal = decode_png_pixels(read_file(path, kMaxPictureBytes), kMaxSide);
     return [=](const Work& work) {
@@ -415,7 +415,7 @@ std::span<const MeasureRow> measures() {
         {"unlike",
          {kText, kNumber},
          "the share of pixels that differ from a PNG file by more than this many codes (of 255) in a channel; the file "
-         "lies beside the lesson",
+         "is beside the lesson",
          [](A a) { return unlike(a.folder, a.texts[0], a.numbers[0]); }},
         {"vertex_error",
          {kBox},

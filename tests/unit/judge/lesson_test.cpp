@@ -206,7 +206,7 @@ TEST(LessonPages, AreRefusedWhereACheckIsWrong) {
     EXPECT_EQ(error_of("calls(glEnable, GL_ZEBRA) is 1"), "page.md:21: OpenGL has no name 'GL_ZEBRA'");
     EXPECT_EQ(error_of("warnings(\"zebra\") is 0"), "page.md:21: the linter has no rule 'zebra'");
     EXPECT_EQ(error_of("unlike(\"../goal.png\", 2) at most 0"),
-              "page.md:21: '../goal.png': the picture must lie beside the lesson, in the same folder");
+              "page.md:21: '../goal.png': the picture must be beside the lesson, in the same folder");
     EXPECT_EQ(error_of(std::string(60, '(') + "1" + std::string(60, ')') + " is 1"),
               "page.md:21: the check has too many parentheses");
 }
