@@ -90,6 +90,21 @@ constexpr Phrase kPhrases[] = {
     {"calls for", "needs"},
     {"called for", "needed"},
     {"is off by at most", "differs by at most"},
+    {"made unit", "normalised"},
+    {"by nothing", "by zero"},
+    {"lies in each other", "coincides"},
+    {"lie in each other", "coincide"},
+    {"map of depths", "shadow map"},
+    {"maps of depths", "shadow maps"},
+    {"texture of depths", "depth texture"},
+    {"textures of depths", "depth textures"},
+    {"of the time of", "at the time of"},
+    {"in another way", "differently"},
+    {"each have another", "each have a different"},
+    {"the scene to start from", "the starting scene"},
+    {"compares so", "compares this way"},
+    {"is no struct", "is not a struct"},
+    {"mend it", "fix it"},
 };
 
 // What a reader sees of a file: its string literals or its text, with the line that each character is on.
