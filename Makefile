@@ -47,7 +47,7 @@ g++                 command -v $(CXX)
 pkg-config          command -v pkg-config
 $(if $(GL_given),,libosmesa6-dev|libegl-dev pkg-config --exists osmesa || { pkg-config --exists egl && ! $(apt_has_osmesa); })
 $(if $(filter osmesa,$(GL_given)),libosmesa6-dev      pkg-config --exists osmesa)
-$(if $(or $(CI),$(filter egl,$(GL_given))),libegl-dev          pkg-config --exists egl)
+libegl-dev          pkg-config --exists egl
 libglu1-mesa-dev    pkg-config --exists glu
 freeglut3-dev       pkg-config --exists glut
 libglm-dev          pkg-config --exists glm
@@ -183,7 +183,7 @@ FILES_scenes := $(sort $(filter-out $(SCENES_of_tests),$(wildcard src/scene/scen
 # What the scenes load: pictures, and meshes with their materials.
 FILES_scene_assets := $(wildcard $(addprefix src/scene/scenes/*.,png obj mtl))
 FILES_recorder := src/scene/record/python_lines.py
-FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.glsl export/*.glsl export/loader.*))
+FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.glsl export/*.glsl export/*.c export/gl_state.h export/scene.h export/names.sed))
 FILES_webgl := $(addprefix src/render/webgl/,exported_page.html gl.js theme.css theme.js viewer.js)
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
 CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
@@ -316,7 +316,7 @@ check:  ## check the format, compile each file by itself, run clang-tidy, and ru
 	    else echo "tidy: skipped, because clang-tidy is not installed"; fi
 	@$(MAKE) test config=sanitize units=files
 
-# A source includes its own header first, so only headers without a source are compiled here. (export/loader.h is C; only Emscripten needs
+# A source includes its own header first, so only headers without a source are compiled here. (Those of export/*.c are C; only Emscripten needs
 # app/web/compat.)
 HEADERS_alone := $(filter-out $(SOURCES_all:.cpp=.h) $(FILES_shaders) $(FILES_conformance) src/app/web/compat/%,$(HEADERS))
 headers: deps  ## compile headers by themselves: each must include what it uses (units=files does so with sources)

@@ -80,6 +80,7 @@ std::optional<std::string> complaint_of_others(const std::string& line) {
     if (std::regex_match(line, fuzzer,
                          std::regex(R"(build/fuzz/([a-z]+)-fuzzer .*)")))  // make fuzz builds it, with clang
         return fs::exists("tests/fuzz/" + fuzzer.str(1) + "_fuzzer.cpp") ? "" : "there is no such fuzzer";
+    if (has(line, R"(\blamp\.c\b)")) return "";  // ExportedGlsl.PortsTheProgramOfTheDocs runs these in order
     if (line.find("valgrind ") != std::string::npos) return "";  // takes minutes; HardCasesOfTheReference runs valgrind
     return std::nullopt;
 }

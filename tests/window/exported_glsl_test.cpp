@@ -1,9 +1,12 @@
 // twinlight export --as glsl -o, to its end: the program is compiled, runs with the real freeglut in a core context
-// under Xvfb, and draws what the fixed function draws; also after lights and the camera have moved.
+// under Xvfb, and draws what the fixed function draws; also after lights and the camera have moved. A legacy program that is
+// ported by the lines of docs/porting.md draws what it drew.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <regex>
 #include <sstream>
@@ -151,9 +154,8 @@ class ExportedGlsl : public testing::Test {
         const ProgramResult exported = run_program("twinlight", words);
         EXPECT_EQ(exported.status, 0) << exported.err;
         EXPECT_EQ(exported.out + exported.err, "");
-        const ProgramResult built =
-            run_shell("", "cd " + quoted(folder) + " && " + compiler_ +
-                              " -std=c99 -Wall -Wextra -Werror loader.c scene.c -o scene -lglut -lGL -lm");
+        const ProgramResult built = run_shell("", "cd " + quoted(folder) + " && " + compiler_ +
+                                                      " -std=c99 -Wall -Wextra -Werror *.c -o scene -lglut -lGL -lm");
         EXPECT_EQ(built.status, 0) << built.err;
         return folder;
     }
@@ -278,6 +280,200 @@ TEST_F(ExportedGlsl, StaysRightWhenLightsAndTheCameraMove) {
         expect_close(moved, picture, rendered(moved, {"--with", "fixed"}));
         EXPECT_GT(difference(picture, still, PixelMask(still.pixels.size())).interior.differing, 10'000U);
     }
+}
+
+// ---- A porter's program ----
+
+// The code blocks of docs/porting.md, without their indentation.
+std::vector<std::string> blocks_of_the_docs() {
+    std::vector<std::string> blocks;
+    std::istringstream page(read_file("docs/porting.md"));
+    bool inside = false;
+    std::string blank;
+    for (std::string line; std::getline(page, line);) {
+        if (line.starts_with("    ")) {
+            if (!inside) blocks.emplace_back();
+            blocks.back() += (inside ? blank : "") + line.substr(4) + "\n";
+            inside = true;
+            blank.clear();
+        } else if (line.empty()) {
+            blank += "\n";
+        } else {
+            inside = false;
+            blank.clear();
+        }
+    }
+    return blocks;
+}
+
+class PortedProgram : public ExportedGlsl {
+  protected:
+    void SetUp() override {
+        if (run_shell("", "command -v " + compiler_).status != 0) GTEST_SKIP() << "there is no C compiler";
+    }
+    void run(const std::string& line) {
+        const ProgramResult result = run_shell("", "cd " + quoted(folder_.str()) + " && " + line);
+        EXPECT_EQ(result.status, 0) << line << "\n" << result.err;
+        EXPECT_EQ(result.err, "") << line;
+    }
+    const std::string twinlight_ = quoted(std::filesystem::absolute(build_folder() + "/twinlight"));
+    // Compiles `program` with the exported files, and with EGL in place of a window. Returns what it wrote to stderr.
+    std::string drawn_by(const std::string& program) {
+        run(
+            fmt::format("{} -std=c99 -Wall -Wextra -Wpedantic -Werror {} shaders/gl_state.c shaders/kinds.c {} -o "
+                        "ported -lEGL -lGL -lm",
+                        compiler_, program, quoted(std::filesystem::absolute("tests/window/glut_on_egl.c"))));
+        const ProgramResult result =
+            run_shell("", "cd " + quoted(folder_.str()) + " && LIBGL_ALWAYS_SOFTWARE=1 ./ported");
+        EXPECT_EQ(result.status, 0) << result.err;
+        return result.err;
+    }
+};
+
+TEST_F(PortedProgram, DrawsThePictureOfBefore) {
+    const std::vector<std::string> blocks = blocks_of_the_docs();
+    const auto block = [&](const char* start) {
+        const auto found =
+            std::ranges::find_if(blocks, [&](const std::string& text) { return text.starts_with(start); });
+        EXPECT_NE(found, blocks.end()) << start;
+        return found == blocks.end() ? std::string() : *found;
+    };
+    const std::string before = folder_ / "before.c", lamp = folder_ / "lamp.c";
+    write_file_atomically(before, block("// lamp.c"));
+    write_file_atomically(lamp, block("// lamp.c"));
+    run(std::regex_replace(block("build/twinlight export lamp.c"), std::regex("^build/twinlight"), twinlight_));
+    run(block("sed "));
+
+    // The lines at the top, before glutCreateWindow, and after it.
+    const std::vector<std::string> added = [&] {
+        std::vector<std::string> parts(1);
+        std::istringstream lines(block("#include \"shaders/gl_state.h\""));
+        for (std::string line; std::getline(lines, line);)
+            if (line.empty())
+                parts.emplace_back();
+            else
+                parts.back() += line + "\n";
+        return parts;
+    }();
+    ASSERT_EQ(added.size(), 3U);
+    std::string text = added[0] + read_file(lamp);
+    const std::size_t window = text.rfind('\n', text.find("glutCreateWindow")) + 1;
+    text.insert(text.find('\n', window) + 1, added[2]);
+    text.insert(window, added[1]);
+    write_file_atomically(lamp, text);
+
+    EXPECT_NE(block("cc lamp.c shaders/gl_state.c shaders/kinds.c"), "");
+    EXPECT_EQ(drawn_by("lamp.c"), "");
+    const std::string scene = folder_ / "before.gl";
+    write_file_atomically(scene, run_program("twinlight", {"export", before, "--as", "scene"}).out);
+    expect_close(scene, picture_of(read_file(folder_ / "picture.ppm")), rendered(before, {"--with", "fixed"}));
+}
+
+// Each function of gl_state.h that GL or GLU has is renamed.
+TEST_F(PortedProgram, HasARenameForEachFunction) {
+    const std::string header = read_file("src/render/programmable/export/gl_state.h");
+    const std::string of_gl = header.substr(0, header.find("---- Not in GL ----"));
+    const std::regex name(R"((?:void|GLboolean|#define) ff(\w+))");
+    std::string calls, renamed;
+    for (auto it = std::sregex_iterator(of_gl.begin(), of_gl.end(), name); it != std::sregex_iterator(); ++it) {
+        const std::string function = it->str(1);
+        const bool is_of_glu = function == "Perspective" || function == "LookAt" || function == "Ortho2D";
+        calls += (is_of_glu ? "glu" : "gl") + function + "();\n";
+        renamed += "ff" + function + "();\n";
+    }
+    EXPECT_GT(std::ranges::count(calls, '\n'), 80);
+    const std::string kept = "glEndList();\nglBindTexture();\nglutInit();\nglLightness();\nmy_glEnd();\n";
+    write_file_atomically(folder_ / "calls.c", calls + kept);
+    const std::string script = std::filesystem::absolute("src/render/programmable/export/names.sed");
+    run("sed -E -i -f " + quoted(script) + " calls.c");
+    EXPECT_EQ(read_file(folder_ / "calls.c"), renamed + kept);
+}
+
+TEST_F(PortedProgram, CompilesAsCPlusPlusAndWithoutTheOldNames) {
+    run_program("twinlight", {"export", "report", "--as", "glsl", "-o", folder_ / "shaders"});
+    run("g++ -Wall -Wextra -Wpedantic -Wshadow -Werror -fsyntax-only -x c++ shaders/gl_state.c shaders/kinds.c");
+    run(compiler_ +
+        " -std=c99 -Wall -Wextra -Wpedantic -Werror -DGL_GLEXT_PROTOTYPES -DGL_STATE_HEADER='<GL/glcorearb.h>' "
+        "-fsyntax-only shaders/gl_state.c shaders/kinds.c");
+}
+
+// One light, directional and without a highlight. Each change after it needs shaders that were not exported.
+TEST_F(PortedProgram, SaysWhatItsShadersCannotDraw) {
+    write_file_atomically(folder_ / "plain.gl",
+                          "glMaterialf(GL_FRONT, GL_SHININESS, 0);\n"
+                          "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_NORMALIZE);\n"
+                          "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){1, 2, 3, 0});\n"
+                          "glBegin(GL_TRIANGLES); glNormal3f(0, 0, 1);\n"
+                          "glVertex3f(0, 0, 0); glVertex3f(1, 0, 0); glVertex3f(0, 1, 0); glEnd();\n");
+    run(twinlight_ + " export plain.gl --as glsl -o shaders");
+
+    struct Change {
+        const char* change;
+        const char* says;
+        const char* back;
+    };
+    const std::vector<Change> changes = {
+        {"ffEnable(GL_LIGHT1); ffLightfv(GL_LIGHT1, GL_DIFFUSE, white);", "GL_LIGHT1 shines", "ffDisable(GL_LIGHT1);"},
+        {"ffDisable(GL_LIGHTING);", "GL_LIGHTING is off", "ffEnable(GL_LIGHTING);"},
+        {"ffLightfv(GL_LIGHT0, GL_POSITION, white);", "GL_LIGHT0 is positional",
+         "ffLightfv(GL_LIGHT0, GL_POSITION, away);"},
+        {"ffLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 30);", "GL_LIGHT0 is a spotlight",
+         "ffLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 180);"},
+        {"ffMaterialfv(GL_FRONT, GL_SPECULAR, white);", "a colour of GL_LIGHT0 times the material's is no longer black",
+         "ffMaterialfv(GL_FRONT, GL_SPECULAR, black);"},
+        {"ffLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);", "GL_LIGHT_MODEL_TWO_SIDE is on",
+         "ffLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 0);"},
+        {"ffDisable(GL_NORMALIZE);", "GL_NORMALIZE is off", "ffEnable(GL_NORMALIZE);"},
+        {"ffShadeModel(GL_FLAT);", "glShadeModel is GL_FLAT", "ffShadeModel(GL_SMOOTH);"},
+        {"ffEnable(GL_FOG);", "fog of this mode is on", "ffDisable(GL_FOG);"},
+        {"ffEnable(GL_ALPHA_TEST); ffAlphaFunc(GL_GREATER, 0.5f);", "the alpha test has another function",
+         "ffDisable(GL_ALPHA_TEST);"},
+        {"ffEnable(GL_CLIP_PLANE2);", "GL_CLIP_PLANE2 is on", "ffDisable(GL_CLIP_PLANE2);"},
+        {"ffEnable(GL_TEXTURE_2D);", "a texture of this target is on", "ffDisable(GL_TEXTURE_2D);"},
+        {"ffEnable(GL_COLOR_MATERIAL); color = 1;",
+         "glColorMaterial takes other colours of the material from the vertices",
+         "ffDisable(GL_COLOR_MATERIAL); color = 0;"}};
+    std::string body, expected;
+    for (int round = 0; round < 2; ++round)
+        for (const auto& [change, says, back] : changes)
+            body += fmt::format("    {}\n    draw();\n    {}\n", change, back);
+    for (const Change& change : changes)
+        expected += fmt::format(
+            "gl_state: {}: no exported shaders do that, so GL_TRIANGLES draws with kind1, of plain.gl:4:1; let the "
+            "program draw it so in the frame that you export\n",
+            change.says);
+    write_file_atomically(folder_ / "changes.c", R"(#include <GL/freeglut.h>
+#include "shaders/gl_state.h"
+static int color;
+static void draw(void) {
+    ffBegin(GL_TRIANGLES);
+    ffNormal3f(0, 0, 1);
+    ffColor3f(1, 1, 1);
+    ffVertex3f(0, 0, 0);
+    if (color) ffColor3f(1, 0, 0);
+    ffVertex3f(1, 0, 0);
+    ffVertex3f(0, 1, 0);
+    ffEnd();
+}
+static void display(void) {
+    const GLfloat white[4] = {1, 1, 1, 1}, black[4] = {0, 0, 0, 1}, away[4] = {1, 2, 3, 0};
+    ffEnable(GL_LIGHTING);
+    ffEnable(GL_LIGHT0);
+    ffEnable(GL_NORMALIZE);
+    ffLightfv(GL_LIGHT0, GL_POSITION, away);
+    draw();  // says nothing
+)" + body + R"(}
+int main(int argc, char** argv) {
+    glutInit(&argc, argv);
+    glutInitContextVersion(3, 3);
+    glutInitContextProfile(GLUT_CORE_PROFILE);
+    glutCreateWindow("changes");
+    if (!ffInit("shaders")) return 1;
+    glutDisplayFunc(display);
+    glutMainLoop();
+}
+)");
+    EXPECT_EQ(drawn_by("changes.c"), expected);
 }
 
 }  // namespace

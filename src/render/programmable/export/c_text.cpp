@@ -25,22 +25,4 @@ std::string c_floats(const glm::dmat4& m) {
                        c_numbers(m[3]));
 }
 
-std::string c_material(const Material& m) {
-    return fmt::format(
-        "(struct material){{\n        .emission = {{{}}}, .ambient = {{{}}},\n        .diffuse = {{{}}}, .specular = "
-        "{{{}}}, .shininess = {}}}",
-        c_numbers(m.emission), c_numbers(m.ambient), c_numbers(m.diffuse), c_numbers(m.specular),
-        c_number(m.shininess));
-}
-
-std::string c_light(const LightSource& light) {
-    const glm::dvec3 attenuation(light.constant_attenuation, light.linear_attenuation, light.quadratic_attenuation);
-    return fmt::format(
-        "(struct light){{\n        .ambient = {{{}}}, .diffuse = {{{}}}, .specular = {{{}}},\n        .position = "
-        "{{{}}}, .spot_direction = {{{}}},\n        .spot_exponent = {}, .spot_cutoff = {}, .attenuation = {{{}}}}}",
-        c_numbers(light.ambient), c_numbers(light.diffuse), c_numbers(light.specular), c_numbers(light.position_eye),
-        c_numbers(light.spot_direction_eye), c_number(light.spot_exponent), c_number(light.spot_cutoff_deg),
-        c_numbers(attenuation));
-}
-
 }  // namespace twinlight::programmable

@@ -13,8 +13,6 @@ std::string printable(std::string text);
 std::string c_number(double x);
 std::string c_floats(const glm::dvec4& v);  // an array
 std::string c_floats(const glm::dmat4& m);
-std::string c_material(const Material& m);
-std::string c_light(const LightSource& light);
 
 // "1, 2, 3"
 template <class Vector>

@@ -9,17 +9,10 @@
 #include "scene/command/names.h"
 
 namespace twinlight::programmable {
-namespace {
-
-constexpr int kMostKeptLights = 16;  // MOST_LIGHTS of loader.c; OpenGL promises room for this many uniforms
-
-}  // namespace
-
 Code kept_code(const Draw& draw, const Plan& plan, Glsl version) {
     Code code{plan.effects, {}, {}, {}};
     EffectSet& effects = code.effects;
     Form& form = code.form;
-    form.position_w = !plan.vertices.w_is_1;
     form.rescale = plan.lighting.rescale_normal && effects.needs_normal() && !effects.normalize &&
                    effects.shading != Shading::kPhong;
     KeptForm kept;

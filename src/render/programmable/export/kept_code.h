@@ -9,6 +9,8 @@
 
 namespace twinlight::programmable {
 
+inline constexpr int kMostKeptLights = 16;  // FF_LIGHTS of gl_state.h; OpenGL promises room for this many uniforms
+
 // Code::lights is empty: the uniforms are GL's state.
 Code kept_code(const Draw& draw, const Plan& plan, Glsl version);
 

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -15,6 +17,7 @@
 #include "render/programmable/export/c_text.h"
 #include "render/programmable/export/core_elements.h"
 #include "render/programmable/export/kept_code.h"
+#include "render/programmable/export/kind_row.h"
 #include "render/programmable/numbers/draw_values.h"
 #include "render/programmable/numbers/light_values.h"
 #include "render/programmable/numbers/vertex_attributes.h"
@@ -34,10 +37,21 @@ class Writer {
 
     std::vector<NamedFile> files(const std::string& name) {
         write_items();
+        // draw_scene() is called again and again, so it starts with the state of its end: what some draw changes is written for all.
+        body_.clear();
+        last_.clear();
+        eye_from_object_.reset();
+        rows_ = std::exchange(kinds_, {});
+        middle_ = glm::dvec3(0);
+        middle_count_ = 0;
+        write_items();
         std::vector<NamedFile> files = shaders();
+        files.push_back({"kinds.c", kinds_text(name)});
+        for (const char* file : {"gl_state.h", "gl_state.c", "names.sed"})
+            files.push_back({file, std::string(file_text(file))});
         files.push_back({"scene.c", scene_text(name)});
         files.push_back({"scene.bin", std::string(data())});
-        for (const char* file : {"loader.h", "loader.c"}) files.push_back({file, std::string(file_text(file))});
+        for (const char* file : {"scene.h", "window.c"}) files.push_back({file, std::string(file_text(file))});
         files.push_back({"README.md", readme(name)});
         return files;
     }
@@ -46,7 +60,7 @@ class Writer {
     std::vector<NamedFile> shaders() const {
         std::vector<NamedFile> files;
         for (std::size_t i = 0; i < kinds_.size(); ++i) {
-            const ShaderSource source = assemble(kinds_[i].effects, kinds_[i].form);
+            const ShaderSource source = assemble(kinds_[i].code.effects, kinds_[i].code.form);
             files.push_back({fmt::format("kind{}.vert", i + 1), source.vertex});
             files.push_back({fmt::format("kind{}.frag", i + 1), source.fragment});
         }
@@ -90,9 +104,20 @@ class Writer {
         const std::string name = enum_name(capability);
         set(name, fmt::format("{}({});", enabled ? "glEnable" : "glDisable", name));
     }
-    // A uniform of the kind in use.
-    void uniform(const std::string& key, const std::string& statement) {
-        set(fmt::format("kind {} {}", kind_, key), statement);
+    // Scenes that never enable these do not mention them.
+    void enable_changed(Enum capability, bool enabled) {
+        const std::string name = enum_name(capability);
+        set_changed(name, !enabled, fmt::format("{}({});", enabled ? "glEnable" : "glDisable", name));
+    }
+    // A capability that core GL lacks.
+    void enable_kept(Enum capability, bool enabled) {
+        const std::string name = enum_name(capability);
+        set_changed(name, !enabled, fmt::format("{}({});", enabled ? "ffEnable" : "ffDisable", name));
+    }
+    // The same for a value that is other than GL's initial one in some draw: the first pass finds these.
+    void set_changed(const std::string& key, bool is_initial, const std::string& statement) {
+        if (!is_initial) changed_.insert(key);
+        if (changed_.contains(key)) set(key, statement);
     }
 
     void write_items() {
@@ -133,28 +158,63 @@ class Writer {
         body_ += fmt::format("    glClear({});\n", fmt::join(buffers, " | "));
     }
 
+    // A kind of state, and its row in kinds.c.
+    struct Kind {
+        Code code;
+        std::string row;
+        std::string place;
+    };
+
+    // Whether other shaders have the same row: for textures of other formats, which GL's state does not show.
+    bool is_one_of_several(const std::string& row, const Code& code) const {
+        return std::ranges::any_of(rows_, [&](const Kind& one) {
+            return one.row == row && !(one.code.effects == code.effects && one.code.form == code.form);
+        });
+    }
+
     void write_draw(const Draw& draw) {
         const Plan plan = plan_effects(draw, options_);
-        const Code kind = kept_code(draw, plan, version_);
-        const auto found = std::ranges::find_if(
-            kinds_, [&](const Code& one) { return one.effects == kind.effects && one.form == kind.form; });
+        const Code code = kept_code(draw, plan, version_);
+        std::string row = kind_row(draw, plan, code, options_, target_of(draw.texture), false);
+        const bool by_number = is_not_gl(plan) || is_one_of_several(row, code);
+        if (by_number) row = kind_row(draw, plan, code, options_, target_of(draw.texture), true);
+        const auto found = std::ranges::find_if(kinds_, [&](const Kind& one) {
+            return one.code.effects == code.effects && one.code.form == code.form && one.row == row;
+        });
         kind_ = static_cast<int>(found - kinds_.begin()) + 1;
-        if (found == kinds_.end()) kinds_.push_back(kind);
+        if (found == kinds_.end()) kinds_.push_back({code, row, printable(draw.place.str())});
 
         body_ += fmt::format("\n    // {}\n", printable(draw.place.str()));
         write_raster(draw);
         write_fragment(draw.fragment);
-        set("kind", fmt::format("use_kind({});", kind_));
-        write_uniforms(draw, plan, kind);
+        set_changed("kind", !by_number, fmt::format("ffUseKind({});", by_number ? kind_ : 0));
+        write_state(draw, plan, code);
 
-        const auto [mode, indices] = core_elements(draw, kind.effects.shading == Shading::kFlat);
-        const std::size_t vertex = place_of(words_of(vertex_array(draw, kind.effects, {}, glm::dvec3(0))));
+        const auto [mode, indices] = core_elements(draw, code.effects.shading == Shading::kFlat);
+        const std::size_t vertex = place_of(words_of(vertex_array(draw, code.effects, {}, glm::dvec3(0))));
         const std::size_t index = place_of(indices);
-        body_ += fmt::format("    draw({}, {}, {}, {});\n", primitive_name(mode), vertex, index, indices.size());
+        body_ += fmt::format("    draw({}, {}, {}, {}, {});\n", primitive_name(mode), layout_of(plan, code.effects),
+                             vertex, index, indices.size());
         if (plan.vertices.has_sphere) {
             middle_ += glm::dvec3(draw.eye_from_object * glm::dvec4(plan.vertices.center_object, 1));
             ++middle_count_;
         }
+    }
+
+    // The name of an array in scene.c that says where the attributes lie in a vertex.
+    std::string layout_of(const Plan& plan, const EffectSet& effects) {
+        std::string text;
+        for (const Attribute& attribute : attributes(effects)) {
+            int floats = attribute.size;
+            if (attribute.name == "a_normal" || (attribute.name == "a_position" && plan.vertices.w_is_1) ||
+                (attribute.name == "a_tex_coord" && plan.vertices.q_is_1))
+                floats = 3;
+            text +=
+                fmt::format("{{\"{}\", {}, {}}}, ", with_words(attribute.name, kept_names()), floats, attribute.size);
+        }
+        auto found = std::ranges::find(layouts_, text);
+        if (found == layouts_.end()) found = layouts_.insert(found, text);
+        return fmt::format("layout{}", found - layouts_.begin() + 1);
     }
 
     void write_raster(const Draw& draw) {
@@ -175,18 +235,10 @@ class Writer {
                                         enum_name(hides_front ? raster.polygon_mode_back : raster.polygon_mode_front)));
         enable(kGL_POLYGON_OFFSET_POINT, raster.polygon_offset.point);
         enable(kGL_POLYGON_OFFSET_LINE, raster.polygon_offset.line);
-        uses_smooth_lines_ |= raster.line_smooth;
-        if (uses_smooth_lines_) enable(kGL_LINE_SMOOTH, raster.line_smooth);
-        uses_logic_op_ |= draw.fragment.logic_op.has_value();
-        if (uses_logic_op_) enable(kGL_COLOR_LOGIC_OP, draw.fragment.logic_op.has_value());
+        enable_changed(kGL_LINE_SMOOTH, raster.line_smooth);
+        enable_changed(kGL_COLOR_LOGIC_OP, draw.fragment.logic_op.has_value());
         if (draw.fragment.logic_op) set("logic op", fmt::format("glLogicOp({});", enum_name(*draw.fragment.logic_op)));
-        if (draw.draws_points()) set("point size", fmt::format("glPointSize({});", c_number(point_size(draw))));
-        // The program has one clip distance for each enabled plane, without gaps.
-        const int planes = raster.clip_plane_count();
-        for (int i = 0; i < kMaxClipPlanes; ++i) {
-            const std::string name = fmt::format("GL_CLIP_DISTANCE{}", i);
-            set(name, fmt::format("{}({});", i < planes ? "glEnable" : "glDisable", name));
-        }
+        if (draw.draws_points()) set("point size", fmt::format("ffPointSize({});", c_number(point_size(draw))));
         enable(kGL_DEPTH_TEST, raster.depth_test);
         set("depth func", fmt::format("glDepthFunc({});", enum_name(raster.depth_func)));
         set("depth mask", fmt::format("glDepthMask({:d});", raster.depth_mask));
@@ -204,10 +256,8 @@ class Writer {
                                           enum_name(fragment.blend_equation_alpha)));
         set("blend color", fmt::format("glBlendColor({});", c_numbers(fragment.blend_color)));
     }
-    // Scenes without a stencil test do not mention it.
     void write_stencil(const std::optional<StencilTest>& stencil) {
-        uses_stencil_ |= stencil.has_value();
-        if (uses_stencil_) enable(kGL_STENCIL_TEST, stencil.has_value());
+        enable_changed(kGL_STENCIL_TEST, stencil.has_value());
         if (!stencil) return;
         for (const auto& [name, face] : {std::pair("GL_FRONT", &stencil->front), {"GL_BACK", &stencil->back}}) {
             set(fmt::format("{} stencil func", name),
@@ -224,63 +274,173 @@ class Writer {
         return value == kGL_ZERO ? "GL_ZERO" : value == kGL_ONE ? "GL_ONE" : enum_name(value);
     }
 
-    void write_uniforms(const Draw& draw, const Plan& plan, const Code& kind) {
-        const EffectSet& effects = kind.effects;
-        uniform("matrices", fmt::format("matrices({},\n        {});", c_floats(draw.eye_from_object),
-                                        c_floats(draw.clip_from_eye)));
-        if (effects.lighting) {
-            uniform("ambient", fmt::format("light_model_ambient({});", c_floats(glm::dvec4(plan.constant_ambient, 1))));
-            uniform("front", fmt::format("front_material({});", c_material(plan.lighting.front)));
-            if (effects.two_side) uniform("back", fmt::format("back_material({});", c_material(plan.lighting.back)));
-            for (const int number : kind.form.kept->lights) write_light(plan, number);
-        }
-        for (const int number : kind.form.kept->clip_planes)
-            uniform(fmt::format("plane {}", number),
-                    fmt::format("clip_plane({}, {});", number,
-                                c_floats(*draw.raster.clip_planes_eye[static_cast<std::size_t>(number)])));
-        if (draw.fragment.alpha_test)
-            uniform("alpha", fmt::format("number(\"AlphaRef\", {});", c_number(draw.fragment.alpha_ref)));
-        if (kind.form.sizes_points)
-            uniform("point size",
-                    fmt::format("number(\"PointSize\", {});", c_number(std::max(std::round(point_size(draw)), 1.0))));
-        if (effects.has_fog()) {
-            const Fog& fog = draw.fog;
-            uniform("fog", fmt::format("fog({}, {}, {}, {});", c_floats(fog.color), c_number(fog.density),
-                                       c_number(fog.start), c_number(fog.end)));
-        }
-        if (effects.has_texture()) write_texture(draw.texture, effects);
+    // ---- State that core GL lacks ----
+
+    static Enum gen_of(int coordinate) { return kGL_TEXTURE_GEN_S + static_cast<Enum>(coordinate); }
+    static bool is_clipped(const Draw& draw, int plane) {
+        return draw.raster.clip_planes_eye[static_cast<std::size_t>(plane)].has_value();
     }
 
-    void write_light(const Plan& plan, int number) {
+    void write_state(const Draw& draw, const Plan& plan, const Code& code) {
+        const EffectSet& effects = code.effects;
+        enable_kept(kGL_LIGHTING, effects.lighting);
+        if (effects.lighting) write_lighting(plan, effects);
+        if (effects.takes_normal()) {
+            enable_kept(kGL_NORMALIZE, draw.lighting.normalize);
+            enable_kept(kGL_RESCALE_NORMAL, draw.lighting.rescale_normal);
+        }
+        // What the loader sees of flat shading; a point has one vertex.
+        const bool flat = effects.shading == Shading::kFlat;
+        if (draw.mode != kGL_POINTS)
+            set_changed("shade model", !flat, fmt::format("ffShadeModel({});", flat ? "GL_FLAT" : "GL_SMOOTH"));
+        enable_kept(kGL_ALPHA_TEST, draw.fragment.alpha_test);
+        if (draw.fragment.alpha_test)
+            set("alpha", fmt::format("ffAlphaFunc({}, {});", enum_name(draw.fragment.alpha_func),
+                                     c_number(draw.fragment.alpha_ref)));
+        enable_kept(kGL_FOG, effects.has_fog());
+        if (effects.has_fog()) write_fog(draw.fog);
+        write_texture(draw.texture, effects);
+        for (int i = 0; i < kMaxClipPlanes; ++i)
+            enable_kept(kGL_CLIP_PLANE0 + static_cast<Enum>(i), is_clipped(draw, i));
+        write_matrices(draw, plan, code);
+    }
+
+    void write_fog(const Fog& fog) {
+        set("fog mode", fmt::format("ffFogi(GL_FOG_MODE, {});", enum_name(fog.mode)));
+        set("fog color", fmt::format("ffFogfv(GL_FOG_COLOR, {});", c_floats(fog.color)));
+        if (fog.mode == kGL_LINEAR) {
+            set("fog start", fmt::format("ffFogf(GL_FOG_START, {});", c_number(fog.start)));
+            set("fog end", fmt::format("ffFogf(GL_FOG_END, {});", c_number(fog.end)));
+        } else {
+            set("fog density", fmt::format("ffFogf(GL_FOG_DENSITY, {});", c_number(fog.density)));
+        }
+    }
+
+    void write_lighting(const Plan& plan, const EffectSet& effects) {
+        const LightingState& state = plan.lighting;
+        const LightModel& model = state.light_model;
+        const bool tracks = effects.needs_color();
+        const auto write_model = [this](const char* parameter, bool is_initial, const std::string& value) {
+            set_changed(parameter, is_initial, fmt::format("ffLightModeli({}, {});", parameter, value));
+        };
+        set("ambient",
+            fmt::format("ffLightModelfv(GL_LIGHT_MODEL_AMBIENT, {});", c_floats(glm::dvec4(plan.constant_ambient, 1))));
+        write_model("GL_LIGHT_MODEL_TWO_SIDE", !model.two_side, fmt::format("{:d}", model.two_side));
+        write_model("GL_LIGHT_MODEL_LOCAL_VIEWER", !model.local_viewer, fmt::format("{:d}", model.local_viewer));
+        write_model("GL_LIGHT_MODEL_COLOR_CONTROL", model.color_control == kGL_SINGLE_COLOR,
+                    enum_name(model.color_control));
+        if (tracks)
+            set("color material", fmt::format("ffColorMaterial({}, {});", enum_name(state.color_material.face),
+                                              enum_name(state.color_material.mode)));
+        enable_kept(kGL_COLOR_MATERIAL, tracks);
+        write_material("GL_FRONT", state.front);
+        if (effects.two_side) write_material("GL_BACK", state.back);
+        // glColor changes these.
+        if (tracks) std::erase_if(last_, [](const auto& one) { return one.first.starts_with("material "); });
+    }
+    void write_material(const std::string& face, const Material& material) {
+        const auto write = [&](const char* property, const glm::dvec4& value) {
+            set("material " + face + property,
+                fmt::format("ffMaterialfv({}, {}, {});", face, property, c_floats(value)));
+        };
+        write("GL_EMISSION", material.emission);
+        write("GL_AMBIENT", material.ambient);
+        write("GL_DIFFUSE", material.diffuse);
+        write("GL_SPECULAR", material.specular);
+        set("material " + face, fmt::format("ffMaterialf({}, GL_SHININESS, {});", face, c_number(material.shininess)));
+    }
+
+    // The modelview matrix, after what it transforms from eye coordinates: lights and planes.
+    void write_matrices(const Draw& draw, const Plan& plan, const Code& code) {
+        write_matrix("GL_PROJECTION", draw.clip_from_eye);
+        if (draw.texture.texture) write_matrix("GL_TEXTURE", draw.texture.texture_matrix);
+        const std::string before = std::exchange(body_, "");
+        if (code.effects.lighting)
+            for (int i = 0; i < kMostKeptLights; ++i) write_light(plan, i, *code.form.kept);
+        for (const int number : code.form.kept->clip_planes)
+            set(fmt::format("plane {}", number),
+                fmt::format("ffClipPlane(GL_CLIP_PLANE{}, (double[]){{{}}});", number,
+                            c_numbers(*draw.raster.clip_planes_eye[static_cast<std::size_t>(number)])));
+        for (const GeneratedCoordinate& one : draw.texture.generated)
+            if (one.mode == kGL_EYE_LINEAR) write_plane(one, "GL_EYE_PLANE");
+        const std::string in_eye = std::exchange(body_, before);
+        if (in_eye.empty() && eye_from_object_ == draw.eye_from_object) return;
+        eye_from_object_ = draw.eye_from_object;
+        body_ += fmt::format("    camera();\n{}    ffMultMatrixf({});\n", in_eye, c_floats(draw.eye_from_object));
+    }
+    // The current matrix is GL_MODELVIEW before and after.
+    void write_matrix(const std::string& mode, const glm::dmat4& matrix) {
+        set_changed(mode, matrix == glm::dmat4(1),
+                    fmt::format("ffMatrixMode({});\n    ffLoadMatrixf({});\n    ffMatrixMode(GL_MODELVIEW);", mode,
+                                c_floats(matrix)));
+    }
+
+    void write_light(const Plan& plan, int number, const KeptForm& kept) {
+        const std::string name = number < 8 ? fmt::format("GL_LIGHT{}", number) : fmt::format("GL_LIGHT0 + {}", number);
+        const bool is_on = std::ranges::find(kept.lights, number) != kept.lights.end();
+        set_changed(name, !is_on, fmt::format("switch_light({}, {:d});", name, is_on));
+        if (!is_on) return;
         const LightSource& light = plan.lighting.lights[static_cast<std::size_t>(number)];
-        uniform(fmt::format("light {}", number), fmt::format("light({}, {});", number, c_light(light)));
+        const auto write = [&](const char* parameter, const glm::dvec4& value) {
+            set(name + parameter, fmt::format("ffLightfv({}, {}, {});", name, parameter, c_floats(value)));
+        };
+        const auto write_one = [&](const char* parameter, double value, double initial) {
+            set_changed(name + parameter, value == initial,
+                        fmt::format("ffLightf({}, {}, {});", name, parameter, c_number(value)));
+        };
+        write("GL_AMBIENT", light.ambient);
+        write("GL_DIFFUSE", light.diffuse);
+        write("GL_SPECULAR", light.specular);
+        set(name + " position", fmt::format("place_light({}, {});", name, c_numbers(light.position_eye)));
+        if (light.is_spot())
+            set(name + " direction", fmt::format("ffLightfv({}, GL_SPOT_DIRECTION, (float[]){{{}}});", name,
+                                                 c_numbers(light.spot_direction_eye)));
+        write_one("GL_SPOT_CUTOFF", light.spot_cutoff_deg, 180);
+        write_one("GL_SPOT_EXPONENT", light.spot_exponent, 0);
+        write_one("GL_CONSTANT_ATTENUATION", light.constant_attenuation, 1);
+        write_one("GL_LINEAR_ATTENUATION", light.linear_attenuation, 0);
+        write_one("GL_QUADRATIC_ATTENUATION", light.quadratic_attenuation, 0);
         if (!light.smooth_cone) return;
         const SmoothConeValues cone = smooth_cone_values(light);
         for (const auto& [what, value] :
              {std::pair(LightValue::kCosOuter, cone.cos_outer), {LightValue::kConeSlope, cone.slope}}) {
-            const std::string name = kept_cone_name(number, what);
-            uniform(name, fmt::format("number(\"{}\", {});", name, c_number(value)));
+            const std::string uniform = kept_cone_name(number, what);
+            set(fmt::format("kind {} {}", kind_, uniform),
+                fmt::format("set_uniform({}, \"{}\", {});", kind_, uniform, c_number(value)));
         }
     }
 
     void write_texture(const TextureUnit& unit, const EffectSet& effects) {
+        for (const Enum target : {kGL_TEXTURE_1D, kGL_TEXTURE_2D, kGL_TEXTURE_3D})
+            enable_kept(target, target_of(unit) == target);
+        if (!unit.texture) return;
         auto found = std::ranges::find(textures_, unit.texture);
         if (found == textures_.end()) found = textures_.insert(found, unit.texture);
         set("texture", fmt::format("use_texture({}, {}, {});", enum_name(target_of(*unit.texture)),
                                    found - textures_.begin() + 1, c_number(unit.lod_bias)));
-        if (effects.texture.matrix)
-            uniform("texture matrix", fmt::format("texture_matrix({});", c_floats(unit.texture_matrix)));
-        write_generated(unit, effects.texture);
-        uniform("texture color", fmt::format("texture_env_color({});", c_floats(unit.env_color)));
-    }
-    void write_generated(const TextureUnit& unit, const TextureEffects& effects) {
+        set_changed("environment", unit.env_mode == kGL_MODULATE,
+                    fmt::format("ffTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, {});", enum_name(unit.env_mode)));
+        if (effects.texture.environment == TextureEnvironment::kBlend)
+            set("environment color",
+                fmt::format("ffTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, {});", c_floats(unit.env_color)));
+        for (int i = 0; i < 4; ++i)
+            enable_kept(gen_of(i),
+                        std::ranges::find(unit.generated, i, &GeneratedCoordinate::coordinate) != unit.generated.end());
         for (const GeneratedCoordinate& one : unit.generated) {
-            if (effects.generated[static_cast<std::size_t>(one.coordinate)] != Generated::kLinear) continue;
-            const bool is_eye = one.mode == kGL_EYE_LINEAR;
-            const std::string name = fmt::format("{}Plane{}[0]", is_eye ? "Eye" : "Object", "STRQ"[one.coordinate]);
-            uniform(name, fmt::format("{}_plane(\"{}\", {});", is_eye ? "eye" : "object", name, c_floats(one.plane)));
+            const std::string name = coordinate_name(one);
+            set(name, fmt::format("ffTexGeni({}, GL_TEXTURE_GEN_MODE, {});", name, enum_name(one.mode)));
+            if (one.mode == kGL_OBJECT_LINEAR) write_plane(one, "GL_OBJECT_PLANE");
         }
     }
+    static std::string coordinate_name(const GeneratedCoordinate& one) {
+        return fmt::format("GL_{}", "STRQ"[one.coordinate]);
+    }
+    void write_plane(const GeneratedCoordinate& one, const char* parameter) {
+        const std::string name = coordinate_name(one);
+        set(name + parameter, fmt::format("ffTexGenfv({}, {}, {});", name, parameter, c_floats(one.plane)));
+    }
+
+    Enum target_of(const TextureUnit& unit) const { return unit.texture ? target_of(*unit.texture) : 0; }
     Enum target_of(const Texture& texture) const {
         return version_ == Glsl::k300es && texture.is_flat() ? Enum{kGL_TEXTURE_2D} : texture.target;
     }
@@ -292,32 +452,47 @@ class Writer {
     // The statements of load_scene().
     std::string load_text() {
         std::string load;
-        for (std::size_t i = 0; i < kinds_.size(); ++i) {
-            std::vector<std::string> list;
-            for (const Attribute& attribute : attributes(kinds_[i].effects))
-                list.push_back(fmt::format("{{\"{}\", {}}}", with_words(attribute.name, kept_names()), attribute.size));
-            load += fmt::format("    load_kind({}, {}, (struct attribute[]){{{}}});\n", i + 1, list.size(),
-                                fmt::join(list, ", "));
-        }
         for (std::size_t i = 0; i < textures_.size(); ++i) load += texture_text(i + 1, *textures_[i]);
         return load;
+    }
+
+    std::string kinds_text(const std::string& name) const {
+        std::string rows;
+        for (std::size_t i = 0; i < kinds_.size(); ++i)
+            rows += fmt::format("    // kind{}.vert, kind{}.frag\n    {{\"{}\",\n     {}}},\n", i + 1, i + 1,
+                                with_escapes(kinds_[i].place), kinds_[i].row);
+        if (rows.empty()) rows = "    {\"\", 0, 0, {0}, 0, GL_ALWAYS, 0, 0, 0, {0, 0, 0, 0}, {NULL}},\n";
+        return fmt::format(
+            "// {}: which state each pair of shaders can draw. gl_state.h explains the members.\n"
+            "#include \"gl_state.h\"\n\n#include <stddef.h>\n\n"
+            "const struct ff_kind ff_kinds[] = {{\n{}}};\nconst int ff_kind_count = {};\n",
+            printable(name), rows, kinds_.size());
     }
 
     std::string scene_text(const std::string& name) {
         const std::string load = load_text();
         const char* const gl = version_ == Glsl::k130 ? "3, 0" : version_ == Glsl::k330 ? "3, 3" : "4, 3";
+        std::string layouts;
+        for (std::size_t i = 0; i < layouts_.size(); ++i)
+            layouts +=
+                fmt::format("static const struct attribute layout{}[] = {{{}{{NULL, 0, 0}}}};\n", i + 1, layouts_[i]);
         return fmt::format(
-            "// {}: its state and its draws, as calls of loader.c and GL. Vertices, indices and texels are in "
+            "// {}: its state and its draws, as calls of gl_state.c and GL. Vertices, indices and texels are in "
             "scene.bin.\n"
-            "#include \"loader.h\"\n\n"
+            "#include \"gl_state.h\"\n#include \"scene.h\"\n\n#include <stddef.h>\n\n"
             "const int scene_width = {}, scene_height = {};\n"
             "const int scene_gl_version[2] = {{{}}}, scene_has_core_profile = {:d};\n"
-            "const int scene_kind_count = {}, scene_texture_count = {};\n"
+            "const int scene_texture_count = {};\n"
             "const float scene_middle[3] = {{{}}};\n\n"
+            "{}\n"
             "void load_scene(void) {{\n{}}}\n\n"
             "void draw_scene(void) {{\n{}}}\n",
-            printable(name), frame_.width, frame_.height, gl, version_ != Glsl::k130, kinds_.size(), textures_.size(),
-            c_numbers(middle()), load, body_);
+            printable(name), frame_.width, frame_.height, gl, version_ != Glsl::k130, textures_.size(),
+            c_numbers(middle()), layouts, load, body_);
+    }
+    static std::string with_escapes(std::string text) {
+        for (std::size_t at = 0; (at = text.find('"', at)) != text.npos; at += 2) text.insert(at, 1, '\\');
+        return text;
     }
 
     std::string texture_text(std::size_t number, const Texture& texture) {
@@ -355,17 +530,17 @@ class Writer {
     std::string readme(const std::string& name) const {
         return fmt::format(
             "# Shaders of {}\n\n"
-            "    cc -std=c99 loader.c scene.c -o scene -lglut -lGL -lm && ./scene     # drag to turn, 1 to 8 switch "
-            "lights\n\n"
+            "    cc -std=c99 *.c -o scene -lglut -lGL -lm && ./scene     # drag to turn, 1 to 8 switch lights\n\n"
             "- `kindN.vert`, `kindN.frag`: GLSL {}, a pair for each kind of material and set of lights. They stay "
             "right "
             "when objects, lights and the camera move.\n"
             "- Uniforms and attributes are GL's state with the names of GLSL 1.20's `gl_` variables, without that "
             "prefix: `LightSource[0].position` is in eye coordinates, as glLight stored it.\n"
-            "- `scene.c`: the values, one call for each glLight, glMaterial and so on. `loader.c`: these calls, and "
-            "the window. `scene.bin`: vertices, indices, texels.\n"
-            "- Another light set, a texture, fog or a term that is 0 now needs another kind: change the scene and "
+            "- `gl_state.h`, `gl_state.c`, `kinds.c`: for your program, with the shaders: glLight, glMaterial, the "
+            "matrix "
+            "stack and draws, with `ff` in place of `gl`. A line on stderr says when no shaders fit the state; then "
             "export it again.\n"
+            "- `scene.c`, `scene.bin`, `scene.h`, `window.c`: this picture drawn with them, in a window.\n"
             "- What core GL lacks: edge flags, polygon modes that differ between faces, and wireframes of "
             "quadrilaterals without their diagonal.\n",
             printable(name), kept_version_name(version_));
@@ -377,14 +552,16 @@ class Writer {
     const Frame& frame_;
     Options options_;
     const Glsl version_;
-    std::vector<Code> kinds_;
+    std::vector<Kind> kinds_, rows_;  // rows_: the kinds of the first pass
+    std::vector<std::string> layouts_;
+    std::set<std::string> changed_;  // keys of set_changed()
     std::vector<std::shared_ptr<const Texture>> textures_;
     std::vector<std::uint32_t> words_;                          // scene.bin
     std::map<std::vector<std::uint32_t>, std::size_t> places_;  // of what is in words_
     std::map<std::string, std::string> last_;
-    std::string body_;  // of draw_scene()
-    int kind_ = 0;      // of the Draw being written
-    bool uses_stencil_ = false, uses_smooth_lines_ = false, uses_logic_op_ = false;
+    std::string body_;                           // of draw_scene()
+    int kind_ = 0;                               // of the Draw being written
+    std::optional<glm::dmat4> eye_from_object_;  // of the last draw
     glm::dvec3 middle_{0};
     double middle_count_ = 0;
 };

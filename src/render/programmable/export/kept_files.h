@@ -19,8 +19,8 @@ struct NamedFile {
     std::string bytes;
 };
 
-// kindN.vert and kindN.frag, scene.c, scene.bin, loader.c, loader.h and README.md. Of the options only the shading
-// counts. `name` is the scene's. Throws std::runtime_error if why_not_in_files() has a reason.
+// For a porter's program: kindN.vert and kindN.frag, gl_state.c, gl_state.h, kinds.c and names.sed. A program that draws the scene with them:
+// scene.c, scene.bin, scene.h and window.c. And README.md. Of the options only the shading counts. `name` is the scene's. Throws std::runtime_error if why_not_in_files() has a reason.
 std::vector<NamedFile> kept_files(const Frame& frame, const Options& options, Glsl version, const std::string& name);
 
 // What in the frame the files cannot draw; empty if they can draw it.
