@@ -294,7 +294,7 @@ deps:  ## install missing packages with apt; build nothing
 
 golden: deps  ## rewrite the golden pictures (CASE=scene for one); look at each before you commit it
 	@$(MAKE) test-binary
-	@TWINLIGHT_BUILD=$(PROGRAMS) TWINLIGHT_WRITE_GOLDEN='$(or $(CASE),*)' $(PROGRAMS)/twinlight-tests --gtest_filter='*GoldenScenes*:*GoldenHomework*'
+	@TWINLIGHT_BUILD=$(PROGRAMS) TWINLIGHT_WRITE_GOLDEN='$(or $(CASE),*)' $(PROGRAMS)/twinlight-tests --gtest_filter='*GoldenScenes*:*GoldenHomework*:GoldenShaders*'
 
 tables: deps  ## rewrite the tables of docs/hard-cases.md and docs/driver.md after a change of cases, rulings or known differences
 	@$(MAKE) test-binary

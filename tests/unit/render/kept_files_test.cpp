@@ -102,7 +102,7 @@ TEST(KeptFiles, HaveGlsNamesAndTheEquationsFunctions) {
     const std::string text = text_of(files_of({square(attenuated_cone())}), "kind1.vert");
     for (const char* part :
          {"#version 330 core\n", "layout(location = 1) in vec3 Normal;", "uniform mat4 ModelViewMatrix;",
-          "uniform LightSourceParameters LightSource[8];", "float attenuation(", "float spot(", "float highlight(",
+          "uniform LightSourceParameters LightSource[1];", "float attenuation(", "float spot(", "float highlight(",
           "lit.primary.rgb += reach * n_dot_vp * FrontMaterial.diffuse.rgb * LightSource[0].diffuse.rgb;",
           "FrontMaterial.emission.rgb + FrontMaterial.ambient.rgb * LightModel.ambient.rgb;"})
         EXPECT_NE(text.find(part), text.npos) << part << " in\n" << text;
@@ -120,7 +120,7 @@ TEST(KeptFiles, SpellEachVersion) {
     };
     EXPECT_TRUE(has(Glsl::k130, "kind1.vert", "#version 130\n"));
     EXPECT_FALSE(has(Glsl::k130, "kind1.vert", "layout("));
-    EXPECT_TRUE(has(Glsl::k330, "kind1.vert", "gl_ClipDistance[0] = dot(ClipPlane[3], ModelViewMatrix * position);"));
+    EXPECT_TRUE(has(Glsl::k330, "kind1.vert", "gl_ClipDistance[0] = dot(ClipPlane[3], ModelViewMatrix * Vertex);"));
     EXPECT_TRUE(has(Glsl::k330, "kind1.frag", "if (!(color.a >= AlphaRef)) discard;"));
     EXPECT_TRUE(has(Glsl::k300es, "kind1.vert", "#version 300 es\nprecision highp float;"));
     EXPECT_FALSE(has(Glsl::k300es, "kind1.vert", "gl_ClipDistance"));
@@ -202,7 +202,7 @@ TEST(KeptFiles, GenerateTextureCoordinates) {
     const std::vector<NamedFile> planes = files_of({draw});
     const std::string shader = text_of(planes, "kind1.vert"), scene = text_of(planes, "scene.c");
     EXPECT_NE(shader.find("tex_coord.s = dot(EyePlaneS[0], position_eye);"), std::string::npos) << shader;
-    EXPECT_NE(shader.find("tex_coord.t = dot(ObjectPlaneT[0], position);"), std::string::npos) << shader;
+    EXPECT_NE(shader.find("tex_coord.t = dot(ObjectPlaneT[0], Vertex);"), std::string::npos) << shader;
     EXPECT_EQ(shader.find("MultiTexCoord0"), std::string::npos) << shader;
     EXPECT_NE(scene.find("ffTexGenfv(GL_S, GL_EYE_PLANE, (float[]){1, 0, 0, 2});"), std::string::npos) << scene;
     EXPECT_NE(scene.find("ffTexGenfv(GL_T, GL_OBJECT_PLANE, (float[]){0, 3, 0, 4});"), std::string::npos) << scene;

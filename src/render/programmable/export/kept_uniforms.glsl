@@ -58,7 +58,7 @@ struct LightSourceParameters {
     float linearAttenuation;  // k_1i
     float quadraticAttenuation;  // k_2i
 };
-uniform LightSourceParameters LightSource[LIGHT_COUNT];  // GL_LIGHT0, GL_LIGHT1, ...
+uniform LightSourceParameters LightSource[LIGHT_COUNT];  // LIGHT_NAMES
 
 // glLightModel (section 2.14.2)
 struct LightModelParameters {

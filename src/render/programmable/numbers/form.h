@@ -39,7 +39,7 @@ enum class Glsl : std::uint8_t { k130, k330, k300es };
 // Shaders to keep (kept/kept_files.h): their uniforms are GL's state with GL's names, without the prefix gl_.
 struct KeptForm {
     std::vector<int> lights;       // for each light of the effects: its number in GL
-    int light_count = kMaxLights;  // the length of the array LightSource
+    int light_count = 0;           // the length of the array LightSource
     std::vector<int> clip_planes;  // the numbers of the enabled ones
     std::map<std::size_t, std::array<bool, 4>>
         eye_planes;                   // of each texture unit's generated coordinates: GL_EYE_LINEAR

@@ -8,11 +8,15 @@ void main() {
 #include "texture.glsl"
 #else
 #insert texture_lookups
-    vec4 color = primary;
-#insert texture_environments
 #endif
+#if EFFECT_ONE_STEP
+#insert stipples
+    fragment_color = FIRST_COLOR;ENVIRONMENT
+#else
+    vec4 color = FIRST_COLOR;ENVIRONMENT
+#insert texture_environment
 #if EFFECT_SEPARATE_SPECULAR
-    color.rgb = min(color.rgb + secondary, 1.0);  // the colour sum (section 3.9)
+    color.rgb = min(color.rgb + SECONDARY, 1.0);  // the colour sum (section 3.9)
 #endif
 #if EFFECT_FOG
     color.rgb = mix(u_fog_color, color.rgb, FOG_FACTOR);  // section 3.10
@@ -26,4 +30,5 @@ void main() {
 #insert logic_op
 #insert blend_source
     fragment_color = color;
+#endif
 }

@@ -58,4 +58,3 @@
 #if EFFECT_TEXTURE_DEPTHS
     vec4 texel = DEPTH_TEXEL;  // section 3.8.14: a depth, or 0 or 1 if it is compared with r
 #endif
-#insert texture_environment

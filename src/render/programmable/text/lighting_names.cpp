@@ -76,7 +76,8 @@ std::string LightingNames::kept_light(std::size_t i, LightValue value) {
             return effects_.lights[i].spot_exponent == Power::kWhole ? fmt::format("int({}spotExponent)", source)
                                                                      : source + "spotExponent";
         case LightValue::kAttenuation:
-            return fmt::format("vec3({0}constantAttenuation, {0}linearAttenuation, {0}quadraticAttenuation)", source);
+            return fmt::format(
+                "vec3({0}constantAttenuation, {0}linearAttenuation,\n                {0}quadraticAttenuation)", source);
         case LightValue::kCosOuter:
         case LightValue::kConeSlope:
             return uniform("float", kept_cone_name(number, value), "the lecture's smooth cone (not in GL)");

@@ -14,8 +14,11 @@ class Writer : LightingWriter {
     LightingText text() {
         LightingText text;
         text.clip_position =
+            "    // Term by term: with a matrix of constants, too, this gives the same depths.\n"
             "    gl_Position = u_clip_from_object[0] * position.x + u_clip_from_object[1] * position.y +\n"
             "        u_clip_from_object[2] * position.z + u_clip_from_object[3] * position.w;\n";
+        // Only these shaders draw the scene, so the driver may choose the order of the sum.
+        if (form_.kept) text.clip_position = "    gl_Position = u_clip_from_object * position;\n";
         text.vertex_position = form_.wide_range     ? "u_object_scale * position"
                                : form_.object_space ? "position"
                                                     : "u_eye_from_object * position";

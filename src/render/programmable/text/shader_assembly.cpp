@@ -46,11 +46,19 @@ class Assembler {
         std::string body = !is_vertex && has_ray() ? preprocessed("surface_crossings.glsl", scope) : "";
         if (lights_here) body += lighting_.functions;
         body += preprocessed(is_vertex ? "vertex.glsl" : "fragment.glsl", scope);
+        if (is_vertex && position_is_attribute()) body = with_variable(body, "position", "a_position");
         if (form_.kept) body = with_words(body, kept_names());
 
         std::string uniforms, functions;
-        for (const Definition& definition : used_definitions(library(scope.words), body))
-            (definition.is_uniform ? uniforms : functions) += definition.text + (definition.is_uniform ? "" : "\n");
+        for (const Definition& definition : used_definitions(library(scope.words), body)) {
+            if (!definition.is_uniform)
+                functions += definition.text + "\n";
+            else if (form_.kept)  // a blank line before each struct
+                uniforms += (definition.text.starts_with("//") && !uniforms.empty() ? "\n" : "") +
+                            with_used_members(definition, body);
+            else
+                uniforms += definition.text;
+        }
         if (lights_here) uniforms += lighting_.uniforms;
         for (int i = 0; !form_.kept && is_vertex != has_ray() && i < effects_.clip_plane_count; ++i)
             uniforms += fmt::format("uniform vec4 {};  // glClipPlane (section 2.12), in object coordinates\n",
@@ -67,6 +75,9 @@ class Assembler {
     bool has_ray() const { return form_.surface.kind != SurfaceKind::kNone; }
     bool is_phong() const { return effects_.shading == Shading::kPhong; }
     bool lights_in(Stage stage) const { return effects_.lighting && is_phong() == (stage == Stage::kFragment); }
+
+    // In shaders to keep, positions are GL's.
+    bool position_is_attribute() const { return form_.kept && form_.position_w && !form_.flat_edges && !has_ray(); }
 
     // What follows #version. The precisions of OpenGL ES for floats, integers and most samplers are too low.
     std::string version() const {
@@ -158,7 +169,7 @@ class Assembler {
                     if (is_needed)
                         list.push_back({.type = type,
                                         .name = fmt::format("v_{}_{}", face, name),
-                                        .value = effects_.lighting ? fmt::format("{}.{}", face, name) : unlit,
+                                        .value = effects_.lighting ? lit_value(face, name) : unlit,
                                         .is_color = true});
                 };
                 add("vec4", "primary", effects_.needs_primary());
@@ -253,6 +264,7 @@ class Assembler {
         const char* argument = names_.has_surface() ? "surface" : "";
         std::string text;
         if (names_.has_surface()) text += fmt::format("    Surface surface = {};\n", surface);
+        if (passes_one_lit_color()) return text;
         text += fmt::format("    Lit front = light_front({});\n", argument);
         if (!effects_.two_side) return text;
         text +=
@@ -260,6 +272,14 @@ class Assembler {
             "face.\n";
         if (effects_.needs_normal()) text += fmt::format("    {0} = -{0};\n", names_.normal());
         return text + fmt::format("    Lit back = light_back({});\n", argument);
+    }
+    // Then the vertex shader calls light_front() where it passes the colour on.
+    bool passes_one_lit_color() const {
+        return !effects_.two_side && !form_.flat_edges && effects_.needs_primary() != effects_.separate_specular;
+    }
+    std::string lit_value(const std::string& face, const char* name) const {
+        if (!passes_one_lit_color()) return fmt::format("{}.{}", face, name);
+        return fmt::format("light_front({}).{}", names_.has_surface() ? "surface" : "", name);
     }
     std::string lit_fragment() const {
         std::string position = form_.wide_range    ? "v_position_object"
@@ -297,16 +317,21 @@ class Assembler {
     std::string lit(Stage stage) const {
         if (stage == Stage::kVertex) return lights_in(stage) ? lit_vertex() : "";
         std::string text = lights_in(stage) ? lit_fragment() : "";
-        const auto add = [&](const char* type, const char* name) {
-            const std::string value = lights_in(stage) ? fmt::format("lit.{}", name)
-                                      : effects_.two_side
-                                          ? fmt::format("{1} ? v_front_{0} : v_back_{0}", name, names_.is_front())
-                                          : fmt::format("v_front_{}", name);
-            text += fmt::format("    {} {} = {};\n", type, name, value);
-        };
-        if (effects_.needs_primary()) add("vec4", "primary");
-        if (effects_.separate_specular || effects_.secondary_color) add("vec3", "secondary");
+        // GL_COMBINE may use it often.
+        if (!effects_.units.empty()) text += fmt::format("    vec4 primary = {};\n", lit_color(stage, "primary"));
         return text;
+    }
+    // In the fragment shader: the primary or secondary colour of the visible face.
+    std::string lit_color(Stage stage, const char* name) const {
+        if (lights_in(stage)) return fmt::format("lit.{}", name);
+        if (!effects_.two_side) return fmt::format("v_front_{}", name);
+        return fmt::format("{1} ? v_front_{0} : v_back_{0}", name, names_.is_front());
+    }
+    // Whether the first colour is the fragment's colour.
+    bool has_one_step() const {
+        return environment().empty() && !effects_.separate_specular && !effects_.secondary_color &&
+               !effects_.has_fog() && !effects_.srgb_coded && !form_.smooth && form_.alpha_func == kGL_ALWAYS &&
+               form_.logic_op == kGL_COPY && !form_.scales_source;
     }
 
     // ---- Textures and fog ----
@@ -433,11 +458,38 @@ class Assembler {
         }
         return text;
     }
-    std::string texture_environment() const {
-        if (!effects_.needs_primary()) return "    vec4 color = texel;\n";
-        return "    vec4 color = primary;  // the texture environment follows (section 3.8.13, tables 3.22 and "
-               "3.23)\n" +
-               environment_statements(effects_.texture, "texel", "u_texture_env_color");
+    // The colour with which a fragment begins: the primary colour, or with the texture where one product or the texel is the whole
+    // texture environment.
+    std::string first_color(Stage stage) const {
+        if (!effects_.units.empty()) return "primary";
+        if (!effects_.needs_primary()) return "texel";
+        const std::string primary = lit_color(stage, "primary");
+        if (!is_product(effects_.texture)) return primary;
+        return (primary.find(' ') != primary.npos ? "(" + primary + ")" : primary) + " * texel";
+    }
+    static bool is_product(const TextureEffects& texture) {
+        return texture.environment == TextureEnvironment::kModulate && texture.has_color() && texture.has_alpha();
+    }
+    // What follows.
+    std::string environment() const {
+        if (!effects_.units.empty()) return texture_environments();
+        if (!effects_.needs_primary() || is_product(effects_.texture)) return "";
+        return environment_statements(effects_.texture, "texel", "u_texture_env_color");
+    }
+    std::string comment_of_environment() const {
+        const auto comment = [&](const char* mode) {
+            return fmt::format("  // {}{} (section 3.8.13)", environment().empty() ? "" : "then ", mode);
+        };
+        switch (effects_.texture.environment) {
+            case TextureEnvironment::kNone:
+            case TextureEnvironment::kCombine: break;
+            case TextureEnvironment::kModulate: return comment("GL_MODULATE");
+            case TextureEnvironment::kReplace: return comment("GL_REPLACE");
+            case TextureEnvironment::kDecal: return comment("GL_DECAL");
+            case TextureEnvironment::kBlend: return comment("GL_BLEND");
+            case TextureEnvironment::kAdd: return comment("GL_ADD");
+        }
+        return "";
     }
 
     // The texels of a Draw that combines textures. GL_COMBINE of one unit may read the texel of another, so all lookups
@@ -449,7 +501,6 @@ class Assembler {
             Scope scope;
             scope.switches = texture_switches(texture);
             scope.switches.insert({{"EFFECT_RAY_TEX_COORD", false}});
-            scope.inserts = {{"texture_environment", ""}};
             scope.words = texture_words(texture, false);
             Words names;
             for (const char* name :
@@ -734,6 +785,8 @@ class Assembler {
                          {"EFFECT_SEPARATE_SPECULAR", effects_.separate_specular || effects_.secondary_color},
                          {"EFFECT_FOG", effects_.has_fog()},
                          {"EFFECT_SRGB_CODED", effects_.srgb_coded},
+                         {"EFFECT_ONE_STEP", has_one_step()},
+                         {"EFFECT_POSITION_IS_ATTRIBUTE", position_is_attribute()},
                          {"EFFECT_TWO_SIDE", effects_.two_side},
                          {"EFFECT_FLAT_EDGES", form_.flat_edges},
                          {"EFFECT_RAY", has_ray()},
@@ -768,16 +821,26 @@ class Assembler {
                                                                "u_blend_source;  // glBlendColor (section 4.1.8)\n"
                                                              : ""},
                         {"within_clip_planes", within_clip_planes},
-                        {"texture_environment", texture_environment()},
-                        {"texture_lookups", texture_lookups()},
-                        {"texture_environments", texture_environments()}},
+                        {"texture_environment", environment()},
+                        {"texture_lookups", texture_lookups()}},
             .words = {{"POSITION", form_.position_w ? "a_position" : "vec4(a_position.xyz, 1.0)"},
+                      {"FIRST_COLOR", first_color(stage)},
+                      {"ENVIRONMENT", comment_of_environment()},
+                      {"SECONDARY", effects_.two_side ? fmt::format("({})", lit_color(stage, "secondary"))
+                                                      : lit_color(stage, "secondary")},
                       {"NEAR_VERTEX", form_.position_w ? "vec4" : "vec3"},
                       {"FOG_FACTOR", fog_factor()},
-                      {"LIGHT_COUNT", form_.kept ? fmt::format("{}", form_.kept->light_count) : ""}}};
+                      {"LIGHT_COUNT", form_.kept ? fmt::format("{}", form_.kept->light_count) : ""},
+                      {"LIGHT_NAMES", light_names()}}};
         scope.switches.merge(texture_switches(texture));
         scope.words.merge(texture_words(texture, surface.tex_coord));
         return scope;
+    }
+
+    // In the comment of LightSource.
+    const char* light_names() const {
+        const int count = form_.kept ? form_.kept->light_count : 0;
+        return count == 1 ? "GL_LIGHT0" : count == 2 ? "GL_LIGHT0, GL_LIGHT1" : "GL_LIGHT0, GL_LIGHT1, ...";
     }
 
     // "uniform vec4 u_fog_color;  // ...", with the comment above it.

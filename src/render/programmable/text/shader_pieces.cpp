@@ -76,6 +76,15 @@ std::string with_words(std::string_view text, const Words& words) {
     return result;
 }
 
+std::string with_variable(std::string_view text, std::string_view variable, std::string_view replacement) {
+    std::string result;
+    for_each_token(text, [&](std::string_view token, bool is_identifier) {
+        const bool is_it = is_identifier && token == variable && !result.ends_with('.');
+        result += is_it ? replacement : token;
+    });
+    return result;
+}
+
 std::string preprocessed(std::string_view file, const Scope& scope) {
     std::string text;
     std::vector<Branch> branches;
@@ -148,6 +157,29 @@ std::vector<Definition> used_definitions(const std::vector<Definition>& library,
         result.push_back(*definition);
     }
     std::ranges::reverse(result);
+    return result;
+}
+
+std::string with_used_members(const Definition& definition, std::string_view text) {
+    constexpr std::string_view kEnding = "Parameters";
+    if (!definition.name.ends_with(kEnding)) return definition.text;
+    const std::string_view variable =
+        std::string_view(definition.name).substr(0, definition.name.size() - kEnding.size());
+    std::set<std::string_view> used;
+    for (std::size_t at = 0; (at = text.find(variable, at)) != text.npos;) {
+        at += variable.size();
+        std::string_view rest = text.substr(at);
+        if (rest.starts_with('[')) rest.remove_prefix(std::min(rest.find(']') + 1, rest.size()));
+        if (!rest.starts_with('.')) continue;
+        rest.remove_prefix(1);
+        used.insert(rest.substr(0, rest.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ")));
+    }
+    std::string result;
+    for (const std::string_view line : split(definition.text, "\n")) {
+        const std::string_view code = line.substr(0, line.find(';'));
+        if (line.starts_with("    ") && !used.contains(code.substr(code.rfind(' ') + 1))) continue;
+        result += std::string(line) + "\n";
+    }
     return result;
 }
 

@@ -36,6 +36,9 @@ std::string_view file_text(std::string_view name);
 // The text with the words replaced, each where it is a whole identifier.
 std::string with_words(std::string_view text, const Words& words);
 
+// The text with a variable replaced, but not a member of that name.
+std::string with_variable(std::string_view text, std::string_view variable, std::string_view replacement);
+
 // The file's text after its directives.
 std::string preprocessed(std::string_view file, const Scope& scope);
 
@@ -50,6 +53,9 @@ std::vector<Definition> definitions(std::string_view file, const Words& words);
 // The definitions of the library that the text uses, directly or through others, in the library's order. A function in
 // a library uses only definitions above it.
 std::vector<Definition> used_definitions(const std::vector<Definition>& library, std::string_view text);
+
+// The text of the definition; of a struct NameParameters only the members that the text uses, as Name.member or Name[0].member.
+std::string with_used_members(const Definition& definition, std::string_view text);
 
 // Throws std::logic_error if a shader uses a name "u_..." that none of its lines "uniform ..." declares.
 void check_uniforms_are_declared(std::string_view shader);
