@@ -61,13 +61,25 @@ std::string page_of(const std::vector<Scene>& scenes, const programmable::Option
     return webgl::exported_page(steps, options, text);
 }
 
+// A recording's arrays may be larger as text than a scene file may be.
+std::string scene_file_of(const Scene& scene) {
+    constexpr double kMiB = 1 << 20;
+    std::string text = print_scene(commands_to_print(scene));
+    if (text.size() > kMaxSceneBytes)
+        throw SceneError(fmt::format(
+            "{}: as a scene file this frame has {:.0f} MiB, and no command reads more than {:.0f}; give the "
+            "recording itself to the other commands, or use --as html or glsl",
+            scene.name(), static_cast<double>(text.size()) / kMiB, kMaxSceneBytes / kMiB));
+    return text;
+}
+
 using Export = std::function<std::string(const Scene&, const programmable::Options&)>;
 const std::map<std::string, Export> kForms = {
     {"c", [](const Scene& scene,
              const auto&) { return print_c_program(with_pragmas_written_out(commands_to_print(scene))); }},
     {"glsl", [](const Scene& scene, const auto& options) { return programmable::shader_source(scene.frame, options); }},
     {"html", nullptr},  // page_of() has all steps
-    {"scene", [](const Scene& scene, const auto&) { return print_scene(commands_to_print(scene)); }},
+    {"scene", [](const Scene& scene, const auto&) { return scene_file_of(scene); }},
 };
 
 const std::map<std::string, programmable::Glsl> kVersions = {

@@ -7,8 +7,10 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <map>
+#include <span>
 
 #include "scene/command/memory.h"
+#include "scene/command/named_matrix.h"
 #include "scene/command/object_names.h"
 #include "scene/command/print_parts.h"
 #include "scene/command/text.h"
@@ -219,7 +221,10 @@ std::string print_lines(const CommandList& scene, std::string_view indent) {
     std::string text;
     MemoryNames memories;
     ObjectNames names;
-    for (const Command& command : scene.commands) {
+    for (std::size_t i = 0; i < scene.commands.size(); ++i) {
+        const Command& command = scene.commands[i];
+        if (const std::string name = named_matrix(std::span(scene.commands).subspan(i)); !name.empty())
+            text += fmt::format("{}// the matrix of {}\n", indent, name);
         const bool has_array = command.memory && command.sig().family != Family::kPragma;
         const PrintedArray array = has_array ? memories.name(*command.memory, indent, text) : PrintedArray{};
         // The result of a call, if it differs from the one that the reader would choose.

@@ -21,9 +21,11 @@ constexpr std::size_t kMostMappings = 1024, kMostWaiting = 256;
 // Enough to see which context draws most.
 constexpr int kMostCallsCounted = 300'000, kMostFramesCounted = 8;
 
-// With an enumerant that GL 2.1 lacks, these change no pixel: an unknown capability is already off.
-bool is_harmless_with_unknown_name(std::string_view function) {
-    return function == "glDisable" || function == "glDisableClientState" || function == "glHint";
+// With an enumerant that GL 2.1 lacks, these change no pixel: an unknown capability is already off, GL refuses any other shade model, and
+// messages are for debuggers.
+bool is_harmless_with_unknown_name(std::string_view function, std::string_view unknown_name) {
+    return function == "glDisable" || function == "glDisableClientState" || function == "glHint" ||
+           function == "glShadeModel" || (function == "glEnable" && unknown_name.starts_with("GL_DEBUG_OUTPUT"));
 }
 
 // EXT_vertex_array: arrays are enabled by glEnable, as drivers still allow. Returns the command of GL 2.1.
@@ -176,6 +178,7 @@ void CallReader::carry_out(const Function& function) {
             return;
         }
         case Role::kStorage: return storage_with_samples();
+        case Role::kDepthOffset: return offset_by_depth();
         default:
             source_.read_stack();
             find_place();
@@ -187,7 +190,7 @@ void CallReader::carry_out_command(const Function& function) {
     if (!read_call()) return;
     if (function.sets_units && is_of_units_for_shaders()) return;
     if (!call_->arguments.unknown_name.empty()) {
-        if (is_harmless_with_unknown_name(call_->name)) return;
+        if (is_harmless_with_unknown_name(call_->name, call_->arguments.unknown_name)) return;
         return outside(fmt::format("{}({})", call_->name, call_->arguments.unknown_name));
     }
     command_.id = function.command;
@@ -237,6 +240,16 @@ void CallReader::storage_with_samples() {
                           .arguments = {given[0], given[2], given[3], given[4]},
                           .place = command_.place};
     step({Step::Kind::kCommand, storage});
+}
+
+// EXT_polygon_offset: its bias is a depth, which glPolygonOffset counts in the steps of a depth buffer of 24 bits.
+void CallReader::offset_by_depth() {
+    if (!read_call() || call_->arguments.numbers.size() != 2) return outside(call_->name);
+    constexpr double kSteps = (1 << 24) - 1;
+    step({Step::Kind::kCommand,
+          {.id = CommandId::glPolygonOffset,
+           .arguments = {call_->arguments.numbers[0], call_->arguments.numbers[1] * kSteps},
+           .place = command_.place}});
 }
 
 void CallReader::blit() {

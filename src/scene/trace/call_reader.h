@@ -61,6 +61,7 @@ class CallReader {
     void create_context();
     void note_format();
     void storage_with_samples();
+    void offset_by_depth();
     void blit();
     // Whether the command only sets the state of a texture unit that the fixed function lacks.
     bool is_of_units_for_shaders();

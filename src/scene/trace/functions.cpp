@@ -140,6 +140,8 @@ Function classify(std::string_view name) {
         function.role = Role::kBlit;
     } else if (name.starts_with("glRenderbufferStorageMultisample")) {
         function.role = Role::kStorage;
+    } else if (name == "glPolygonOffsetEXT") {
+        function.role = Role::kDepthOffset;
     } else if (is_without_effect(name)) {
         function.role = Role::kIgnored;
     } else if (starts_with_one_of(name, {"glUseProgram", "glBind"})) {

@@ -20,6 +20,7 @@ enum class Role : std::uint8_t {
     kCopy,         // memcpy: such a write
     kBlit,         // glBlitFramebuffer
     kStorage,      // glRenderbufferStorageMultisample
+    kDepthOffset,  // glPolygonOffsetEXT
     kBinding,      // binds an object that Twinlight lacks, or 0 for none (the last argument)
     kOutside,      // anything else: reported as unsupported
 };

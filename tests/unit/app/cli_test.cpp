@@ -300,6 +300,18 @@ TEST_F(Cli, RefusesALineOfAGigabyteUnread) {
     expect_refused(result, "is larger than 64 MiB, the limit for a scene");
 }
 
+// 2048 x 2048 texels of four numbers, each "200, " in C, and line breaks.
+TEST_F(Cli, WritesNoSceneFileThatNoCommandReads) {
+    write_file_atomically(in_ / "texels.bin", std::string(std::size_t{4} << 22, '\xC8'));
+    write_file_atomically(
+        in_ / "dump.txt",
+        "1 glTexImage2D(target = GL_TEXTURE_2D, level = 0, internalformat = GL_RGBA, width = 2048, height = 2048, "
+        "border = 0, format = GL_RGBA, type = GL_UNSIGNED_BYTE, pixels = blob(\"texels.bin\"))\n"
+        "2 glBegin(mode = GL_POINTS)\n3 glVertex2f(x = 0, y = 0)\n4 glEnd()\n5 glXSwapBuffers()\n");
+    expect_refused(run({"export", in_ / "dump.txt", "--as", "scene"}),
+                   "as a scene file this frame has 83 MiB, and no command reads more than 64");
+}
+
 TEST_F(Cli, RefusesScenesThatAreNotThere) {
     const auto render = [&](const std::string& name) {
         return run({"render", name, "--with", "reference", "-o", out_ / "p.png"});

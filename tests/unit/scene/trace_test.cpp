@@ -102,6 +102,21 @@ TEST_F(Traces, PassOverWhatChangesNoPixelAndNameWhatTheyDoNotKnow) {
               (Lines{"outside: glUseProgram", "outside: glDrawArraysInstanced"}));
 }
 
+// What GL refuses, and messages for debuggers, make no frame partial.
+TEST_F(Traces, PassOverWhatGlRefusesAndWhatIsForDebuggers) {
+    EXPECT_EQ(steps("1 glEnable(cap = GL_DEBUG_OUTPUT)\n"
+                    "2 glEnable(cap = GL_DEBUG_OUTPUT_SYNCHRONOUS)\n"
+                    "3 glShadeModel(mode = GL_NO_SUCH_MODEL)\n"
+                    "4 glEnable(cap = GL_FRAMEBUFFER_SRGB_XYZ)\n"),
+              (Lines{"outside: glEnable(GL_FRAMEBUFFER_SRGB_XYZ)"}));
+}
+
+// The bias of the extension is a depth: 1 / (2^24 - 1) is one step.
+TEST_F(Traces, ReadThePolygonOffsetOfTheExtension) {
+    EXPECT_EQ(steps("1 glPolygonOffsetEXT(factor = 1.5, bias = 0)\n2 glPolygonOffsetEXT(factor = 0, bias = -1)\n"),
+              (Lines{"glPolygonOffset(1.5, 0);", "glPolygonOffset(0, -16777215);"}));
+}
+
 TEST_F(Traces, HoldTheNamesThatADriverGave) {
     EXPECT_EQ(steps("1 glGenLists(range = 3) = 17\n2 glGenTextures(n = 2, textures = {4, 9})\n"
                     "3 glDeleteTextures(n = 1, textures = &4)\n"),
