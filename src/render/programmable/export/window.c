@@ -152,6 +152,7 @@ void draw(GLenum mode, const struct attribute* layout, int first_vertex, int fir
 
 static void display(void) {
     draw_scene();
+    if (picture_file) draw_scene();  // as in a window, where each picture begins with the state that the last one left
     const GLenum error = glGetError();
     if (error != GL_NO_ERROR) fprintf(stderr, "GL error 0x%x\n", (unsigned)error);
     if (!picture_file) {
