@@ -397,12 +397,12 @@ TEST_F(PortedProgram, CompilesAsCPlusPlusAndWithoutTheOldNames) {
         "-fsyntax-only shaders/gl_state.c shaders/kinds.c");
 }
 
-// One light, directional and without a highlight. Each change after it needs shaders that were not exported.
+// One light, positional and without a highlight. Each change after it needs shaders that were not exported.
 TEST_F(PortedProgram, SaysWhatItsShadersCannotDraw) {
     write_file_atomically(folder_ / "plain.gl",
                           "glMaterialf(GL_FRONT, GL_SHININESS, 0);\n"
                           "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_NORMALIZE);\n"
-                          "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){1, 2, 3, 0});\n"
+                          "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){1, 2, 3, 1});\n"
                           "glBegin(GL_TRIANGLES); glNormal3f(0, 0, 1);\n"
                           "glVertex3f(0, 0, 0); glVertex3f(1, 0, 0); glVertex3f(0, 1, 0); glEnd();\n");
     run(twinlight_ + " export plain.gl --as glsl -o shaders");
@@ -415,8 +415,11 @@ TEST_F(PortedProgram, SaysWhatItsShadersCannotDraw) {
     const std::vector<Change> changes = {
         {"ffEnable(GL_LIGHT1); ffLightfv(GL_LIGHT1, GL_DIFFUSE, white);", "GL_LIGHT1 shines", "ffDisable(GL_LIGHT1);"},
         {"ffDisable(GL_LIGHTING);", "GL_LIGHTING is off", "ffEnable(GL_LIGHTING);"},
-        {"ffLightfv(GL_LIGHT0, GL_POSITION, white);", "GL_LIGHT0 is positional",
-         "ffLightfv(GL_LIGHT0, GL_POSITION, away);"},
+        {"ffLightfv(GL_LIGHT0, GL_POSITION, toward);", "GL_LIGHT0 is directional",
+         "ffLightfv(GL_LIGHT0, GL_POSITION, here);"},
+        {"ffLightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, 1);", "GL_LIGHT0 has an attenuation",
+         "ffLightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, 0);"},
+        {"w = 2;", "a vertex's w is not 1", "w = 1;"},
         {"ffLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 30);", "GL_LIGHT0 is a spotlight",
          "ffLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 180);"},
         {"ffMaterialfv(GL_FRONT, GL_SPECULAR, white);", "a colour of GL_LIGHT0 times the material's is no longer black",
@@ -445,22 +448,24 @@ TEST_F(PortedProgram, SaysWhatItsShadersCannotDraw) {
     write_file_atomically(folder_ / "changes.c", R"(#include <GL/freeglut.h>
 #include "shaders/gl_state.h"
 static int color;
+static float w = 1;
 static void draw(void) {
     ffBegin(GL_TRIANGLES);
     ffNormal3f(0, 0, 1);
     ffColor3f(1, 1, 1);
     ffVertex3f(0, 0, 0);
     if (color) ffColor3f(1, 0, 0);
-    ffVertex3f(1, 0, 0);
+    ffVertex4f(1, 0, 0, w);
     ffVertex3f(0, 1, 0);
     ffEnd();
 }
 static void display(void) {
-    const GLfloat white[4] = {1, 1, 1, 1}, black[4] = {0, 0, 0, 1}, away[4] = {1, 2, 3, 0};
+    const GLfloat white[4] = {1, 1, 1, 1}, black[4] = {0, 0, 0, 1}, toward[4] = {1, 2, 3, 0},
+                  here[4] = {1, 2, 3, 1};
     ffEnable(GL_LIGHTING);
     ffEnable(GL_LIGHT0);
     ffEnable(GL_NORMALIZE);
-    ffLightfv(GL_LIGHT0, GL_POSITION, away);
+    ffLightfv(GL_LIGHT0, GL_POSITION, here);
     draw();  // says nothing
 )" + body + R"(}
 int main(int argc, char** argv) {
