@@ -60,9 +60,9 @@ struct Form {
     bool wide_range = false;
     // Vertices are lit in homogeneous eye coordinates, without a division by w, which may be 0 and differ from vertex to vertex.
     bool homogeneous = false;
-    // Normals are made unit, and the matrix's columns differ so much that the square of a normal's length may leave the floats.
+    // Normals are scaled to length 1, and the matrix's columns differ so much that the square of a normal's length may leave the floats.
     bool wide_normals = false;
-    // Normals are not made unit, and are so short or long that the square of their cosine with the half vector may leave the floats.
+    // Normals are not scaled to length 1, and are so short or long that the square of their cosine with the half vector may leave the floats.
     // Then their size is taken out first, and multiplied in again where the equation needs it.
     bool sized_normals = false;
     bool rescale = false;    // precise and kept only: multiplies normals by GL_RESCALE_NORMAL's factor
