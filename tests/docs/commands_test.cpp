@@ -87,7 +87,7 @@ std::optional<std::string> complaint_of_others(const std::string& line) {
 
 // Takes long, and is not shorter with smaller numbers.
 bool is_long(const std::string& line) {
-    return has(line, R"(twinlight check( --json| --html .*| --write-cases .*)?$|twinlight lint --rules)") ||
+    return has(line, R"(twinlight check( --json| --html .*| --write-(cases|reports) .*)?$|twinlight lint --rules)") ||
            (has(line, R"(twinlight study )") && !has(line, "--quick|--merge"));
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include "base/image/file.h"
 #include "judge/check/case.h"
 #include "judge/compare/departures.h"
+#include "render/context/context.h"
 #include "render/context/driver_name.h"
 #include "xvfb.h"
 
@@ -175,6 +177,65 @@ TEST_F(CasePrograms, AreSummedUp) {
         EXPECT_LT(page.find("<tr id=\"vertex-w-2\">"),
                   page.find("<tr id=\"light-behind\">"));  // what is wrong comes first
     }
+}
+
+// The number of values in "(0.5, nan, 0, 1)" after a name at the start of a line; none where the name is not there.
+std::vector<double> values_after(const std::string& out, const std::string& name) {
+    const std::size_t at = ("\n" + out).find("\n" + name + ": (");
+    std::vector<double> values;
+    if (at == std::string::npos) return values;
+    const char* text = out.c_str() + at + name.size() + 3;
+    for (int i = 0; i < 4; ++i) {
+        char* end = nullptr;
+        values.push_back(std::strtod(text, &end));
+        if (end == text) return {};
+        text = end + 1;
+    }
+    return values;
+}
+
+// Bug reports: the driver of `check` and that of the program must be of one release.
+TEST_F(CasePrograms, ReportsHaveAProgramThatShowsTheBug) {
+    const auto context = make_offscreen_context(8, 8);
+    if (!compare::is_measured(current_driver())) GTEST_SKIP() << "nobody has looked at this driver's departures";
+    const std::vector<std::string> names = {
+        "vertex-w-2", "vertex-w-0-directional-range", "light-directional-beside-infinity",
+        "label-fog",  "error-single-value-light",     "light-behind"};
+    std::vector<std::string> arguments = {"check", "--write-reports", folder_.str()};
+    arguments.insert(arguments.end(), names.begin(), names.end());
+    ASSERT_EQ(run_program("twinlight", arguments).status, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "light-behind.md"));  // the driver is right
+    int compared = 0;
+    for (const check::Case& of : check::load_cases({names.begin(), names.end() - 1})) {
+        SCOPED_TRACE(of.name);
+        const std::string report = read_file(folder_ / (of.name + ".md"));
+        EXPECT_NE(report.find("Specification: OpenGL 2.1, section " + of.text + "\n"), std::string::npos) << report;
+        const std::size_t begin = report.find("```c\n"), end = report.rfind("```");
+        ASSERT_LT(begin, end);
+        write_file_atomically(folder_ / (of.name + ".c"), report.substr(begin + 5, end - begin - 5));
+        const ProgramResult shown = in_folder(fmt::format(
+            "{0} -std=c99 -Wall -Wextra -Wpedantic -Werror {1}.c -o {1} -lglut -lGL -lm && ./{1}", compiler_, of.name));
+        ASSERT_EQ(shown.status, 0) << shown.err;
+        const std::string gl = shown.out.substr(0, shown.out.find('\n')) + ", GLX";
+        if (parse_driver_name(gl).version != current_driver().version) continue;
+        for (const check::Differs& differs : of.differs) {
+            if (!differs.is_of(gl)) continue;
+            ++compared;
+            if (const Enum* error = std::get_if<Enum>(&differs.value)) {
+                EXPECT_NE(shown.out.find(fmt::format("glGetError: 0x{:04X}\n", *error)), std::string::npos)
+                    << shown.out;
+                continue;
+            }
+            const std::vector<double> values = values_after(shown.out, differs.spot.str());
+            ASSERT_EQ(values.size(), 4u) << differs.spot.str() << ": " << shown.out;
+            const glm::dvec4& listed = std::get<glm::dvec4>(differs.value);
+            const double tolerance = of.tolerance.value_or(check::kTolerance) + (of.is_of_vertices() ? 0 : 0.5 / 255);
+            for (int i = 0; i < 3; ++i)
+                EXPECT_NEAR(values[static_cast<std::size_t>(i)], listed[i], tolerance) << shown.out;
+        }
+    }
+    if (compared == 0) GTEST_SKIP() << "the window's GL is of another release than " << driver_name();
+    EXPECT_GE(compared, 5);
 }
 
 // A crash is no wrong answer, and the cases after it still run.

@@ -11,6 +11,7 @@
 #include "judge/check/suite.h"
 #include "judge/compare/releases.h"
 #include "judge/conformance/case_programs.h"
+#include "judge/conformance/case_report.h"
 #include "render/context/driver_name.h"
 
 namespace twinlight::cli {
@@ -21,7 +22,7 @@ using namespace check;
 
 struct CheckArguments {
     std::vector<std::string> names;
-    std::string programs, page;  // folders; empty: not wanted
+    std::string programs, reports, page;  // folders; empty: not wanted
     bool json = false;
 };
 
@@ -146,6 +147,20 @@ void write_page(const std::string& folder, Suite& suite, const std::vector<Case>
                            MissingFolders::kMade);
 }
 
+// NAME.md for each case that the driver gets wrong. All files, or none if the disk is full.
+void write_reports(const std::string& folder, const std::string& driver, const std::vector<Case>& cases,
+                   const std::vector<Result>& results) {
+    std::vector<std::string> reports;
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        reports.push_back(conformance::case_report(driver, cases[i], results[i]));
+    std::vector<FileToWrite> files;
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        if (!reports[i].empty())
+            files.push_back({(std::filesystem::path(folder) / (cases[i].name + ".md")).string(), reports[i]});
+    write_files_atomically(files, {}, MissingFolders::kMade);
+    make_folder(folder);  // also if there is nothing to report
+}
+
 // The cases as C programs: all files, or none if the disk is full. Nothing is drawn.
 int write_programs(const std::string& folder, const std::vector<Case>& cases) {
     const conformance::CasePrograms programs = conformance::case_programs(cases);
@@ -166,11 +181,12 @@ int write_programs(const std::string& folder, const std::vector<Case>& cases) {
 int run_check(const CheckArguments& arguments) {
     const std::vector<Case> cases = load_cases(arguments.names);
     for (const std::string& folder :
-         {arguments.programs, arguments.page})  // before the work: a bad folder fails at once
+         {arguments.programs, arguments.reports, arguments.page})  // before the work: a bad folder fails at once
         if (!folder.empty()) try_folder(folder);
     if (!arguments.programs.empty()) return write_programs(arguments.programs, cases);
     Suite suite;
     std::vector<Result> results = suite.run(cases);
+    if (!arguments.reports.empty()) write_reports(arguments.reports, suite.driver(), cases, results);
     if (!arguments.page.empty()) write_page(arguments.page, suite, cases, results);
     write_result(arguments.json ? json_of(suite.driver(), cases, results)
                                 : suite.driver() + "\n\n" + table(cases, results) + summary(suite.driver(), results));
@@ -194,6 +210,14 @@ Subcommand add_check(CLI::App& app) {
                 "any GL; created if it does not exist")
             ->type_name("DIR")
             ->check(not_empty());
+    check
+        ->add_option(
+            "--write-reports", arguments->reports,
+            "for each case that the driver gets wrong, write a bug report with a C program, NAME.md, into this folder; "
+            "created if it does not exist")
+        ->type_name("DIR")
+        ->check(not_empty())
+        ->excludes(programs);
     check
         ->add_option("--html", arguments->page,
                      "write a page of all cases, index.html, into this folder; created if it does not exist")

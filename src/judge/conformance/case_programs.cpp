@@ -6,15 +6,14 @@
 #include <cctype>
 #include <cmath>
 #include <glm/common.hpp>
-#include <iterator>
 #include <optional>
 
 #include "base/image/embedded.h"
 #include "judge/compare/vertex_colors.h"
+#include "judge/conformance/c_scene.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
 #include "scene/frame/lecture_variants.h"
-#include "scene/shape/written_out.h"
 #include "scene/state/state.h"
 
 namespace twinlight {
@@ -32,12 +31,6 @@ using check::Case, check::Expectation, check::Spot;
 
 constexpr double kPixelDifference =
     1e-3;  // of the reference's pixel from the vertex's colour, if the pixel shows it; far below 1/255
-
-std::string c_literal(const std::string& text) {
-    std::string literal = "\"";
-    for (const char c : text) literal += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
-    return literal + "\"";
-}
 
 // A comment in C that nothing in the text can end.
 std::string c_comment(std::string text) {
@@ -60,31 +53,6 @@ std::string c_number(double value) {
 
 std::string c_array(const glm::dvec4& c) {
     return fmt::format("{{{}, {}, {}, {}}}", c_number(c.r), c_number(c.g), c_number(c.b), c_number(c.a));
-}
-
-// The only function of GLU in the built-in cases, as the one of GL that it calls, so that GLU is not needed.
-Command without_glu(const Command& command) {
-    if (command.id != CommandId::gluPerspective) return command;
-    const double near = command.number(2), top = near * std::tan(command.number(0) * 3.14159265358979323846 / 360);
-    const double right = top * command.number(1);
-    return {CommandId::glFrustum, {-right, right, -top, top, near, command.number(3)}, command.place};
-}
-
-// By GL's functions alone, as far as the built-in cases go.
-CommandList c_scene(const Case& of) {
-    CommandList scene{of.name, {}};
-    for (const Command& command : with_pragmas_written_out(*of.scene).commands) {
-        if (command.name().starts_with("glut"))
-            std::ranges::move(shape_commands(command), std::back_inserter(scene.commands));
-        else
-            scene.commands.push_back(without_glu(command));
-    }
-    return scene;
-}
-
-bool needs_glu(const CommandList& scene) {
-    return std::ranges::any_of(scene.commands,
-                               [](const Command& command) { return command.name().starts_with("glu"); });
 }
 
 // What the fixed function can show: no Phong or exact shading, and an error by itself.
@@ -146,8 +114,7 @@ Places places_of(const Case& of, const std::vector<Expectation>& colors) {
     for (const Expectation& expected : colors) {
         if (static_cast<std::size_t>(expected.spot.vertex) >= scene->lit.size())
             throw SceneError(of.name + ": the last primitive has no " + expected.spot.str());
-        const glm::dvec4& clip = scene->lit[static_cast<std::size_t>(expected.spot.vertex)].position_clip;
-        found.places.push_back(glm::dvec2(clip) / clip.w * 0.5 + 0.5);
+        found.places.push_back(place_of_vertex(*scene, expected.spot.vertex));
         for (const check::Seen& color : {expected.value, expected.other})
             if (!is_in_unit_range(std::get<glm::dvec4>(color)))
                 found.no_pixel = "8 bits cannot show a colour outside [0, 1]";
@@ -169,7 +136,7 @@ std::string expected_in_c(const Case& of, const Expectation& expected, const glm
 
 std::string program(const Case& of, const std::vector<Expectation>& colors) {
     const std::string id = identifier(of.name);
-    const CommandList scene = c_scene(of);
+    const CommandList scene = c_scene(*of.scene);
     const Places places = places_of(of, colors);
     std::string text = c_comment(of.what) + c_comment(of.why) + c_comment("OpenGL 2.1, section " + of.text) +
                        c_comment((of.is_ruling ? "OpenGL leaves this open; our choice: " : "") + of.derived);

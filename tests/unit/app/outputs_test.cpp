@@ -79,7 +79,9 @@ TEST_F(Outputs, OfEveryCommandThatDoNotFitAreTold) {
                                   "check light-none rescale-1e7",
                                   "check light-none --json",
                                   "check rescale-1e7 --html " + in_folder("page"),
-                                  "check rescale-1e7 --write-cases " + in_folder("cases")}) {
+                                  "check rescale-1e7 --write-cases " + in_folder("cases"),
+                                  "check rescale-1e7 --write-reports " + in_folder("bugs"),
+                                  "check rescale-1e7 --write-reports " + in_folder("bugs")}) {
         const ProgramResult result = run_shell("twinlight", "\"$PROGRAM\" " + arguments + " >/dev/full");
         EXPECT_EQ(result.status, 2) << arguments;
         EXPECT_EQ(result.err, "twinlight: standard output: No space left on device\n") << arguments;
@@ -155,6 +157,7 @@ constexpr Writer kWriters[] = {
     {"export small.gl --as html -o", "page.html", "page.html"},
     {"lesson overlay -o", "start.gl", "start.gl"},
     {"check rescale-1e7 --html", "cases", "cases/index.html"},
+    {"check rescale-1e7 --write-reports", "bugs", "bugs/rescale-1e7.md"},
     {"check rescale-1e7 --write-cases", "cases", "cases/window_win32.c"},
     {"study small.gl --quick --size 4x4 --seconds 0 -o", "study", "study/index.html"},
     {"lint --rules -o", "rules", "rules/lint.md"},
