@@ -92,7 +92,7 @@ END
             change=" <a href=\"../web/twinlight.html#scene=$scene&amp;step=$name\">Change this scene</a>"
         fi
         printf '<p class="answer"><a href="%s/index.html">%s</a>%s</p>\n<div class="row">\n' "$place" "$answer" "$change"
-        for picture in "fixed:fixed function" "programmable:shaders" "reference:reference" "programmable-phong:shaders, every pixel"; do
+        for picture in "fixed:fixed function" "shaders:shaders" "reference:reference" "shaders-phong:shaders, every pixel"; do
             [ -e "$folder/$place/${picture%%:*}.png" ] || { echo "gallery.sh: $folder/$place has no picture ${picture%%:*}.png" >&2; exit 1; }
             printf '<figure><img loading="lazy" src="%s/%s.png" alt="%s: %s"><figcaption>%s</figcaption></figure>\n' \
                 "$place" "${picture%%:*}" "$place" "${picture#*:}" "${picture#*:}"

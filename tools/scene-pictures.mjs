@@ -17,7 +17,7 @@ for (const {heading, name} of scenes) {
 const pictures = {}, left = scenes.values();
 await Promise.all(os.cpus().map(async () => {
     for (const {name} of left) {
-        const {stdout} = await run(program, ["render", name, "--with", "programmable", "--size", SIZE, "-o", "-"], {encoding: "buffer", maxBuffer: 1 << 24});
+        const {stdout} = await run(program, ["render", name, "--with", "shaders", "--size", SIZE, "-o", "-"], {encoding: "buffer", maxBuffer: 1 << 24});
         pictures[name] = `data:image/png;base64,${stdout.toString("base64")}`;
     }
 }));

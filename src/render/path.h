@@ -12,7 +12,7 @@ namespace twinlight {
 enum class Path : std::uint8_t { kFixed, kProgrammable, kReference };
 inline constexpr std::size_t kPaths = 3;
 inline constexpr std::array<Path, kPaths> kAllPaths = {Path::kFixed, Path::kProgrammable, Path::kReference};
-inline constexpr std::array<std::string_view, kPaths> kPathNames = {"fixed", "programmable", "reference"};
+inline constexpr std::array<std::string_view, kPaths> kPathNames = {"fixed", "shaders", "reference"};
 inline constexpr std::string_view name_of(Path path) { return kPathNames[static_cast<std::size_t>(path)]; }
 
 inline bool lacks(Path path, const Unsupported& item) {

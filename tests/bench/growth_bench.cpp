@@ -91,7 +91,7 @@ std::vector<bench::Way> ways_of(const Growth& growth, const Scene& scene, const 
     const compare::Renderers& draw = set.functions();
     std::vector<bench::Way> ways;
     if (growth.for_fixed) ways.push_back({"fixed", [&] { draw.fixed(scene, {}); }});
-    ways.push_back({"programmable", [&] { draw.programmable(scene.frame, {}); }});
+    ways.push_back({"shaders", [&] { draw.programmable(scene.frame, {}); }});
     // Not through the set, which would keep the picture and not draw it again.
     ways.push_back({"reference", [&] { reference::render(scene.frame, {}); }});
     if (growth.for_compare) ways.push_back({"compare", [&] { compare::compare_scene(scene, {}, draw); }});

@@ -10,7 +10,7 @@ import sys
 from xml.sax.saxutils import escape
 
 THINGS = ["vertices", "lights", "pixels", "draws"]
-COLORS = {"fixed": "#b35900", "programmable": "#0066b3", "reference": "#2a7f2a", "compare": "#7a3b8f"}
+COLORS = {"fixed": "#b35900", "shaders": "#0066b3", "reference": "#2a7f2a", "compare": "#7a3b8f"}
 WIDTH, HEIGHT, LEFT, TOP = 190, 190, 46, 30  # of a panel, and of its margin
 
 

@@ -10,7 +10,7 @@ done
 python3 - "$folder" <<'END'
 import json, sys
 
-PAIRS = [("fixed", "programmable"), ("fixed", "reference"), ("programmable", "reference"), ("programmable-phong", "reference-phong")]
+PAIRS = [("fixed", "shaders"), ("fixed", "reference"), ("shaders", "reference"), ("shaders-phong", "reference-phong")]
 print("| scene | pixels away from edges | fixed, shaders | fixed, reference | shaders, reference | shaders, reference: every pixel lit | verdict |")
 print("|---|---|---|---|---|---|---|")
 for scene in ["report", "lab", "spectral", "commands", "legacy"]:

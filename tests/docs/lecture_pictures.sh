@@ -11,7 +11,7 @@ draw() { # NAME SCENE OPTIONS...
     convert "$out/$1.png" -resize 400x300 -strip -define png:exclude-chunks=date,time "$out/$1.png"
 }
 gl() { draw "$1" "${@:2}" --with fixed; }
-pixels() { draw "$1" "${@:2}" --with programmable --shading phong; }
+pixels() { draw "$1" "${@:2}" --with shaders --shading phong; }
 
 gl terms terms
 gl diffuse terms --step 3

@@ -39,10 +39,10 @@ class ColorSumAndFogCoordinates : public testing::Test {
             fixed::Replay(scene.frame, {.sending = sending}).draw();
             expect("replayed", at(read_pixels(kSide, kSide)));
         }
-        expect("programmable", at(renderer_.render(scene.frame, {})));
+        expect("shaders", at(renderer_.render(scene.frame, {})));
         programmable::Options kept;
         kept.tier = programmable::Tier::kAuto;
-        expect("programmable, kept", at(renderer_.render(scene.frame, kept)));
+        expect("shaders, kept", at(renderer_.render(scene.frame, kept)));
         return expected;
     }
 

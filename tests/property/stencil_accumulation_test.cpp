@@ -44,7 +44,7 @@ class Buffers : public testing::Test {
         expect("fixed\n", fixed::render(scene));
         fixed::Replay(scene.frame, {}).draw();
         expect("replayed\n", read_pixels(kSize, kSize));
-        expect("programmable\n", renderer_.render(scene.frame, {}));
+        expect("shaders\n", renderer_.render(scene.frame, {}));
         return expected;
     }
 

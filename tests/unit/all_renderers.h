@@ -41,10 +41,10 @@ class AllRenderers : public testing::Test {
         all.push_back({"fixed", fixed::render(scene)});
         fixed::Replay(scene.frame, {}).draw();
         all.push_back({"replayed", read_pixels(side_, side_)});
-        all.push_back({"programmable", renderer_.render(scene.frame, {})});
+        all.push_back({"shaders", renderer_.render(scene.frame, {})});
         programmable::Options kept;
         kept.tier = programmable::Tier::kAuto;
-        all.push_back({"programmable, kept", renderer_.render(scene.frame, kept)});
+        all.push_back({"shaders, kept", renderer_.render(scene.frame, kept)});
         return all;
     }
 

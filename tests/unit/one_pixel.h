@@ -32,7 +32,7 @@ class OnePixel : public AllRenderers {
         const Rgba expected = color_without_shaders(scene, x, y, text);
         fixed::Replay(scene.frame, {}).draw();
         expect_color("replayed", read_at(x, y), expected, text);
-        expect_color("programmable", at(renderer_.render(scene.frame, {}), x, y), expected, text);
+        expect_color("shaders", at(renderer_.render(scene.frame, {}), x, y), expected, text);
         return expected;
     }
     // `shaders`: whether to make a program.

@@ -108,7 +108,7 @@ TEST_F(Pages, OfAComparisonOpenOnThePairThatTeachesAndShowOneStepAtATime) {
     EXPECT_EQ(told["second"], json({false, true}));
     EXPECT_EQ(told["jumped"], 0) << "the steps stay in view";
     EXPECT_EQ(told["current"], json({nullptr, "true"}));
-    EXPECT_EQ(told["opens_on"], json({"fixed", "programmable-phong"}));
+    EXPECT_EQ(told["opens_on"], json({"fixed", "shaders-phong"}));
     const RegionDifference& lost = shiny.pairs.back().difference.interior;
     ASSERT_GT(lost.max, 0.1) << "lighting vertices loses the highlight";
     EXPECT_EQ(told["says"],

@@ -22,7 +22,7 @@ twinlight scenes
 twinlight compare report --size 320x240 -o report
 twinlight check | tail -n 4
 twinlight export lab --as html -o lab.html
-twinlight render /usr/share/twinlight/scenes/lab.gl --with programmable -o lab.png
+twinlight render /usr/share/twinlight/scenes/lab.gl --with shaders -o lab.png
 xvfb-run -a twinlight-demo --quit-after 3 --screenshot window.png
 ls -l report/index.html lab.html lab.png window.png /usr/share/man/man1/twinlight.1.gz /usr/share/man/man1/twinlight-demo.1.gz \
     /usr/share/bash-completion/completions/twinlight /usr/share/applications/twinlight.desktop

@@ -59,7 +59,7 @@ Counts counted(const std::vector<Result>& results) {
 std::string table(const std::vector<Case>& cases, const std::vector<Result>& results) {
     std::size_t width = 4;
     for (const Case& of : cases) width = std::max(width, of.name.size());
-    std::string text = fmt::format("{:<{}}  {:<10}  {:<12}  {}\n", "case", width, "fixed", "programmable", "reference");
+    std::string text = fmt::format("{:<{}}  {:<10}  {:<12}  {}\n", "case", width, "fixed", "shaders", "reference");
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const auto word = [&](Path path, int columns) {
             const Outcome outcome = results[i].outcomes.at(static_cast<std::size_t>(path));

@@ -87,7 +87,7 @@ openTarget();
 constexpr const char* kTerms = R"(<details><summary>What the words mean</summary>
 <dl class="hint terms">
 <dt>fixed</dt><dd>The driver&rsquo;s own fixed function, which runs the scene&rsquo;s commands.</dd>
-<dt>programmable</dt><dd>Twinlight&rsquo;s shaders, on the same driver.</dd>
+<dt>shaders</dt><dd>Twinlight&rsquo;s shaders, on the same driver.</dd>
 <dt>reference</dt><dd>Twinlight&rsquo;s software renderer, which uses no driver.</dd>
 <dt>pass</dt><dd>The expected result.</dd>
 <dt>known bug</dt><dd>A wrong result that the case lists for this driver.</dd>

@@ -36,7 +36,7 @@ struct RenderArguments {
 
 const std::map<std::string, Path> kRenderers = {
     {"fixed", Path::kFixed},
-    {"programmable", Path::kProgrammable},
+    {"shaders", Path::kProgrammable},
     {"reference", Path::kReference},
 };
 
@@ -80,17 +80,17 @@ int run_render(RenderArguments arguments) {
     if (!names_file) arguments.output = name_after_scene(arguments.scene, ".png");
     check_is_png(arguments.output);
     if (arguments.renderer == "fixed" && arguments.shading == Shading::kPhong) {
-        throw UsageError("the fixed function has no phong shading; use --with programmable or --with reference");
+        throw UsageError("the fixed function has no phong shading; use --with shaders or --with reference");
     }
     if (arguments.renderer == "fixed" && arguments.shading == Shading::kExact) {
-        throw UsageError("the fixed function cannot draw exact surfaces; use --with programmable or --with reference");
+        throw UsageError("the fixed function cannot draw exact surfaces; use --with shaders or --with reference");
     }
     if (arguments.variants && (arguments.renderer == "fixed" || arguments.precise)) {
         throw UsageError(
             "--variants: the fixed function, and shaders that follow it (--precise), have only OpenGL's own model; "
             "leave it out");
     }
-    if (arguments.scrubbed && arguments.renderer == "programmable") {
+    if (arguments.scrubbed && arguments.renderer == "shaders") {
         throw UsageError(
             "--scrubbed applies only to --with fixed and --with reference; shaders never use more state than they "
             "need");
@@ -98,11 +98,11 @@ int run_render(RenderArguments arguments) {
     if (arguments.scrubbed && arguments.shading == Shading::kExact) {
         throw UsageError("--scrubbed works on meshes, not on exact surfaces; use either --scrubbed or --shading exact");
     }
-    if (arguments.baked && arguments.renderer != "programmable") {
-        throw UsageError("--baked applies only to shaders; use it with --with programmable");
+    if (arguments.baked && arguments.renderer != "shaders") {
+        throw UsageError("--baked applies only to shaders; use it with --with shaders");
     }
-    if (arguments.precise && arguments.renderer != "programmable") {
-        throw UsageError("--precise applies only to shaders; use it with --with programmable");
+    if (arguments.precise && arguments.renderer != "shaders") {
+        throw UsageError("--precise applies only to shaders; use it with --with shaders");
     }
     const bool to_stdout = arguments.output == "-";
     if (to_stdout && ::isatty(STDOUT_FILENO) != 0) {
@@ -134,7 +134,7 @@ Subcommand add_render(CLI::App& app) {
     render
         ->add_option("--with", arguments->renderer,
                      "the driver's fixed function (default), generated shaders, or the double-precision reference")
-        ->type_name("fixed|programmable|reference")
+        ->type_name("fixed|shaders|reference")
         ->check(one_of(kRenderers));
     add_shading_option(*render, arguments->shading);
     add_variants_option(*render, arguments->variants);
@@ -146,7 +146,7 @@ Subcommand add_render(CLI::App& app) {
     render->add_flag("--scrubbed", arguments->scrubbed,
                      "with fixed or reference: drop lights and other lighting state that a draw does not need");
     render->add_flag("--baked", arguments->baked,
-                     "with programmable: write the scene's numbers into the shaders as constants, instead of uniforms");
+                     "with shaders: write the scene's numbers into the shaders as constants, instead of uniforms");
     add_precise_flag(*render, arguments->precise);
     render
         ->add_option("-o", arguments->output,

@@ -331,11 +331,8 @@ std::vector<CasePicture> pictures_of(const Case& hard_case, const Frame& frame, 
         for (ShaderVariant variant : shader_variants()) {
             if (variant.options.shading || (variant.options.precise && shading) || !runs(variant, frame)) continue;
             variant.options.shading = shading;
-            shown.push_back({Path::kProgrammable,
-                             variant.name + suffix,
-                             shading,
-                             {},
-                             renderer.render(frame, variant.options)});
+            shown.push_back(
+                {Path::kProgrammable, variant.name + suffix, shading, {}, renderer.render(frame, variant.options)});
         }
         for (ReferenceVariant variant : reference_variants()) {
             variant.options.shading = shading;
@@ -494,7 +491,7 @@ void Suite::draw_vertices(const Case& hard_case, Result& result) {
     context_.make_current();
     const Scene scene = hard_case.carried_out(kVertexSide).scene;
     if (!has_variants(scene.frame)) result.pictures.emplace_back("fixed", fixed::render(scene));
-    result.pictures.emplace_back("programmable", context_.shaders().render(scene.frame, plain().options));
+    result.pictures.emplace_back("shaders", context_.shaders().render(scene.frame, plain().options));
     result.pictures.emplace_back("reference", reference::render(scene.frame, {}));
 }
 

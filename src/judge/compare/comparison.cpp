@@ -34,19 +34,18 @@ struct PlannedRender {
 constexpr std::array kRenders = {
     PlannedRender{Path::kFixed, false, "fixed",
                   "The driver's fixed function runs the commands and lights each vertex."},
-    PlannedRender{Path::kProgrammable, false, "programmable",
+    PlannedRender{Path::kProgrammable, false, "shaders",
                   "Shaders on the same driver light each vertex, with GL's model."},
     PlannedRender{
         Path::kReference, false, "reference",
         "The reference lights each vertex in double precision, with the specification's equation and no driver."},
-    PlannedRender{Path::kProgrammable, true, "programmable-phong",
-                  "Shaders light each pixel, with the scene's variants."},
+    PlannedRender{Path::kProgrammable, true, "shaders-phong", "Shaders light each pixel, with the scene's variants."},
     PlannedRender{Path::kReference, true, "reference-phong",
                   "The reference lights each pixel, with the scene's variants."},
 };
 // With exact surfaces: these instead of the phong pictures.
 constexpr std::array kExactRenders = {
-    PlannedRender{Path::kProgrammable, true, "programmable-exact",
+    PlannedRender{Path::kProgrammable, true, "shaders-exact",
                   "Shaders draw curved shapes exactly, by casting a ray through each pixel."},
     PlannedRender{Path::kReference, true, "reference-exact",
                   "The reference draws curved shapes exactly, by casting a ray through each pixel."},

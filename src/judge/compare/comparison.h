@@ -34,7 +34,7 @@ struct Renderers {
 
 struct Render {
     Path path = Path::kFixed;
-    std::string name;     // "fixed", "programmable", "reference", "programmable-phong", "reference-phong"; or -exact
+    std::string name;     // "fixed", "shaders", "reference", "shaders-phong", "reference-phong"; or -exact
     std::string meaning;  // the picture's caption: a sentence
     Image image;
     double ms = 0;  // of one drawing, including reading the picture back
@@ -120,7 +120,7 @@ struct CompareOptions {
     std::string driver{};                  // driver_name() of the driver that the renderers use
     double budget = PlanOptions{}.budget;  // for shaders
     bool precise = false;                  // programmable::Options::precise, for the picture with lighting per vertex
-    // kPhong, or kExact: the pictures "programmable-exact" and "reference-exact" then replace those with phong shading.
+    // kPhong, or kExact: the pictures "shaders-exact" and "reference-exact" then replace those with phong shading.
     Shading per_pixel = Shading::kPhong;
     bool per_vertex_only = false;  // draws no pictures with lighting per pixel; draws the others once, without timing
     // Called before each step: the number of finished steps, the number of all steps, the name of the next.

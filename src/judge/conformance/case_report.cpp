@@ -108,9 +108,14 @@ std::string program(const Case& of, const std::vector<Finding>& wrong) {
            print_c_function(scene, "draw_scene") + show_function(of, wrong) + kMain;
 }
 
-// "A vertex ...": the first letter of a title.
+// "A vertex ...": the first letter of a sentence, but not a symbol ("z = -0.5").
 std::string capitalised(std::string text) {
-    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    const auto is_lower = [&](std::size_t i) {
+        return i < text.size() && std::islower(static_cast<unsigned char>(text[i]));
+    };
+    const bool is_article = text.starts_with("a ");
+    if (is_article || (is_lower(0) && is_lower(1)))
+        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
     return text;
 }
 

@@ -136,7 +136,7 @@ std::string pictures_text(const std::vector<Rendered>& pictures, bool variants) 
                                       channel_code(picture.color[1]), channel_code(picture.color[2])),
                           {picture.color[0], picture.color[1], picture.color[2]});
     if (variants && pictures.front().renderer == Path::kFixed)
-        text += "  (programmable and reference are with the scene's variants, which the fixed function lacks)\n";
+        text += "  (shaders and reference are with the scene's variants, which the fixed function lacks)\n";
     return text;
 }
 

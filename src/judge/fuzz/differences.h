@@ -12,8 +12,8 @@ namespace twinlight::fuzz {
 
 enum class RendererPair : std::uint8_t { kFixedProgrammable, kFixedReference, kProgrammableReference };
 inline constexpr std::size_t kPairs = 3;
-inline constexpr std::array<std::string_view, kPairs> kPairNames = {"fixed ~ programmable", "fixed ~ reference",
-                                                                    "programmable ~ reference"};
+inline constexpr std::array<std::string_view, kPairs> kPairNames = {"fixed ~ shaders", "fixed ~ reference",
+                                                                    "shaders ~ reference"};
 
 inline bool has_fixed(std::size_t pair) {
     return pair != static_cast<std::size_t>(RendererPair::kProgrammableReference);

@@ -10,7 +10,7 @@ namespace twinlight::report {
 
 // "fixed.png"
 std::string picture_file(const compare::Render& render);
-// "difference-fixed-programmable.png"
+// "difference-fixed-shaders.png"
 std::string difference_file(const compare::Comparison& comparison, const compare::Pair& pair);
 
 // "step-1" for the first, which is 0.

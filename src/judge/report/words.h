@@ -41,7 +41,7 @@ std::array<int, 2> pixel_of(const compare::Comparison& comparison, const SceneLa
 bool has_allowed_difference(const compare::Pair& pair);
 // The renderers among `shown` that cannot draw the command.
 std::vector<std::string_view> names_of(const Unsupported& unsupported, std::span<const Path> shown = kAllPaths);
-// "glEnable(GL_FOG) (2 times, first at scene.gl:3:1) is not drawn by programmable and reference."
+// "glEnable(GL_FOG) (2 times, first at scene.gl:3:1) is not drawn by shaders and reference."
 std::string sentence_of(const Unsupported& unsupported, std::span<const Path> shown = kAllPaths);
 
 }  // namespace twinlight::report

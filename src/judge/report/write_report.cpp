@@ -89,7 +89,7 @@ bool is_picture_of_report(std::string_view name) {
     name.remove_suffix(kEnd.size());
     const bool is_difference = name.starts_with(kDifference);
     if (is_difference) name.remove_prefix(kDifference.size());
-    for (const std::string_view renderer : {"fixed", "programmable", "reference"})
+    for (const std::string_view renderer : {"fixed", "shaders", "reference"})
         if (name == renderer || name.starts_with(std::string(renderer) + "-"))
             return is_difference || name.find('-') == std::string_view::npos || name.ends_with("-phong") ||
                    name.ends_with("-exact");

@@ -20,9 +20,9 @@ struct Named {
 
 constexpr Named<Method> kMethods[] = {
     {Method::kFixed, "fixed", "fixed function"},
-    {Method::kUniforms, "programmable", "shaders with uniforms"},
-    {Method::kConstants, "programmable-baked", "shaders with constants"},
-    {Method::kPrecise, "programmable-precise", "precise shaders"},
+    {Method::kUniforms, "shaders", "shaders with uniforms"},
+    {Method::kConstants, "shaders-baked", "shaders with constants"},
+    {Method::kPrecise, "shaders-precise", "precise shaders"},
     {Method::kReference, "reference", "reference"},
 };
 constexpr Named<fixed::Sending> kSendings[] = {

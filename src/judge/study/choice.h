@@ -34,7 +34,7 @@ struct Choice {
 
     // "shaders with uniforms, gouraud, 32 slices"; usual values are not mentioned.
     std::string words() const;
-    // The same for files and keys: "programmable-gouraud-32"
+    // The same for files and keys: "shaders-gouraud-32"
     std::string key() const;
     programmable::Options shader_options() const;
     reference::Options reference_options() const;

@@ -81,10 +81,9 @@ void draw(const Scene& scene, const Options& options) {
 
 void check_shading(const std::optional<Shading>& shading) {
     if (shading == Shading::kPhong)
-        throw std::invalid_argument("the fixed function has no phong shading; use --with programmable or reference");
+        throw std::invalid_argument("the fixed function has no phong shading; use --with shaders or reference");
     if (shading == Shading::kExact)
-        throw std::invalid_argument(
-            "the fixed function cannot draw exact surfaces; use --with programmable or reference");
+        throw std::invalid_argument("the fixed function cannot draw exact surfaces; use --with shaders or reference");
 }
 
 Image render(const Scene& scene, const Options& options) {

@@ -57,13 +57,13 @@ const std::vector<Way>& ways() {
              .writes = true,
              .may_refuse = "shaders to keep"},
         };
-        for (const char* with : {"fixed", "programmable", "reference"})
+        for (const char* with : {"fixed", "shaders", "reference"})
             for (const char* shading : {"flat", "gouraud", "phong", "exact"})
                 list.push_back({.command = {"render", "--with", with, "--shading", shading},
                                 .writes = true,
                                 .may_refuse = is_of_vertices(with, shading) ? "the fixed function " : ""});
         for (const char* option : {"--baked", "--precise"})
-            list.push_back({.command = {"render", "--with", "programmable", option}, .writes = true});
+            list.push_back({.command = {"render", "--with", "shaders", option}, .writes = true});
         for (const char* with : {"fixed", "reference"})
             list.push_back({.command = {"render", "--with", with, "--scrubbed"}, .writes = true});
         return list;

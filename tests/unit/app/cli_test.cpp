@@ -123,7 +123,7 @@ TEST_F(Cli, RefusesBadUse) {
     expect_refused(run({"render", file, "--with", "fixed", "--budget", "2", "-o", out_ / "p.png"}),
                    "--budget: '2' is not a number from 0 to 1");
     expect_refused(run({"render", file, "--shading", "exact", "-o", out_ / "p.png"}),
-                   "the fixed function cannot draw exact surfaces; use --with programmable");
+                   "the fixed function cannot draw exact surfaces; use --with shaders");
     expect_refused(run({"render", file, "--with", "fixd", "-o", out_ / "p.png"}), "'fixd' is not one of fixed, ");
     expect_refused(run({"render", file, "--with", "fixed", "--bogus", "-o", out_ / "p.png"}),
                    "there is no option '--bogus'; see 'twinlight render --help'");
@@ -140,14 +140,13 @@ TEST_F(Cli, RefusesBadUse) {
     expect_refused(run({"compare", file, "-o", ""}), "-o: the name is empty");
     expect_refused(run({"compare", "", "-o", out_ / "r"}), "SCENE: the name is empty");
     expect_refused(run({"render", file, "--with", "fixed", "--shading", "phong", "-o", out_ / "p.png"}),
-                   "use --with programmable or --with reference");
+                   "use --with shaders or --with reference");
     expect_refused(run({"render", file, "--with", "fixed", "--shading", "smooth", "-o", out_ / "p.png"}), "flat");
     expect_refused(run({"render", file, "--with", "fixed", "--precise", "-o", out_ / "p.png"}),
-                   "use it with --with programmable");
-    expect_refused(
-        run({"render", file, "--with", "programmable", "--precise", "--shading", "phong", "-o", out_ / "p.png"}),
-        "does not work with phong or exact shading");
-    expect_refused(run({"render", file, "--with", "programmable", "--precise", "--baked", "-o", out_ / "p.png"}),
+                   "use it with --with shaders");
+    expect_refused(run({"render", file, "--with", "shaders", "--precise", "--shading", "phong", "-o", out_ / "p.png"}),
+                   "does not work with phong or exact shading");
+    expect_refused(run({"render", file, "--with", "shaders", "--precise", "--baked", "-o", out_ / "p.png"}),
                    "does not work with constants");
     expect_refused(run({"export", file, "--as", "c", "--precise"}), "use it with --as glsl");
     expect_refused(run({"export", file, "--as", "c", "-o", out_ / "e"}), "applies only to --as glsl and html");
@@ -389,7 +388,7 @@ TEST_F(Cli, LeavesNoPartOfAFileWhenItIsInterrupted) {
 
 TEST_F(Cli, RendersWithEachRenderer) {
     const std::string file = scene(kScene);
-    for (const char* renderer : {"fixed", "programmable", "reference"}) {
+    for (const char* renderer : {"fixed", "shaders", "reference"}) {
         const std::string path = out_ / (std::string(renderer) + ".png");
         const ProgramResult result = run({"render", file, "--with", renderer, "--size", "64x48", "-o", path});
         EXPECT_EQ(result.status, 0);
@@ -451,7 +450,7 @@ TEST_F(Cli, ComparesInTheFixedFunctionsOrderOfOperations) {
     EXPECT_NE(shaders.out.find("precise float n_dot_vp"), std::string::npos);
     const std::string nine =
         scene("#pragma twinlight light(8, GL_DIFFUSE, 1, 1, 1, 1)\n" + std::string(kScene), "nine.gl");
-    const ProgramResult refused = run({"render", nine, "--with", "programmable", "--precise", "-o", out_ / "p.png"});
+    const ProgramResult refused = run({"render", nine, "--with", "shaders", "--precise", "-o", out_ / "p.png"});
     EXPECT_EQ(refused.status, 2);
     EXPECT_NE(refused.err.find("has only 8 lights, so it cannot draw light(8)"), std::string::npos) << refused.err;
 }
@@ -563,14 +562,14 @@ TEST_F(Cli, CheckTellsOfEachCase) {
     ASSERT_EQ(found["cases"].size(), 2u);
     EXPECT_EQ(found["cases"][0]["name"], "light-at-vertex");
     EXPECT_EQ(found["cases"][0]["status"], "ruling");
-    for (const char* path : {"fixed", "programmable", "reference"}) EXPECT_EQ(found["cases"][1][path], "pass");
+    for (const char* path : {"fixed", "shaders", "reference"}) EXPECT_EQ(found["cases"][1][path], "pass");
     EXPECT_EQ(found["failing"], 0);
     const ProgramResult table = run({"check", "light-at-vertex"});
     EXPECT_NE(table.out.find("\nNothing unexpected.\n1 case."), std::string::npos) << table.out;
     EXPECT_EQ(run({"check", "light-at-vertex", "flat-triangle", "--html", out_.str()}).status, 0);
     const std::string page = read_file(out_ / "index.html");
     EXPECT_NE(page.find("<section id=\"light-at-vertex\">"), std::string::npos);
-    EXPECT_NE(page.find("<img alt=\"programmable baked\" src=\"data:image/png;base64,"), std::string::npos);
+    EXPECT_NE(page.find("<img alt=\"shaders baked\" src=\"data:image/png;base64,"), std::string::npos);
     EXPECT_NE(page.find("<p class=\"headline\">Nothing unexpected: 2 of 2 cases pass, and none shows "),
               std::string::npos);
     EXPECT_NE(page.find("data-group=\"3\" aria-pressed=\"false\"><b>2</b>passed</button>"), std::string::npos);
@@ -749,11 +748,11 @@ TEST_F(Cli, StudiesWhatAccuracyCosts) {
     const auto rms = [&](const char* key) { return points.at(key)["error"]["interior"]["rms"].get<double>(); };
     EXPECT_EQ(points.at("reference-exact")["error"]["whole"]["rms"], 0);
     // Finer is nearer, and what is lit at every pixel is nearer than what is lit at vertices.
-    EXPECT_LT(rms("programmable-phong-32"), rms("programmable-phong-8"));
-    EXPECT_LT(rms("programmable-gouraud-32"), rms("programmable-gouraud-8"));
-    EXPECT_LT(rms("programmable-phong-32"), rms("programmable-gouraud-32"));
-    EXPECT_LT(rms("programmable-gouraud-32"), rms("programmable-flat-32"));
-    EXPECT_NEAR(rms("fixed-gouraud-32"), rms("programmable-gouraud-32"), 1e-4);  // codes that round to either side
+    EXPECT_LT(rms("shaders-phong-32"), rms("shaders-phong-8"));
+    EXPECT_LT(rms("shaders-gouraud-32"), rms("shaders-gouraud-8"));
+    EXPECT_LT(rms("shaders-phong-32"), rms("shaders-gouraud-32"));
+    EXPECT_LT(rms("shaders-gouraud-32"), rms("shaders-flat-32"));
+    EXPECT_NEAR(rms("fixed-gouraud-32"), rms("shaders-gouraud-32"), 1e-4);  // codes that round to either side
     for (const auto& [key, point] : points) EXPECT_EQ(point["seconds"]["samples"].size(), 3U) << key;
     // What is only sent in another way is the same picture, and so are normals that are rescaled.
     for (const char* sending : {"client-arrays", "immediate", "display-list"})
@@ -764,7 +763,7 @@ TEST_F(Cli, StudiesWhatAccuracyCosts) {
     EXPECT_LT(largest("reference-exact-floats"), 1e-4);
     EXPECT_LT(largest("reference-exact-long-double"), largest("reference-exact-floats"));
     // Floats have nothing to round.
-    EXPECT_LT(rms("programmable-phong-32-float"), rms("programmable-phong-32"));
+    EXPECT_LT(rms("shaders-phong-32-float"), rms("shaders-phong-32"));
     EXPECT_LT(std::filesystem::file_size(folder + "/pictures/reference-exact-difference.png"), 1000U);  // one grey
 
     // Goes on: the rounds are added to those that there were.
@@ -818,7 +817,7 @@ TEST_F(Cli, StudiesEdgesByCoverage) {
     const json study = json::parse(result.out);
     for (const json& point : study["points"]) points[point["key"]] = point;
     const auto rms = [&](const std::string& key) { return points.at(key)["error"]["silhouette"]["rms"].get<double>(); };
-    for (const std::string choice : {"fixed-gouraud-32", "programmable-phong-32", "reference-exact"}) {
+    for (const std::string choice : {"fixed-gouraud-32", "shaders-phong-32", "reference-exact"}) {
         EXPECT_LT(rms(choice + "-samples-2"), rms(choice));
         EXPECT_LT(rms(choice + "-samples-4"), rms(choice + "-samples-2"));
     }
@@ -831,10 +830,9 @@ TEST_F(Cli, DrawsExactSurfacesByShadersAndTheReference) {
     const auto render = [&](const char* renderer) {
         return run({"render", file, "--with", renderer, "--shading", "exact", "--size", "32x32", "-o", out_ / "p.png"});
     };
-    expect_refused(render("fixed"), "use --with programmable or --with reference");
-    expect_refused(
-        run({"render", file, "--with", "programmable", "--precise", "--shading", "exact", "-o", out_ / "p.png"}),
-        "does not work with phong or exact shading");
+    expect_refused(render("fixed"), "use --with shaders or --with reference");
+    expect_refused(run({"render", file, "--with", "shaders", "--precise", "--shading", "exact", "-o", out_ / "p.png"}),
+                   "does not work with phong or exact shading");
     EXPECT_NE(run({"export", file, "--as", "glsl", "--shading", "exact"}).out.find("cast_ray()"), std::string::npos);
     const ProgramResult explained = run({"explain", file, "--shading", "exact"});
     EXPECT_EQ(explained.status, 0) << explained.err;
@@ -842,11 +840,11 @@ TEST_F(Cli, DrawsExactSurfacesByShadersAndTheReference) {
         run({"render", file, "--with", "reference", "--scrubbed", "--shading", "exact", "-o", out_ / "p.png"}),
         "use either --scrubbed or --shading exact");
     expect_refused(run({"compare", file, "--shading", "flat", "-o", out_.str()}), "exact, phong");
-    EXPECT_EQ(render("programmable").status, 0);
+    EXPECT_EQ(render("shaders").status, 0);
     EXPECT_EQ(render("reference").status, 0);
     const ProgramResult compared = run({"compare", file, "--shading", "exact", "--size", "32x32", "-o", out_.str()});
     EXPECT_EQ(compared.status, 0) << compared.err;
-    EXPECT_NE(compared.out.find("programmable-exact"), std::string::npos);
+    EXPECT_NE(compared.out.find("shaders-exact"), std::string::npos);
 }
 
 TEST_F(Cli, ExplainsAPixelTermByTermThreeWays) {
@@ -861,12 +859,11 @@ TEST_F(Cli, ExplainsAPixelTermByTermThreeWays) {
     EXPECT_NEAR(fragment["lights"][0]["diffuse"][0].get<double>(), 0.8, 1e-12);
     EXPECT_NEAR(fragment["lights"][1]["spot"].get<double>(), 0, 0);
     EXPECT_NEAR(fragment["primary_unclamped"][2].get<double>(), 0.8 + 0.8 * double{0.001F}, 1e-12);
-    for (const char* renderer : {"fixed", "programmable", "reference"})
+    for (const char* renderer : {"fixed", "shaders", "reference"})
         EXPECT_NEAR(pixel["pictures"][renderer][0].get<double>(), 0.8008, 1.0 / 255) << renderer;
 
     const ProgramResult text = run({"explain", file, "--size", "20x20", "--pixel", "3,5"});
-    for (const char* expected :
-         {"1 fragment", "GL_LIGHT0: directional", "n.VP         1.00000", "clamped", "programmable"})
+    for (const char* expected : {"1 fragment", "GL_LIGHT0: directional", "n.VP         1.00000", "clamped", "shaders"})
         EXPECT_NE(text.out.find(expected), std::string::npos) << expected << "\n" << text.out;
     EXPECT_NE(run({"explain", scene(kScene), "--size", "20x20", "--pixel", "0,0"}).out.find("no draw covers it"),
               std::string::npos);

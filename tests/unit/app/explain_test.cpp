@@ -270,7 +270,7 @@ TEST_F(Explain, SaysTheSameOfAVertexAsOfAPixel) {
             for (json face : vertex["faces"]) {
                 // A point has the same colour by all renderers: up to the rounding to 8 bits by two of them.
                 const glm::dvec3 color = glm::clamp(vec(face["primary"]) + vec(face["secondary"]), 0.0, 1.0);
-                for (const char* renderer : {"fixed", "programmable"})
+                for (const char* renderer : {"fixed", "shaders"})
                     expect_near(vec(face["pictures"][renderer]), color, 1.01 / 255, renderer);
                 expect_near(vec(face["pictures"]["reference"]), color, 1e-6, "reference");  // floats
                 if (face["face"] != point["face"]) continue;

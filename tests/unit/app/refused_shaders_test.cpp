@@ -24,7 +24,7 @@ ProgramResult run_without_shaders(const TemporaryFolder& folder, const std::stri
 TEST(RefusedShaders, AreReportedInOneLineThatNamesAFileWithTheText) {
     const TemporaryFolder folder;
     const ProgramResult result =
-        run_without_shaders(folder, "render report --with programmable --size 16x16 -o " + quoted(folder / "a.png"));
+        run_without_shaders(folder, "render report --with shaders --size 16x16 -o " + quoted(folder / "a.png"));
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
     EXPECT_TRUE(result.err.starts_with("twinlight: the driver refuses a vertex shader: ")) << result.err;
@@ -63,7 +63,7 @@ TEST(RefusedShaders, LeaveTheOtherPicturesOfAComparison) {
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.out.find("a picture by shaders (the driver refuses a vertex shader: "), std::string::npos)
         << result.out;
-    EXPECT_NE(result.out.find("is not drawn by programmable."), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("is not drawn by shaders."), std::string::npos) << result.out;
     EXPECT_TRUE(std::filesystem::exists(folder / "report/reference.png"));
 }
 
@@ -82,7 +82,7 @@ TEST(RefusedShaders, ForTooManyLightsSayHowManyTheDriverTakes) {
         return run_shell("twinlight", "TMPDIR=" + quoted(folder.str()) + " \"$PROGRAM\" " + arguments);
     };
     const std::string render =
-        "render " + quoted(scene) + " --with programmable --size 16x12 -o " + quoted(folder / "p.png");
+        "render " + quoted(scene) + " --with shaders --size 16x12 -o " + quoted(folder / "p.png");
     write_lights(4096);
     const ProgramResult refused = run(render);
     if (refused.status == 0) GTEST_SKIP() << "this driver takes as many";

@@ -76,7 +76,7 @@ TEST(UntrustedNames, DoNotReachTheTerminalRaw) {
 
 TEST(UntrustedNumbers, AreRefused) {
     for (const std::vector<std::string>& command :
-         std::vector<std::vector<std::string>>{{"render", "report", "--with", "programmable", "--budget", "nan"},
+         std::vector<std::vector<std::string>>{{"render", "report", "--with", "shaders", "--budget", "nan"},
                                                {"study", "report", "--seconds", "nan"},
                                                {"fuzz", "--seed", "-1"},
                                                {"fuzz", "--seed", "99999999999999999999999"},
@@ -439,7 +439,7 @@ TEST(MemoryLimit, CountsAtLeastWhatPixelsUse) {
     for (const auto& [command, slack] :
          std::vector<Row>{{{"render", plain, "--with", "reference", "-o", folder / "x.png"}, 1.6},
                           {{"render", most, "--with", "reference", "-o", folder / "x.png"}, 3.5},
-                          {{"render", most, "--with", "programmable", "-o", folder / "x.png"}, 3.5},
+                          {{"render", most, "--with", "shaders", "-o", folder / "x.png"}, 3.5},
                           {{"explain", most, "--pixel", "20,20"}, 3},
                           {{"compare", most, "-o", folder / "report"}, 1.6},
                           {{"compare", "terms", "-o", folder / "report"}, 2}}) {

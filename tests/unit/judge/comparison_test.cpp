@@ -74,7 +74,7 @@ struct Stub {
                     },
                 .programmable =
                     [this](const Frame& frame, const programmable::Options& options) {
-                        count("programmable", options);
+                        count("shaders", options);
                         return picture(frame, programmable);
                     },
                 .reference =
@@ -138,8 +138,8 @@ TEST(Comparison, DrawsPerVertexByGlsModelAndPhongByTheScenes) {
     stub.compare();
     const std::map<std::string, int> expected = {
         {"fixed scene GL", 2},  // one to warm the driver up, one that counts
-        {"programmable scene GL", 2},    {"reference scene GL", 1}, {"programmable phong variants", 2},
-        {"reference phong variants", 1},
+        {"shaders scene GL", 2},       {"reference scene GL", 1},
+        {"shaders phong variants", 2}, {"reference phong variants", 1},
     };
     EXPECT_EQ(stub.calls, expected);
 }
@@ -183,13 +183,13 @@ TEST(Verdict, IsOfWhatIsLeftBeyondTheAllowedDifference) {
     stub.fixed = 133.0F / 255;
     stub.allowed = 1.6F / 255;  // twice, for either of two drivers
     const Comparison beyond = stub.compare();
-    const ImageDifference& difference = pair_named(beyond, "fixed ~ programmable").difference;
+    const ImageDifference& difference = pair_named(beyond, "fixed ~ shaders").difference;
     EXPECT_EQ(difference.interior.max, 5 / 255.0);
     EXPECT_EQ(difference.beyond_allowed.max, 1 / 255.0);
     EXPECT_EQ(difference.beyond_allowed.differing, difference.interior.pixels);
-    EXPECT_EQ(pair_named(beyond, "fixed ~ programmable").verdict, Verdict::kBeyond);
+    EXPECT_EQ(pair_named(beyond, "fixed ~ shaders").verdict, Verdict::kBeyond);
     stub.allowed = 2.01F / 255;
-    EXPECT_EQ(pair_named(stub.compare(), "fixed ~ programmable").verdict, Verdict::kWithin);
+    EXPECT_EQ(pair_named(stub.compare(), "fixed ~ shaders").verdict, Verdict::kWithin);
     EXPECT_EQ(pair_named(stub.compare(), "fixed ~ reference").verdict, Verdict::kBeyond);
     stub.allowed = 4.01F / 255;
     EXPECT_EQ(stub.compare().verdict(), Verdict::kWithin);
@@ -262,15 +262,15 @@ TEST(Verdict, NamesThePairsThatDiffer) {
     stub.fixed = 0.6F;  // 153 against 128
     const Comparison comparison = stub.compare();
     EXPECT_FALSE(comparison.within_tolerance());
-    EXPECT_EQ(pair_named(comparison, "fixed ~ programmable").verdict, Verdict::kBeyond);
+    EXPECT_EQ(pair_named(comparison, "fixed ~ shaders").verdict, Verdict::kBeyond);
     EXPECT_EQ(pair_named(comparison, "fixed ~ reference").verdict, Verdict::kBeyond);
-    EXPECT_EQ(pair_named(comparison, "programmable ~ reference").verdict, Verdict::kWithin);
-    EXPECT_EQ(pair_named(comparison, "programmable-phong ~ reference-phong").verdict, Verdict::kWithin);
-    EXPECT_EQ(pair_named(comparison, "fixed ~ programmable-phong").verdict, Verdict::kInformative);
+    EXPECT_EQ(pair_named(comparison, "shaders ~ reference").verdict, Verdict::kWithin);
+    EXPECT_EQ(pair_named(comparison, "shaders-phong ~ reference-phong").verdict, Verdict::kWithin);
+    EXPECT_EQ(pair_named(comparison, "fixed ~ shaders-phong").verdict, Verdict::kInformative);
     const Answer answers = answer(comparison);
-    EXPECT_EQ(answers.headline, "Not all agree: fixed and programmable differ by up to 25/255.");
+    EXPECT_EQ(answers.headline, "Not all agree: fixed and shaders differ by up to 25/255.");
     EXPECT_EQ(answers.where,
-              "fixed ~ programmable: 1,170 of 1,170 checked pixels differ (100.00%); the worst is at "
+              "fixed ~ shaders: 1,170 of 1,170 checked pixels differ (100.00%); the worst is at "
               "(1, 0). Allowed: up to 1/255, in fewer than 0.1% of the pixels.");
     ASSERT_EQ(answers.details.size(), 2U);
     EXPECT_EQ(answers.details[0],
@@ -394,9 +394,9 @@ TEST(Verdict, IsPartialWhereARendererLeavesSomethingOut) {
     stub.without_fog = 128.0F / 255;
     stub.unsupported = {fog(2)};  // programmable and reference do without
     const Comparison comparison = stub.compare();
-    EXPECT_EQ(pair_named(comparison, "fixed ~ programmable").verdict, Verdict::kPartial);
-    EXPECT_EQ(pair_named(comparison, "programmable ~ reference").verdict, Verdict::kPartial);
-    EXPECT_EQ(pair_named(comparison, "programmable-phong ~ reference-phong").verdict, Verdict::kPartial);
+    EXPECT_EQ(pair_named(comparison, "fixed ~ shaders").verdict, Verdict::kPartial);
+    EXPECT_EQ(pair_named(comparison, "shaders ~ reference").verdict, Verdict::kPartial);
+    EXPECT_EQ(pair_named(comparison, "shaders-phong ~ reference-phong").verdict, Verdict::kPartial);
     EXPECT_EQ(comparison.verdict(), Verdict::kPartial);
     EXPECT_TRUE(comparison.within_tolerance());
     EXPECT_EQ(answer(comparison).headline,
@@ -414,8 +414,8 @@ TEST(Verdict, IsBeyondWhereTheMissingCommandsExplainNothing) {
     stub.fixed = stub.without_fog = 0.6F;
     stub.unsupported = {fog(2)};
     const Comparison comparison = stub.compare();
-    EXPECT_EQ(pair_named(comparison, "fixed ~ programmable").verdict, Verdict::kBeyond);
-    EXPECT_EQ(pair_named(comparison, "programmable ~ reference").verdict, Verdict::kWithin);
+    EXPECT_EQ(pair_named(comparison, "fixed ~ shaders").verdict, Verdict::kBeyond);
+    EXPECT_EQ(pair_named(comparison, "shaders ~ reference").verdict, Verdict::kWithin);
     EXPECT_EQ(comparison.verdict(), Verdict::kBeyond);
     EXPECT_FALSE(comparison.within_tolerance());
 }
@@ -487,8 +487,8 @@ TEST(Verdict, IsBeyondWhereBothLeaveTheSameOut) {
     stub.without_fog = 0.7F;
     stub.unsupported = {fog(2)};
     const Comparison comparison = stub.compare();
-    EXPECT_EQ(pair_named(comparison, "fixed ~ programmable").verdict, Verdict::kPartial);
-    EXPECT_EQ(pair_named(comparison, "programmable ~ reference").verdict, Verdict::kBeyond);
+    EXPECT_EQ(pair_named(comparison, "fixed ~ shaders").verdict, Verdict::kPartial);
+    EXPECT_EQ(pair_named(comparison, "shaders ~ reference").verdict, Verdict::kBeyond);
     EXPECT_EQ(comparison.verdict(), Verdict::kBeyond);
 }
 
@@ -507,7 +507,7 @@ TEST(Verdict, IsNotGivenForPhongAgainstFixed) {
     };
     const Comparison comparison = compare_scene(empty_scene(), {}, renderers);
     EXPECT_TRUE(comparison.within_tolerance());
-    EXPECT_GT(pair_named(comparison, "fixed ~ programmable-phong").difference.interior.max, 0.4);
+    EXPECT_GT(pair_named(comparison, "fixed ~ shaders-phong").difference.interior.max, 0.4);
 }
 
 // ---- What is written ----
@@ -524,17 +524,17 @@ TEST_F(ReportTest, HoldsEveryPictureTheNumbersAndThePage) {
     std::ranges::sort(names);
     const std::vector<std::string> expected = {
         "comparison.json",
-        "difference-fixed-programmable-phong.png",
-        "difference-fixed-programmable.png",
         "difference-fixed-reference.png",
-        "difference-programmable-phong-reference-phong.png",
-        "difference-programmable-reference.png",
+        "difference-fixed-shaders-phong.png",
+        "difference-fixed-shaders.png",
+        "difference-shaders-phong-reference-phong.png",
+        "difference-shaders-reference.png",
         "fixed.png",
         "index.html",
-        "programmable-phong.png",
-        "programmable.png",
         "reference-phong.png",
         "reference.png",
+        "shaders-phong.png",
+        "shaders.png",
     };
     EXPECT_EQ(names, expected);
     EXPECT_EQ(read_png((out / "fixed.png").string()).pixels[0], quantised(comparison.renders[0].image).pixels[0]);
@@ -655,8 +655,8 @@ TEST(ComparisonJson, HasTheFormThatTheHeaderTells) {
     EXPECT_EQ(read["driver"], "a driver");
     EXPECT_EQ(read["size"], json({40, 30}));
     ASSERT_EQ(read["renders"].size(), 5U);
-    EXPECT_EQ(read["renders"][3]["name"], "programmable-phong");
-    EXPECT_EQ(read["renders"][3]["file"], "programmable-phong.png");
+    EXPECT_EQ(read["renders"][3]["name"], "shaders-phong");
+    EXPECT_EQ(read["renders"][3]["file"], "shaders-phong.png");
     EXPECT_TRUE(read["renders"][3]["ms"].is_number());
     ASSERT_EQ(read["pairs"].size(), 5U);
     const json& pair = read["pairs"][1];
@@ -673,7 +673,7 @@ TEST(ComparisonJson, HasTheFormThatTheHeaderTells) {
     EXPECT_EQ(read["unsupported"][0], json({{"name", "glEnable(GL_FOG)"},
                                             {"count", 2},
                                             {"place", "scene.gl:3:1"},
-                                            {"renderers", {"programmable", "reference"}}}));
+                                            {"renderers", {"shaders", "reference"}}}));
 }
 
 TEST(ComparisonJson, IsValidWhateverBytesASceneIsNamedWith) {
@@ -709,7 +709,7 @@ TEST(ComparisonPage, OpensOnThePairThatTeaches) {
     const std::string page = page_of(comparison);
     EXPECT_NE(page.find(" data-x=\"31\" data-y=\"17\">"), std::string::npos);
     const std::size_t first = page.find("<button type=\"button\" data-left=");
-    EXPECT_EQ(page.find("data-left=\"fixed\" data-right=\"programmable-phong\"", first), first + 22);
+    EXPECT_EQ(page.find("data-left=\"fixed\" data-right=\"shaders-phong\"", first), first + 22);
     EXPECT_NE(page.find("They are meant to differ: in this scene by up to 40/255.\">Lit vertices, lit pixels</button>"),
               std::string::npos);
     EXPECT_NE(page.find("data-right=\"fixed ~ reference\" "), std::string::npos);
@@ -736,7 +736,7 @@ TEST(ComparisonPage, NamesWhatIsNotDrawn) {
     Comparison comparison = stub.compare();
     comparison.unsupported.push_back(fog(1));
     const std::string page = page_of(comparison);
-    EXPECT_NE(page.find("glEnable(GL_FOG) (once, at scene.gl:3:1) is not drawn by programmable and reference."),
+    EXPECT_NE(page.find("glEnable(GL_FOG) (once, at scene.gl:3:1) is not drawn by shaders and reference."),
               std::string::npos);
 }
 

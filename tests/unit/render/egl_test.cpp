@@ -52,7 +52,7 @@ TEST_F(Egl, DrawsThePicturesOfOsmesa) {
         "glAccum(GL_RETURN, 1);\n");
     // The built-in scene has points, lines, textures and text, whose borders would show rows that are upside down.
     for (const std::string& scene : {std::string("legacy"), accumulates}) {
-        for (const char* renderer : {"fixed", "programmable"}) {
+        for (const char* renderer : {"fixed", "shaders"}) {
             const auto picture = [&](const std::string& program, const std::string& name) {
                 EXPECT_EQ(
                     run(program, "render " + quoted(scene) + " --with " + renderer + " -o " + quoted(folder_ / name))

@@ -70,7 +70,7 @@ TEST(FogBehindTheEye, IsAKnownBugWhereItIsExponential) {
                        pair.verdict == compare::Verdict::kBeyond;
             });
         };
-        EXPECT_FALSE(differs("programmable ~ reference"));
+        EXPECT_FALSE(differs("shaders ~ reference"));
         if (!compare::is_measured(current_driver())) continue;
         EXPECT_TRUE(differs("fixed ~ reference"));
         ASSERT_EQ(comparison.known_departures.size(), 1U);

@@ -64,7 +64,7 @@ class TextureFiles : public testing::Test {
 };
 
 TEST_F(TextureFiles, AreDrawnUprightByAllRenderers) {
-    for (const char* renderer : {"fixed", "programmable", "reference"}) {
+    for (const char* renderer : {"fixed", "shaders", "reference"}) {
         const std::string path = out_ / (std::string(renderer) + ".png");
         const ProgramResult result =
             run({"render", in_ / "scene.gl", "--with", renderer, "--size", "32x32", "-o", path});

@@ -295,7 +295,7 @@
     fill("colour", [...(severalMachines ? [["series", "machine"]] : []), ...study.axes.map((one) => [one.name, one.words])]);
     fill("renderer", [...new Set(points.filter((point) => point.axes.slices !== null).map((point) => point.values.renderer))]
         .map((words) => [words, words]));
-    const shaders = points.find((point) => point.axes.renderer === "programmable");
+    const shaders = points.find((point) => point.axes.renderer === "shaders");
     if (shaders && shaders.axes.slices !== null) element("renderer").value = shaders.values.renderer;
 
     function draw() {
