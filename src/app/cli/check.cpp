@@ -147,16 +147,13 @@ void write_page(const std::string& folder, Suite& suite, const std::vector<Case>
                            MissingFolders::kMade);
 }
 
-// NAME.md for each case that the driver gets wrong. All files, or none if the disk is full.
+// NAME.md for each bug of the driver, by the name of its shortest case. All files, or none if the disk is full.
 void write_reports(const std::string& folder, const std::string& driver, const std::vector<Case>& cases,
                    const std::vector<Result>& results) {
-    std::vector<std::string> reports;
-    for (std::size_t i = 0; i < cases.size(); ++i)
-        reports.push_back(conformance::case_report(driver, cases[i], results[i]));
+    const std::vector<conformance::CaseReport> reports = conformance::case_reports(driver, cases, results);
     std::vector<FileToWrite> files;
-    for (std::size_t i = 0; i < cases.size(); ++i)
-        if (!reports[i].empty())
-            files.push_back({(std::filesystem::path(folder) / (cases[i].name + ".md")).string(), reports[i]});
+    for (const conformance::CaseReport& report : reports)
+        files.push_back({(std::filesystem::path(folder) / (report.name + ".md")).string(), report.text});
     write_files_atomically(files, {}, MissingFolders::kMade);
     make_folder(folder);  // also if there is nothing to report
 }
@@ -211,10 +208,10 @@ Subcommand add_check(CLI::App& app) {
             ->type_name("DIR")
             ->check(not_empty());
     check
-        ->add_option(
-            "--write-reports", arguments->reports,
-            "for each case that the driver gets wrong, write a bug report with a C program, NAME.md, into this folder; "
-            "created if it does not exist")
+        ->add_option("--write-reports", arguments->reports,
+                     "for each bug that the cases find in the driver, write a report with a C program, NAME.md, into "
+                     "this folder; "
+                     "created if it does not exist")
         ->type_name("DIR")
         ->check(not_empty())
         ->excludes(programs);

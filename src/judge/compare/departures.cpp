@@ -43,7 +43,9 @@ const std::vector<Departure>& departures() {
          .section =
              "2.14.1: a vertex is lit if its angle equals the cutoff, here of 0 or 90 degrees, and behind one of 90",
          .seen_on = kBothAndNvidia,
-         .vertex_rule = is_at_exact_edge_of_cone},
+         .vertex_rule = is_at_exact_edge_of_cone,
+         .where = "src/mesa/main/ffvertex_prog.c, calculate_light_attenuation(): nir_flt(cutoff, spot) leaves out a "
+                  "vertex whose cosine equals the cutoff's; the text says not less, and compares max(cosine, 0)"},
         {.name = "vertex near the edge of a spot's cone",
          .section = "2.14.1: spot_i jumps at the cutoff, so rounding decides",
          .cause = Cause::kUnspecified,
@@ -71,7 +73,9 @@ const std::vector<Departure>& departures() {
         {.name = "size of points by their distance",
          .section = "3.3: d is the distance from the eye; the driver takes |z_e|",
          .seen_on = kBoth,
-         .draw_rule = attenuates_points_aside},
+         .draw_rule = attenuates_points_aside,
+         .where = "src/mesa/main/ffvertex_prog.c, build_atten_pointsize(): the distance is nir_fabs() of z in eye "
+                  "coordinates"},
         {.name = "clipped polygons as lines and points",
          .section = "2.12, 3.5.4",
          .cause = Cause::kDriver,
@@ -210,12 +214,17 @@ const std::vector<Departure>& departures() {
          .section = "2.14.1: (n.h)^0 is 1; the driver computes (n.VP)^(n.VP)",
          .seen_on = kBoth,
          .draw_rule = has_shininess_0_with_factors,
-         .rewrite = &sets_some_shininess},
+         .rewrite = &sets_some_shininess,
+         .where = "src/mesa/main/ffvertex_prog.c, build_lighting(): where material_shininess_is_zero, all four dots "
+                  "are n.VP; with an attenuation they go to emit_lit(), whose power then has n.VP as base and "
+                  "exponent, and not to emit_degenerate_lit()"},
         {.name = "shininess 0 on one side of two",
          .section = "2.14.1: (n.h)^0 is 1, whatever the shininess of the other side",
          .seen_on = kLlvmpipe,
          .draw_rule = has_shininess_0_on_one_side,
-         .rewrite = &sets_some_shininess_of_sides},
+         .rewrite = &sets_some_shininess_of_sides,
+         .where = "src/mesa/main/ffvertex_prog.c, build_lighting(): material_shininess_is_zero holds only if both "
+                  "sides have 0; otherwise emit_lit() computes 0 to the power of 0 with nir_fpow()"},
         {.name = "glMaterial before glEnable(GL_COLOR_MATERIAL)",
          .section = "2.14.3: from glEnable on, the material follows the current colour",
          .seen_on = kBothUntilFixed,
@@ -313,22 +322,29 @@ const std::vector<Departure>& departures() {
          .section = "2.14.1: for the direction P1P2, both points are divided by their w",
          .seen_on = kBoth,
          .vertex_rule = has_w_under_positional_light,
-         .rewrite = &divides_by_w},
+         .rewrite = &divides_by_w,
+         .where = "src/mesa/main/ffvertex_prog.c, build_lighting(): VPpli is the light's position minus "
+                  "get_eye_position(), which is not divided by its w"},
         {.name = "normals under a matrix that projects",
          .section =
              "2.11.3: normals are multiplied by the inverse of the matrix's upper left 3 x 3; the driver takes the "
              "upper left 3 x 3 of the inverse",
          .seen_on = kBoth,
-         .draw_rule = has_normals_in_projection},
+         .draw_rule = has_normals_in_projection,
+         .where = "src/mesa/main/ffvertex_prog.c, get_transformed_normal(): takes the upper left of "
+                  "STATE_MODELVIEW_MATRIX_INVTRANS, the inverse of all four rows and columns"},
         {.name = "fog of a vertex whose w is not 1",
          .section = "3.10",
          .seen_on = kBoth,
          .draw_rule = has_w_in_fog,
-         .rewrite = &divides_by_w},
+         .rewrite = &divides_by_w,
+         .where = "src/mesa/main/ffvertex_prog.c, build_fog(): get_eye_position_z() is not divided by w"},
         {.name = "exponential fog on primitives that reach behind the eye",
          .section = "3.10: c is the fragment's distance; the driver interpolates the distances of the vertices",
          .seen_on = kBoth,
-         .draw_rule = has_exponential_fog_behind_the_eye},
+         .draw_rule = has_exponential_fog_behind_the_eye,
+         .where = "src/mesa/main/ffvertex_prog.c, build_fog(): nir_fabs() of z at each vertex; the absolute value is "
+                  "then interpolated"},
         {.name = "fog coordinates below 0",
          .section = "3.10: c is the interpolated fog coordinate, not its absolute value",
          .seen_on = kBothUntilFixedAndNvidia,
@@ -342,15 +358,21 @@ const std::vector<Departure>& departures() {
          .section = "2.14.1, 2.1.1: positions and normals up to 2^32 are valid, and unit vectors have length 1",
          .seen_on = kBothAndNvidia,
          .vertex_rule = has_extreme_direction,
-         .rewrite = &sends_unit_directions},
+         .rewrite = &sends_unit_directions,
+         .where = "src/mesa/main/ffvertex_prog.c, build_lighting() and emit_normalize_vec3(): nir_frsq() of a sum of "
+                  "squares that is 0 or infinite in floats"},
         {.name = "a vertex whose w is 0 under a directional light",
          .section = "2.14.1: between two points with w = 0, the direction P1P2 is that of their difference",
          .seen_on = kBothAndNvidia,
-         .vertex_rule = has_w_0_under_directional_light},
+         .vertex_rule = has_w_0_under_directional_light,
+         .where = "src/mesa/main/ffvertex_prog.c, build_lighting(): where light_eyepos3_is_zero, VPpli is the light's "
+                  "direction for every vertex"},
         {.name = "an overflowing highlight of a long normal",
          .section = "2.14.1: a black term adds nothing; the driver multiplies 0 by (n.h)^s, which is infinite",
          .seen_on = kBothAndNvidia,
-         .vertex_rule = has_overflowing_highlight},
+         .vertex_rule = has_overflowing_highlight,
+         .where = "src/mesa/main/ffvertex_prog.c, build_lighting(): nir_fmad() of the power, which is infinite, and a "
+                  "factor of 0"},
         {.name = "a vertex whose w is 0 under a positional light",
          .section = "2.14.1: VP is the unit vector of -V",
          .seen_on = kNvidia,
@@ -371,7 +393,8 @@ const std::vector<Departure>& departures() {
          .section = "2.11.3",
          .seen_on = kBoth,
          .draw_rule = rescales_much,
-         .rewrite = &normalizes_for_rescaling},
+         .rewrite = &normalizes_for_rescaling,
+         .where = "src/mesa/main/light.c, update_modelview_scale(): a squared scale below 1e-12 is taken as 1"},
         {.name = "fog at a raster position",
          .section = "3.10: fog applies to every fragment, those of bitmaps and pixel rectangles too",
          .seen_on = kBoth,
@@ -553,6 +576,11 @@ bool Departure::may_show_on(const Driver& driver) const {
 bool Departure::may_crash_on(const Driver& driver) const {
     return std::ranges::any_of(
         crashes_on, [&](const SeenOn& seen) { return is_of(seen, driver) && seen.releases.contain(driver); });
+}
+
+const Departure* find_departure(std::string_view name) {
+    const auto found = std::ranges::find(departures(), name, &Departure::name);
+    return found == departures().end() ? nullptr : &*found;
 }
 
 bool is_listed(const Driver& driver) {

@@ -45,6 +45,7 @@ struct Departure {
     VertexRule* vertex_rule = nullptr;
     std::span<const SeenOn> crashes_on{};  // drivers that may crash there
     const Rewrite* rewrite = nullptr;      // takes the bug out of a scene; null if no rewrite is known
+    std::string_view where{};              // the cause in Mesa's source, as read in 2026; empty if nobody has looked
 
     // A release that was not measured counts as one that was (releases.h).
     bool is_known_on(const Driver& driver) const;
@@ -53,6 +54,7 @@ struct Departure {
     bool may_crash_on(const Driver& driver) const;
 };
 const std::vector<Departure>& departures();
+const Departure* find_departure(std::string_view name);  // null if there is none
 // Whether it may show in the Draw. One with a rule for the whole scene may in any.
 bool may_show_in(const Departure& departure, const Draw& draw);
 

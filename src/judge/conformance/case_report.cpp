@@ -1,12 +1,14 @@
 #include "judge/conformance/case_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <array>
+#include <algorithm>
 #include <cctype>
 #include <optional>
-#include <vector>
+#include <utility>
 
+#include "judge/compare/departures.h"
 #include "judge/compare/vertex_colors.h"
 #include "judge/conformance/c_scene.h"
 #include "render/context/driver_name.h"
@@ -119,28 +121,72 @@ std::string capitalised(std::string text) {
     return text;
 }
 
-}  // namespace
-
-std::string case_report(const std::string& driver, const Case& of, const check::Result& result) {
+// What the driver's fixed function gives at the places where it is wrong.
+std::vector<Finding> wrong_findings(const check::Result& result) {
     std::vector<Finding> wrong;
+    if (!result.error.empty()) return wrong;
     for (const Finding& finding : result.findings)
         if (finding.path == Path::kFixed &&
             (finding.outcome == check::Outcome::kKnownBug || finding.outcome == check::Outcome::kNewBug))
             wrong.push_back(finding);
-    if (wrong.empty() || !result.error.empty()) return "";
+    return wrong;
+}
+
+// A case with a bug: `name` is that of the listed bug, or empty.
+struct Shown {
+    const Case* of;
+    std::vector<Finding> wrong;
+    std::string name;
+    std::vector<std::string> others{};  // cases with the same bug
+};
+
+std::string report_text(const std::string& driver, const Shown& shown) {
+    const Case& of = *shown.of;
     std::string text = fmt::format("# {}\n\nDriver: {}\\\nSpecification: OpenGL 2.1, section {}\n",
                                    capitalised(of.what), driver, of.text);
+    if (!shown.name.empty()) text.insert(text.size() - 1, fmt::format("\\\nKnown as: {}", shown.name));
     text += "\n| place | the driver gives | right |\n|---|---|---|\n";
-    for (const Finding& finding : wrong)
+    for (const Finding& finding : shown.wrong)
         text += fmt::format("| {} | {} | {} |\n", finding.spot.str(), check::text_of(finding.value),
                             check::text_of(finding.expected));
     text += fmt::format("\n**Why it is hard.** {}.\n\n**Why this is right.** {}.\n", capitalised(of.why),
                         capitalised(of.derived));
-    text += fmt::format(
-        "\n**Program.** `cc -std=c99 {0}.c -o {0} -lglut -lGL -lm && ./{0}` prints what the driver "
-        "gives:\n\n```c\n{1}```\n",
-        of.name, program(of, wrong));
-    return text;
+    if (const compare::Departure* bug = compare::find_departure(shown.name); bug && !bug->where.empty())
+        text += fmt::format("\n**Where.** {}.\n", bug->where);
+    if (!shown.others.empty()) text += fmt::format("\n**Other cases.** {}.\n", fmt::join(shown.others, ", "));
+    return text + fmt::format(
+                      "\n**Program.** `cc -std=c99 {0}.c -o {0} -lglut -lGL -lm && ./{0}` prints what the driver "
+                      "gives:\n\n```c\n{1}```\n",
+                      of.name, program(of, shown.wrong));
+}
+
+}  // namespace
+
+std::vector<CaseReport> case_reports(const std::string& driver, std::span<const Case> cases,
+                                     std::span<const check::Result> results) {
+    std::vector<Shown> bugs;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        Shown shown{&cases[i], wrong_findings(results[i]), ""};
+        if (shown.wrong.empty()) continue;
+        shown.name = shown.wrong.front().name;
+        const auto same = shown.name.empty() ? bugs.end() : std::ranges::find(bugs, shown.name, &Shown::name);
+        if (same == bugs.end()) {
+            bugs.push_back(std::move(shown));
+            continue;
+        }
+        const auto length = [](const Shown& one) { return one.of->scene->commands.size(); };
+        if (length(shown) < length(*same)) {
+            shown.others = std::move(same->others);
+            std::swap(*same, shown);
+        }
+        same->others.push_back(shown.of->name);
+    }
+    std::vector<CaseReport> reports;
+    for (Shown& bug : bugs) {
+        std::ranges::sort(bug.others);
+        reports.push_back({bug.of->name, report_text(driver, bug)});
+    }
+    return reports;
 }
 
 }  // namespace twinlight::conformance

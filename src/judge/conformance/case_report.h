@@ -1,14 +1,22 @@
-// A bug report on one hard case: `twinlight check --write-reports`.
+// Bug reports on the hard cases that a driver gets wrong: `twinlight check --write-reports`.
 #pragma once
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include "judge/check/suite.h"
 
 namespace twinlight::conformance {
 
-// Markdown: what is hard, the section, what the driver gives and what is right, and a C program (GLUT) that shows it. Empty if the driver's
-// fixed function gives a right answer, or refuses the case.
-std::string case_report(const std::string& driver, const check::Case& of, const check::Result& result);
+struct CaseReport {
+    std::string name;  // of the case
+    std::string text;  // Markdown
+};
+
+// What is hard, the section, what the driver gives and what is right, where the cause is, and a C program (GLUT) that shows it. A listed bug
+// has one report, of its shortest case; the others are named there. `results`: of the cases, in their order.
+std::vector<CaseReport> case_reports(const std::string& driver, std::span<const check::Case> cases,
+                                     std::span<const check::Result> results);
 
 }  // namespace twinlight::conformance

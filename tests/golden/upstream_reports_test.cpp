@@ -1,0 +1,80 @@
+// docs/upstream: a bug report for each known bug of the newest measured Mesa that a hard case shows.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "base/image/file.h"
+#include "judge/check/case.h"
+#include "judge/compare/departures.h"
+#include "judge/conformance/c_scene.h"
+#include "scene/command/text.h"
+
+namespace twinlight::upstream_reports_test {
+namespace {
+
+std::string line_after(const std::string& text, const std::string& start) {
+    const std::size_t at = text.find(start);
+    if (at == std::string::npos) return "";
+    std::string line = text.substr(at + start.size(), text.find('\n', at) - at - start.size());
+    if (line.ends_with('\\')) line.pop_back();
+    return line;
+}
+
+// The files' texts, by the names of their cases.
+std::map<std::string, std::string> reports() {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : std::filesystem::directory_iterator("docs/upstream"))
+        if (entry.path().filename() != "README.md") all[entry.path().stem()] = read_file(entry.path());
+    return all;
+}
+
+TEST(UpstreamReports, AreOfTheNewestMeasuredMesa) {
+    std::string_view newest;
+    for (const std::string_view release : compare::kMeasuredReleases)
+        if (release.starts_with("Mesa")) newest = release;
+    for (const auto& [name, text] : reports()) {
+        const Driver driver = parse_driver_name(line_after(text, "\nDriver: "));
+        EXPECT_TRUE(driver.has_version(newest)) << name << ": write the reports again (docs/upstream/README.md)";
+    }
+}
+
+TEST(UpstreamReports, AreOneForEachBugWithACase) {
+    const std::map<std::string, std::string> all = reports();
+    ASSERT_FALSE(all.empty());
+    const std::string driver = line_after(all.begin()->second, "\nDriver: ");
+    std::map<std::string, int> listed, reported;
+    for (const check::Case& of : check::load_cases())
+        for (const check::Differs& differs : of.differs)
+            if (differs.is_of(driver)) listed[differs.name] = 1;
+    for (const auto& [name, text] : all) ++reported[line_after(text, "\nKnown as: ")];
+    EXPECT_EQ(reported, listed);
+}
+
+// The scenes are those of the cases, so that no report grows old.
+TEST(UpstreamReports, HaveTheScenesOfTheirCases) {
+    for (const auto& [name, text] : reports()) {
+        const check::Case of = check::load_cases({name}).front();
+        const std::string scene = print_c_function(conformance::c_scene(*of.scene), "draw_scene");
+        EXPECT_NE(text.find(scene), std::string::npos) << name;
+        EXPECT_NE(text.find("Specification: OpenGL 2.1, section " + of.text), std::string::npos) << name;
+
+                  false)
+            << name;
+    }
+}
+
+TEST(UpstreamReports, NameFilesOfMesa) {
+    int named = 0;
+    for (const compare::Departure& departure : compare::departures()) {
+        if (departure.where.empty()) continue;
+        EXPECT_TRUE(departure.where.starts_with("src/mesa/")) << departure.name;
+        ++named;
+    }
+    EXPECT_GE(named, 10);
+}
+
+}  // namespace
+}  // namespace twinlight::upstream_reports_test
