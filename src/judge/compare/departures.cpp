@@ -45,7 +45,8 @@ const std::vector<Departure>& departures() {
          .seen_on = kBothAndNvidia,
          .vertex_rule = is_at_exact_edge_of_cone,
          .where = "src/mesa/main/ffvertex_prog.c, calculate_light_attenuation(): nir_flt(cutoff, spot) leaves out a "
-                  "vertex whose cosine equals the cutoff's; the text says not less, and compares max(cosine, 0)"},
+                  "vertex whose cosine equals the cutoff's; section 2.14.1 requires one that is not less, of "
+                  "max(cosine, 0)"},
         {.name = "vertex near the edge of a spot's cone",
          .section = "2.14.1: spot_i jumps at the cutoff, so rounding decides",
          .cause = Cause::kUnspecified,
