@@ -18,7 +18,8 @@ namespace {
 std::string line_after(const std::string& text, const std::string& start) {
     const std::size_t at = text.find(start);
     if (at == std::string::npos) return "";
-    std::string line = text.substr(at + start.size(), text.find('\n', at) - at - start.size());
+    const std::size_t begin = at + start.size();
+    std::string line = text.substr(begin, text.find('\n', begin) - begin);
     if (line.ends_with('\\')) line.pop_back();
     return line;
 }
