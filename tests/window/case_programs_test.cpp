@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -46,6 +47,18 @@ struct Lines {
         return fmt::format("{}, {}, GLX", gl.substr(renderer + 2, version - renderer - 2), gl.substr(version + 2));
     }
 };
+
+// The four numbers of "0.5, nan, 0, 1)"; none where there are fewer.
+std::vector<double> values_at(const char* text) {
+    std::vector<double> values;
+    for (int i = 0; i < 4; ++i) {
+        char* end = nullptr;
+        values.push_back(std::strtod(text, &end));
+        if (end == text) return {};
+        text = end + 1;
+    }
+    return values;
+}
 
 class CasePrograms : public testing::Test {
   protected:
@@ -110,6 +123,22 @@ TEST_F(CasePrograms, FindTheListedBugsAndNoOthers) {
             ++pixels;
         }
         wrong += departs;
+        // The wrong values are the listed ones, too: nothing but the bug is seen.
+        for (const check::Differs& differs : of.differs) {
+            if (!differs.is_of(by_feedback.driver()) || differs.spot.kind == check::Spot::Kind::kError) continue;
+            const std::string& line = by_feedback.of_cases.at(of.name);
+            const std::size_t place = line.find(differs.spot.str() + ": "), gives = line.find("this GL gives ", place);
+            ASSERT_NE(gives, std::string::npos) << line;
+            const std::vector<double> values = values_at(line.c_str() + gives + 15);
+            ASSERT_EQ(values.size(), 4u) << line;
+            const glm::dvec4& listed = std::get<glm::dvec4>(differs.value);
+            const double tolerance = of.tolerance.value_or(check::kTolerance) + (of.is_of_vertices() ? 0 : 0.5 / 255);
+            for (int i = 0; i < 4; ++i) {
+                const double value = values[static_cast<std::size_t>(i)];
+                if (value == listed[i] || (std::isnan(value) && std::isnan(listed[i]))) continue;
+                EXPECT_NEAR(value, listed[i], tolerance * std::max(1.0, std::abs(listed[i]))) << line;
+            }
+        }
     }
     EXPECT_GE(wrong, 60);
     EXPECT_GE(pixels, 230);
@@ -179,19 +208,10 @@ TEST_F(CasePrograms, AreSummedUp) {
     }
 }
 
-// The number of values in "(0.5, nan, 0, 1)" after a name at the start of a line; none where the name is not there.
+// The values of "NAME: (0.5, nan, 0, 1)" at the start of a line; none where the name is not there.
 std::vector<double> values_after(const std::string& out, const std::string& name) {
     const std::size_t at = ("\n" + out).find("\n" + name + ": (");
-    std::vector<double> values;
-    if (at == std::string::npos) return values;
-    const char* text = out.c_str() + at + name.size() + 3;
-    for (int i = 0; i < 4; ++i) {
-        char* end = nullptr;
-        values.push_back(std::strtod(text, &end));
-        if (end == text) return {};
-        text = end + 1;
-    }
-    return values;
+    return at == std::string::npos ? std::vector<double>() : values_at(out.c_str() + at + name.size() + 3);
 }
 
 // Bug reports: the driver of `check` and that of the program must be of one release.

@@ -5,6 +5,7 @@
 #include <glm/vec4.hpp>
 #include <iterator>
 #include <numbers>
+#include <optional>
 
 #include "scene/shape/written_out.h"
 
@@ -20,6 +21,19 @@ Command without_glu(const Command& command) {
     return {CommandId::glFrustum, {-right, right, -top, top, near_z, command.number(3)}, command.place};
 }
 
+// Sets a parameter of glPixelTransfer back, because it would change what glReadPixels returns, too.
+std::optional<Command> undone(const Command& command) {
+    if (command.id != CommandId::glPixelTransferi && command.id != CommandId::glPixelTransferf) return std::nullopt;
+    switch (command.enumerant(0)) {
+        case kGL_RED_SCALE:
+        case kGL_GREEN_SCALE:
+        case kGL_BLUE_SCALE:
+        case kGL_ALPHA_SCALE:
+        case kGL_DEPTH_SCALE: return Command{command.id, {command.number(0), 1}, command.place};
+        default: return Command{command.id, {command.number(0), 0}, command.place};
+    }
+}
+
 }  // namespace
 
 CommandList c_scene(const CommandList& scene) {
@@ -30,6 +44,8 @@ CommandList c_scene(const CommandList& scene) {
         else
             written.commands.push_back(without_glu(command));
     }
+    for (const Command& command : scene.commands)
+        if (const std::optional<Command> back = undone(command)) written.commands.push_back(*back);
     return written;
 }
 

@@ -9,7 +9,8 @@
 
 namespace twinlight::conformance {
 
-// The scene by GL's functions alone, as far as the built-in cases go: pragmas, GLUT's shapes and gluPerspective are written out.
+// The scene by GL's functions alone, as far as the built-in cases go: pragmas, GLUT's shapes and gluPerspective are written out. At its end
+// glPixelTransfer has its initial values.
 CommandList c_scene(const CommandList& scene);
 bool needs_glu(const CommandList& scene);
 

@@ -110,16 +110,18 @@ std::string program(const Case& of, const std::vector<Finding>& wrong) {
            print_c_function(scene, "draw_scene") + show_function(of, wrong) + kMain;
 }
 
-// "A vertex ...": the first letter of a sentence, but not a symbol ("z = -0.5").
+// "A vertex ..." of "a vertex ...": a name such as "glColor(...)" or a symbol ("z = -0.5") stays as it is.
 std::string capitalised(std::string text) {
-    const auto is_lower = [&](std::size_t i) {
-        return i < text.size() && std::islower(static_cast<unsigned char>(text[i]));
-    };
-    const bool is_article = text.starts_with("a ");
-    if (is_article || (is_lower(0) && is_lower(1)))
+    const std::string first = text.substr(0, text.find(' '));
+    const bool is_word =
+        std::ranges::all_of(first, [](unsigned char c) { return std::islower(c) || c == ',' || c == ':' || c == '-'; });
+    if (is_word && (first.size() > 1 || first == "a"))
         text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
     return text;
 }
+
+// A sentence, whether or not the text ends with a full stop.
+std::string sentence(const std::string& text) { return capitalised(text) + (text.ends_with('.') ? "" : "."); }
 
 // What the driver's fixed function gives at the places where it is wrong.
 std::vector<Finding> wrong_findings(const check::Result& result) {
@@ -149,8 +151,8 @@ std::string report_text(const std::string& driver, const Shown& shown) {
     for (const Finding& finding : shown.wrong)
         text += fmt::format("| {} | {} | {} |\n", finding.spot.str(), check::text_of(finding.value),
                             check::text_of(finding.expected));
-    text += fmt::format("\n**Why it is hard.** {}.\n\n**Why this is right.** {}.\n", capitalised(of.why),
-                        capitalised(of.derived));
+    text +=
+        fmt::format("\n**Why it is hard.** {}\n\n**Why this is right.** {}\n", sentence(of.why), sentence(of.derived));
     if (const compare::Departure* bug = compare::find_departure(shown.name); bug && !bug->where.empty())
         text += fmt::format("\n**Where.** {}.\n", bug->where);
     if (!shown.others.empty()) text += fmt::format("\n**Other cases.** {}.\n", fmt::join(shown.others, ", "));
