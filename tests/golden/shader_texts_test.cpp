@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 std::string shaders_of(const std::string& scene) {
     const Frame frame = make_frame(*load_commands(scene), {});
     std::string text;
-    for (const programmable::NamedFile& file : programmable::kept_files(frame, {}, programmable::Glsl::k330, "scene"))
+    for (const NamedFile& file : programmable::kept_files(frame, {}, programmable::Glsl::k330, "scene"))
         if (file.name.ends_with(".vert") || file.name.ends_with(".frag"))
             text += fmt::format("{}// ==== {}\n{}", text.empty() ? "" : "\n", file.name, file.bytes);
     return text;

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include "app/cli/check_page.h"
 #include "app/cli/command_line.h"
 #include "base/image/file.h"
+#include "base/image/named_file.h"
 #include "base/text/json.h"
 #include "judge/check/suite.h"
 #include "judge/compare/releases.h"
@@ -142,29 +142,20 @@ std::string json_of(const std::string& driver, const std::vector<Case>& cases, c
 
 void write_page(const std::string& folder, Suite& suite, const std::vector<Case>& cases, std::vector<Result>& results) {
     for (std::size_t i = 0; i < cases.size(); ++i) suite.draw_vertices(cases[i], results[i]);
-    const std::string page = check_page(suite.driver(), cases, results);
-    write_files_atomically({{(std::filesystem::path(folder) / "index.html").string(), page}}, {},
-                           MissingFolders::kMade);
+    write_folder_atomically(folder, {{"index.html", check_page(suite.driver(), cases, results)}});
 }
 
 // NAME.md for each bug of the driver, by the name of its shortest case. All files, or none if the disk is full.
 void write_reports(const std::string& folder, const std::string& driver, const std::vector<Case>& cases,
                    const std::vector<Result>& results) {
-    const std::vector<conformance::CaseReport> reports = conformance::case_reports(driver, cases, results);
-    std::vector<FileToWrite> files;
-    for (const conformance::CaseReport& report : reports)
-        files.push_back({(std::filesystem::path(folder) / (report.name + ".md")).string(), report.text});
-    write_files_atomically(files, {}, MissingFolders::kMade);
+    write_folder_atomically(folder, conformance::case_reports(driver, cases, results));
     make_folder(folder);  // also if there is nothing to report
 }
 
 // The cases as C programs: all files, or none if the disk is full. Nothing is drawn.
 int write_programs(const std::string& folder, const std::vector<Case>& cases) {
     const conformance::CasePrograms programs = conformance::case_programs(cases);
-    std::vector<FileToWrite> files;
-    for (const conformance::ProgramFile& file : programs.files)
-        files.push_back({(std::filesystem::path(folder) / file.name).string(), file.text});
-    write_files_atomically(files, {}, MissingFolders::kMade);
+    write_folder_atomically(folder, programs.files);
     const bool is_one = programs.written.size() == 1;
     std::string text = fmt::format("{} case{} in {}: run {} with `make report` there (README.md).\n",
                                    programs.written.size(), is_one ? "" : "s", folder, is_one ? "it" : "them");
@@ -210,8 +201,7 @@ Subcommand add_check(CLI::App& app) {
     check
         ->add_option("--write-reports", arguments->reports,
                      "for each bug that the cases find in the driver, write a report with a C program, NAME.md, into "
-                     "this folder; "
-                     "created if it does not exist")
+                     "this folder; created if it does not exist")
         ->type_name("DIR")
         ->check(not_empty())
         ->excludes(programs);

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <utility>
@@ -10,6 +9,7 @@
 
 #include "app/cli/command_line.h"
 #include "base/image/file.h"
+#include "base/image/named_file.h"
 #include "render/programmable/export/kept_code.h"
 #include "render/programmable/export/kept_files.h"
 #include "render/programmable/export/shader_text.h"
@@ -99,11 +99,7 @@ void check_can_be_kept(const Scene& scene, const programmable::Options& options,
 // Writes the shaders to keep and the program that draws the scene with them.
 void write_kept(const Scene& scene, const programmable::Options& options, const ExportArguments& arguments) {
     const programmable::Glsl version = kVersions.at(arguments.glsl.empty() ? "330" : arguments.glsl);
-    const auto files = programmable::kept_files(scene.frame, options, version, scene.name());
-    std::vector<FileToWrite> to_write;
-    for (const programmable::NamedFile& file : files)
-        to_write.push_back({(std::filesystem::path(arguments.output) / file.name).string(), file.bytes});
-    write_files_atomically(to_write, {}, MissingFolders::kMade);
+    write_folder_atomically(arguments.output, programmable::kept_files(scene.frame, options, version, scene.name()));
 }
 
 void check_usage(const ExportArguments& arguments) {

@@ -45,8 +45,7 @@ std::vector<ShownShader> shaders_to_keep(const Scene& scene, const programmable:
     const std::string why = programmable::why_not_in_files(scene.frame);
     if (!why.empty()) throw std::runtime_error("Shaders to keep cannot draw this scene: " + why + ".");
     std::vector<ShownShader> shaders;
-    for (programmable::NamedFile& file :
-         programmable::kept_files(scene.frame, options, programmable::Glsl::k330, scene.name()))
+    for (NamedFile& file : programmable::kept_files(scene.frame, options, programmable::Glsl::k330, scene.name()))
         if (file.name.ends_with(".vert") || file.name.ends_with(".frag"))
             shaders.push_back({std::move(file.name), 0, std::move(file.bytes)});
     return shaders;

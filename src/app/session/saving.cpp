@@ -11,6 +11,7 @@
 #include "app/session/edited_text.h"
 #include "app/session/merge.h"
 #include "base/image/file.h"
+#include "base/image/named_file.h"
 #include "render/programmable/export/kept_code.h"
 #include "render/programmable/export/kept_files.h"
 #include "render/webgl/exported_page.h"
@@ -180,10 +181,7 @@ std::string save(const Session& session, Form form, const Look& look, const std:
         case Form::kGlsl: {
             check_can_be_kept(programmable::why_not_in_files(frame), look);
             const auto files = programmable::kept_files(frame, {{look}}, programmable::Glsl::k330, list.name);
-            std::vector<FileToWrite> to_write;
-            for (const programmable::NamedFile& file : files)
-                to_write.push_back({(fs::path(path) / file.name).string(), file.bytes});
-            write_files_atomically(to_write, {}, MissingFolders::kMade);
+            write_folder_atomically(path, files);
             return fmt::format("wrote {}/ with {} files; README.md explains them", path, files.size());
         }
     }

@@ -38,6 +38,8 @@ bool are_in_different_corners(const std::vector<reference::LitVertex>& lit) {
 
 }  // namespace
 
+glm::dvec2 VertexScene::place(std::size_t vertex) const { return ndc(lit.at(vertex)) * 0.5 + 0.5; }
+
 // The sign of a triangle's area in window space decides its face (2.14.1); points and lines show the front.
 bool VertexScene::shows_back() const {
     if (!draw().lighting.light_model.two_side || !draws_polygons(draw().mode)) return false;
@@ -106,7 +108,7 @@ std::vector<Color> fixed_colors(const VertexScene& scene) {
         for (; vertices > 0; --vertices, i += kPerVertex) {
             const glm::dvec2 window(buffer[i], buffer[i + 1]);
             for (std::size_t v = 0; v < scene.lit.size(); ++v) {
-                const glm::dvec2 expected = (ndc(scene.lit[v]) * 0.5 + 0.5) * static_cast<double>(kVertexWindow);
+                const glm::dvec2 expected = scene.place(v) * static_cast<double>(kVertexWindow);
                 if (glm::length(window - expected) > 0.5) continue;
                 colors[v] = glm::dvec4(buffer[i + 3], buffer[i + 4], buffer[i + 5], buffer[i + 6]);
             }
@@ -152,8 +154,8 @@ std::vector<std::vector<Color>> shader_colors(std::span<const std::optional<Vert
     std::vector<std::vector<Color>> colors(scenes.size());
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         if (!scenes[i]) continue;
-        for (const reference::LitVertex& vertex : scenes[i]->lit) {
-            const glm::dvec2 in_tile = (ndc(vertex) * 0.5 + 0.5) * static_cast<double>(kShaderTile);
+        for (std::size_t v = 0; v < scenes[i]->lit.size(); ++v) {
+            const glm::dvec2 in_tile = scenes[i]->place(v) * static_cast<double>(kShaderTile);
             const int x = tiles[i].x + std::clamp(static_cast<int>(in_tile.x), 0, kShaderTile - 1);
             const int y = tiles[i].y + std::clamp(static_cast<int>(in_tile.y), 0, kShaderTile - 1);
             const Rgba& pixel = image.at(x, frame.height - 1 - y);

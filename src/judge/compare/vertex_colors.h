@@ -21,6 +21,8 @@ struct VertexScene {
     Scene scene;
     std::vector<reference::LitVertex> lit;  // GL's own model, unclamped
 
+    // The place of a vertex in a window of 1 x 1; the origin is the lower left corner.
+    glm::dvec2 place(std::size_t vertex) const;
     const Draw& draw() const { return std::get<Draw>(scene.frame.items.back()); }
     bool shows_back() const;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/vec4.hpp>
 #include <iterator>
 #include <numbers>
 #include <optional>
@@ -53,11 +52,6 @@ bool needs_glu(const CommandList& scene) {
     return std::ranges::any_of(scene.commands, [](const Command& command) {
         return command.name().starts_with("glu") && !command.name().starts_with("glut");
     });
-}
-
-glm::dvec2 place_of_vertex(const compare::VertexScene& scene, int vertex) {
-    const glm::dvec4& clip = scene.lit.at(static_cast<std::size_t>(vertex)).position_clip;
-    return glm::dvec2(clip) / clip.w * 0.5 + 0.5;
 }
 
 std::string c_literal(const std::string& text) {

@@ -1,10 +1,8 @@
-// What programs and reports share: a case's scene and places in C.
+// What programs and reports share: a case's scene in C.
 #pragma once
 
-#include <glm/vec2.hpp>
 #include <string>
 
-#include "judge/compare/vertex_colors.h"
 #include "scene/command/command.h"
 
 namespace twinlight::conformance {
@@ -13,9 +11,6 @@ namespace twinlight::conformance {
 // glPixelTransfer has its initial values.
 CommandList c_scene(const CommandList& scene);
 bool needs_glu(const CommandList& scene);
-
-// The place of a vertex of the last Draw in a window of 1 x 1; the origin is the lower left corner.
-glm::dvec2 place_of_vertex(const compare::VertexScene& scene, int vertex);
 
 std::string c_literal(const std::string& text);  // with quotes
 

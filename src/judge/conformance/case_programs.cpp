@@ -114,7 +114,7 @@ Places places_of(const Case& of, const std::vector<Expectation>& colors) {
     for (const Expectation& expected : colors) {
         if (static_cast<std::size_t>(expected.spot.vertex) >= scene->lit.size())
             throw SceneError(of.name + ": the last primitive has no " + expected.spot.str());
-        found.places.push_back(place_of_vertex(*scene, expected.spot.vertex));
+        found.places.push_back(scene->place(static_cast<std::size_t>(expected.spot.vertex)));
         for (const check::Seen& color : {expected.value, expected.other})
             if (!is_in_unit_range(std::get<glm::dvec4>(color)))
                 found.no_pixel = "8 bits cannot show a colour outside [0, 1]";
@@ -164,7 +164,7 @@ std::string program(const Case& of, const std::vector<Expectation>& colors) {
     return text;
 }
 
-// Of a case without colours only the error counts.
+// A case without colours must expect an error.
 bool is_of_fixed_function(const Case& of, const std::vector<Expectation>& colors) {
     return (!colors.empty() || of.expects_error()) && !has_variants(of.carried_out(check::kSide).scene.frame);
 }

@@ -5,17 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "base/image/named_file.h"
 #include "judge/check/case.h"
 
 namespace twinlight::conformance {
 
-struct ProgramFile {
-    std::string name;  // "cases/vertex-w-2.c", "Makefile"
-    std::string text;
-};
-
 struct CasePrograms {
-    std::vector<ProgramFile> files;
+    std::vector<NamedFile> files;                // "cases/vertex-w-2.c", "Makefile"
     std::vector<std::string> written, left_out;  // names of cases; GL's fixed function lacks what the second ones need
 };
 

@@ -92,7 +92,8 @@ std::string show_function(const Case& of, const std::vector<Finding>& wrong) {
     for (const Finding& finding : wrong) {
         const Spot& spot = finding.spot;
         if (spot.kind == Spot::Kind::kVertex) {
-            const glm::dvec2 place = place_of_vertex(*scene, spot.vertex) * static_cast<double>(compare::kVertexWindow);
+            const glm::dvec2 place =
+                scene->place(static_cast<std::size_t>(spot.vertex)) * static_cast<double>(compare::kVertexWindow);
             text += fmt::format("            show_vertex({}, buffer + i, {:.9g}, {:.9g});\n", c_literal(spot.str()),
                                 place.x, place.y);
         } else if (spot.kind == Spot::Kind::kPixel) {
@@ -164,8 +165,8 @@ std::string report_text(const std::string& driver, const Shown& shown) {
 
 }  // namespace
 
-std::vector<CaseReport> case_reports(const std::string& driver, std::span<const Case> cases,
-                                     std::span<const check::Result> results) {
+std::vector<NamedFile> case_reports(const std::string& driver, std::span<const Case> cases,
+                                    std::span<const check::Result> results) {
     std::vector<Shown> bugs;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         Shown shown{&cases[i], wrong_findings(results[i]), ""};
@@ -183,10 +184,10 @@ std::vector<CaseReport> case_reports(const std::string& driver, std::span<const 
         }
         same->others.push_back(shown.of->name);
     }
-    std::vector<CaseReport> reports;
+    std::vector<NamedFile> reports;
     for (Shown& bug : bugs) {
         std::ranges::sort(bug.others);
-        reports.push_back({bug.of->name, report_text(driver, bug)});
+        reports.push_back({bug.of->name + ".md", report_text(driver, bug)});
     }
     return reports;
 }

@@ -5,18 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "base/image/named_file.h"
 #include "judge/check/suite.h"
 
 namespace twinlight::conformance {
 
-struct CaseReport {
-    std::string name;  // of the case
-    std::string text;  // Markdown
-};
-
-// What is hard, the section, what the driver gives and what is right, where the cause is, and a C program (GLUT) that shows it. A listed bug
+// NAME.md, by the case: what is hard, the section, what the driver gives and what is right, where the cause is, and a C program (GLUT) that shows it. A listed bug
 // has one report, of its shortest case; the others are named there. `results`: of the cases, in their order.
-std::vector<CaseReport> case_reports(const std::string& driver, std::span<const check::Case> cases,
-                                     std::span<const check::Result> results);
+std::vector<NamedFile> case_reports(const std::string& driver, std::span<const check::Case> cases,
+                                    std::span<const check::Result> results);
 
 }  // namespace twinlight::conformance

@@ -5,8 +5,8 @@
 /* Sides of the window in pixels. */
 #define SIDE 64
 
-/* Calls draw() with a new current context on a window: 8 bits a channel, depth, stencil. Does so anew, with another context, for as
-   long as draw() returns 1. Then ends the program with exit(status()). Ends it with not_run() if there is no window. */
+/* Calls draw() with a new current context on a window: 8 bits a channel, depth, stencil. Repeats that with another context while
+   draw() returns 1. Then ends the program with exit(status()). Ends it with not_run() if there is no window. */
 void draw_in_windows(int* argc, char** argv, int (*draw)(void), int (*status)(void));
 
 /* A function of GL by its name; 0 if there is none. */

@@ -931,7 +931,7 @@ static int choose(const struct drawn* d) {
     static unsigned chosen_at;
     static int chosen;
     if (wanted_kind > 0 && wanted_kind <= ff_kind_count) return wanted_kind - 1;
-    // (The culled face is GL's own state, so nothing tells of its change.)
+    // (The culled face is GL's own state, so its change goes unnoticed.)
     if (chosen_at == changes && !two_side && memcmp(&last, d, sizeof last) == 0) return chosen;
     int least = -1;
     for (int i = 0; i < ff_kind_count; ++i) {
@@ -1027,7 +1027,7 @@ static void point_to(const struct loaded* kind, const struct array* from, int co
 }
 
 // Core GL has no quadrilaterals and polygons. The triangles keep GL's provoking vertex for flat shading: the last of a quadrilateral, the first
-// of a polygon (section 2.14.7). Returns the number of the result's indices.
+// of a polygon (section 2.14.7). Returns how many indices that makes.
 static size_t triangles_of(GLenum mode, const GLuint* v, size_t count, GLuint* result) {
     size_t n = 0;
     static const int flat_quad[6] = {0, 1, 3, 1, 2, 3}, quad[6] = {0, 1, 2, 0, 2, 3}, strip[6] = {0, 1, 3, 2, 0, 3};

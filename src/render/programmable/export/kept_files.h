@@ -9,15 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "base/image/named_file.h"
 #include "render/programmable/numbers/form.h"
 #include "render/programmable/numbers/shader_options.h"
 
 namespace twinlight::programmable {
-
-struct NamedFile {
-    std::string name;  // without a folder
-    std::string bytes;
-};
 
 // For a porter's program: kindN.vert and kindN.frag, gl_state.c, gl_state.h, kinds.c and names.sed. A program that draws the scene with them:
 // scene.c, scene.bin, scene.h and window.c. And README.md. Of the options only the shading counts. `name` is the scene's. Throws std::runtime_error if why_not_in_files() has a reason.

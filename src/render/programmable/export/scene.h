@@ -31,7 +31,7 @@ void camera(void);
 // glLight with GL_POSITION and glEnable; keys and --light change them.
 void place_light(GLenum light, float x, float y, float z, float w);
 void switch_light(GLenum light, int is_on);
-// Of the shaders of a kind; for what GL's state lacks.
+// What GL's state lacks, for the shaders of a kind.
 void set_uniform(int kind, const char* uniform, float value);
 // glDrawElements; vertices and indices lie in scene.bin, counted in 4 bytes.
 void draw(GLenum mode, const struct attribute* layout, int first_vertex, int first_index, int index_count);
