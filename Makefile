@@ -1,26 +1,17 @@
 # Twinlight's build. `make help` lists the targets; `make deps` installs what they need.
 #
 #   config=release|debug|sanitize   release builds into build/, the others into build/<config>/; `make fuzz` into build/fuzz/
-#   GL=osmesa|egl                   how to draw without a window: Mesa's OSMesa, or EGL's drivers (build/egl/). Without GL=, build/ has
-#                                   the programs with OSMesa, or with EGL where the system has no OSMesa.
 #   units=rooms|files               compile each folder as one file (takes less than half the time), or each file by itself (debug)
 #   CI=true                         warnings are errors
 #   ALL_CASES=true                  the longest tests try all their cases, not a quarter of them
 
 config ?= release
-# GL= as it was given; OSMesa where it is installed, or can be.
-GL_given := $(GL)
-ifeq (,$(GL_given))
-override GL := $(if $(shell pkg-config --exists osmesa && echo yes),osmesa,$(if $(shell pkg-config --exists egl && echo yes),egl,osmesa))
-endif
 CXX ?= g++
 $(if $(filter release debug sanitize fuzz,$(config)),,$(error config must be release, debug or sanitize, not '$(config)'))
-$(if $(filter osmesa egl,$(GL)),,$(error GL must be osmesa or egl, not '$(GL)'))
 units ?= $(if $(filter debug,$(config)),files,rooms)
 $(if $(filter rooms files,$(units)),,$(error units must be rooms or files, not '$(units)'))
 BUILD := $(if $(filter release,$(config)),build,build/$(config))
-# The programs. Both values of GL share the objects in $(BUILD).
-PROGRAMS := $(BUILD)$(if $(filter egl,$(GL_given)),/egl)
+PROGRAMS := $(BUILD)
 
 # Use every processor, unless the caller chose a number of jobs; a make within make shares its caller's jobs.
 ifeq (0,$(MAKELEVEL)$(filter -j%,$(MAKEFLAGS)))
@@ -39,14 +30,14 @@ endif
 try_fuzzer := echo 'extern "C" int LLVMFuzzerTestOneInput(char*, int) { return 0; }' | \
     clang++ -x c++ -fsanitize=fuzzer,address - -o /dev/null
 
-# Mesa 25.1 was the last with OSMesa.
-apt_has_osmesa := apt-cache policy libosmesa6-dev 2>/dev/null | grep -q "Candidate: [^(]"
+# Mesa 25.1 was the last with OSMesa. Only running needs it, not compiling.
+has_library = /sbin/ldconfig -p | grep -q
+apt_has_osmesa := apt-cache policy libosmesa6 2>/dev/null | grep -q "Candidate: [^(]"
 
 define DEPENDENCIES
 g++                 command -v $(CXX)
 pkg-config          command -v pkg-config
-$(if $(GL_given),,libosmesa6-dev|libegl-dev pkg-config --exists osmesa || { pkg-config --exists egl && ! $(apt_has_osmesa); })
-$(if $(filter osmesa,$(GL_given)),libosmesa6-dev      pkg-config --exists osmesa)
+libosmesa6|libegl-mesa0 $(has_library) libOSMesa.so.8 || { $(has_library) libEGL_mesa.so.0 && ! $(apt_has_osmesa); }
 libegl-dev          pkg-config --exists egl
 libglu1-mesa-dev    pkg-config --exists glu
 freeglut3-dev       pkg-config --exists glut
@@ -130,22 +121,17 @@ CXXFLAGS_all := $(CXXFLAGS_all)
 compile := $(CXX) $(if $(findstring clang,$(CXX)),,--param ggc-min-heapsize=1000000)
 LDFLAGS_all := $(LDFLAGS_$(config)) $(LDFLAGS)
 LIBS := $(shell pkg-config --libs fmt stb libdeflate 2>/dev/null)
-# OSMesa comes before GLU, so that GLU's own GL calls reach OSMesa and not libGL.
-LIBS_osmesa := $(shell pkg-config --libs osmesa glu 2>/dev/null)
-LIBS_egl := $(shell pkg-config --libs egl glu gl 2>/dev/null)
-LIBS_offscreen := $(LIBS_$(GL))
+# GL is loaded while the program runs. The program exports functions of GL's names, so that GLU's calls reach that library.
+LIBS_offscreen := -Wl,--export-dynamic-symbol='gl[A-Z]*' $(shell pkg-config --libs glu 2>/dev/null)
 LIBS_fuzz := $(shell pkg-config --libs fmt libdeflate 2>/dev/null)
 LIBS_window := $(shell pkg-config --libs glut imgui glu gl x11 2>/dev/null)
 LIBS_gtest := $(shell pkg-config --libs gtest_main 2>/dev/null)
 
 # ---- Files ------------------------------------------------------------------------------------------------------
 
-# These provide GL without a window; each program links one of them.
-SOURCES_osmesa := src/render/context/osmesa.cpp
-# (Where EGL stands in for OSMesa, it draws without a GPU, too.)
-SOURCES_egls := $(wildcard src/render/context/egl*.cpp)
-SOURCES_egl := $(filter-out %/egl_$(if $(GL_given),software,any).cpp,$(SOURCES_egls))
-SOURCES_library := $(filter-out src/app/% $(SOURCES_osmesa) $(SOURCES_egls),$(sort $(shell find src -name '*.cpp')))
+# The GL of programs without a window.
+SOURCES_offscreen := src/render/context/offscreen.cpp
+SOURCES_library := $(filter-out src/app/% $(SOURCES_offscreen),$(sort $(shell find src -name '*.cpp')))
 SOURCES_app := $(wildcard src/app/*.cpp)
 # What src/app needs: the commit and the versions of the libraries, for --version.
 OBJECT_version := $(BUILD)/embedded/version.o
@@ -173,7 +159,7 @@ SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
 SOURCES_tests := $(filter-out $(SOURCES_bench) $(SOURCES_fuzz) $(SOURCES_recorder),$(sort $(shell find tests -name '*.cpp' -not -path 'tests/recorded/*')))
 # The folders of tests that are built; all of them without FOLDERS=.
 SOURCES_some_tests := $(if $(FOLDERS),$(filter $(FOLDERS:%=%/%),$(SOURCES_tests)),$(SOURCES_tests))
-SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_osmesa) $(SOURCES_egls) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_web) $(SOURCES_tests) $(SOURCES_recorder) \
+SOURCES_all := $(sort $(SOURCES_library) $(SOURCES_offscreen) $(SOURCES_cli) $(SOURCES_demo) $(SOURCES_web) $(SOURCES_tests) $(SOURCES_recorder) \
     $(SOURCES_bench) $(SOURCES_fuzz))
 HEADERS := $(sort $(shell find src tests -name '*.h'))
 EMBEDDED := $(patsubst %,$(BUILD)/embedded/%.cpp,scenes scene_assets shaders webgl pages cases conformance lessons lessons-zh tutors recorder)
@@ -200,7 +186,7 @@ ifeq ($(units),files)
 ALONE := %.cpp
 else
 # Some programs link these without the rest of their room, or the rest without these.
-ALONE := src/app/cli/main.cpp $(SOURCES_osmesa) $(SOURCES_egls) $(SOURCES_bench_library) $(SOURCES_bench_meshes) $(SOURCES_fuzz) $(SOURCES_bad_input)
+ALONE := src/app/cli/main.cpp $(SOURCES_offscreen) $(SOURCES_bench_library) $(SOURCES_bench_meshes) $(SOURCES_fuzz) $(SOURCES_bad_input)
 # These have their own flags (INSTRUCTIONS_...).
 ALONE += src/lighting/points_avx%.cpp tests/unit/lighting/lane_results_avx%.cpp
 # With this in its room, g++ would no longer inline some of what reads a scene.
@@ -220,7 +206,7 @@ LESS := $(patsubst %,src/%,app app/cli app/demo app/session app/web base/text ju
 OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
 OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)
 # Programs without a window link this as well as their own objects.
-OFFSCREEN := $(call object,$(SOURCES_$(GL))) $(OBJECTS_library)
+OFFSCREEN := $(call object,$(SOURCES_offscreen)) $(BUILD)/objects/entry_points.o $(OBJECTS_library)
 # What changes twinlight's pictures: all but its commit.
 OBJECTS_cli := $(call object,$(SOURCES_cli)) $(OFFSCREEN)
 
@@ -232,9 +218,6 @@ all: deps
 	@$(MAKE) programs
 
 programs: $(PROGRAMS)/twinlight $(PROGRAMS)/twinlight-demo
-ifeq (egl,$(if $(GL_given),,$(GL)))
-	@echo "This system has no OSMesa: twinlight draws with EGL's surfaceless device instead."
-endif
 test-binary: $(PROGRAMS)/twinlight-tests $(PROGRAMS)/shape-recorder programs
 
 demo: deps  ## build, then open the window; without a display, write a comparison report instead
@@ -253,8 +236,7 @@ test_environment := LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks_of_drivers.s
     $(if $(ALL_CASES),ALL_CASES=$(ALL_CASES))
 test: deps  ## build, then run every test; needs no display (TEST='Spot*' runs some; FOLDERS='tests/golden' builds only those of some folders)
 	@$(MAKE) test-binary
-	@if pkg-config --exists egl; then $(MAKE) GL=egl $(BUILD)/egl/twinlight; fi
-	@if command -v $(EMXX) >/dev/null; then $(MAKE) config=release GL= web; fi
+	@if command -v $(EMXX) >/dev/null; then $(MAKE) config=release web; fi
 	@$(test_environment) TWINLIGHT_BUILD=$(PROGRAMS) \
 	    tests/run.sh $(PROGRAMS)/twinlight-tests '$(or $(TEST),*)'
 
@@ -405,7 +387,7 @@ SOURCES_demo_library := $(filter-out src/judge/check/% src/judge/conformance/% s
 $(PROGRAMS)/twinlight-demo: $(call object,$(SOURCES_demo) $(SOURCES_demo_library)) $(OBJECT_version) $(OBJECTS_embedded)
 	$(link) $(LIBS_window) $(LIBS)
 
-$(PROGRAMS)/twinlight-tests: $(call object,$(SOURCES_$(GL))) $(OBJECTS_library) $(call object,$(SOURCES_some_tests)) $(BUILD)/tests \
+$(PROGRAMS)/twinlight-tests: $(OFFSCREEN) $(call object,$(SOURCES_some_tests)) $(BUILD)/tests \
     $(call object,$(SOURCES_bench_meshes) $(SOURCES_subcommands) $(SOURCES_session) $(SOURCES_web)) $(OBJECT_version)
 	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
 
@@ -459,7 +441,13 @@ $(BUILD)/embedded/version.cpp: $(BUILD)/commit $(BUILD)/flags
 $(BUILD)/embedded/chart.js: $(CHART)
 	@mkdir -p $(@D); cp $< $@
 
+$(BUILD)/objects/entry_points.cpp: src/render/context/gl.h src/render/context/entry_points.awk $(BUILD)/flags
+	@mkdir -p $(@D); echo '#include "$<"' | $(CXX) $(CXXFLAGS_all) -iquote . -E -P -x c++ - -o $(@:.cpp=.headers)
+	@awk -f $(word 2,$^) $(@:.cpp=.headers) >$@
+$(BUILD)/objects/entry_points.o: $(BUILD)/objects/entry_points.cpp $(BUILD)/flags
+	@$(CXX) $(CXXFLAGS_all) -MMD -MP -c $< -o $@
+
 $(BUILD)/embedded/%.o: $(BUILD)/embedded/%.cpp $(BUILD)/flags
 	@$(CXX) $(CXXFLAGS_all) -O0 -MMD -MP -c $< -o $@
 
--include $(patsubst %.o,%.d,$(call object,$(SOURCES_all)) $(OBJECTS_embedded) $(OBJECT_version)) $(BUILD)/precompiled.h.d
+-include $(patsubst %.o,%.d,$(call object,$(SOURCES_all)) $(OBJECTS_embedded) $(OBJECT_version)) $(BUILD)/objects/entry_points.d $(BUILD)/precompiled.h.d

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs missing packages with apt; `make deps` runs it. On a system without apt it prints the names of the packages there.
 # $DEPENDENCIES has a line for each package: its name in Debian, then a command that succeeds if the package is installed. Of
-# "libosmesa6-dev|libegl-dev" the first is taken that the system has.
+# "libosmesa6|libegl-mesa0" the first is taken that the system has.
 set -eu
 
 missing() {
@@ -87,7 +87,4 @@ eval "$line" || true
 packages=$(missing)
 [ -n "$packages" ] || exit 0
 echo "Still missing:$packages" >&2
-case "$packages " in
-*" libosmesa6-dev "*) echo "Mesa 25.1 was the last with OSMesa. Without GL=osmesa, make takes EGL where there is no OSMesa." >&2 ;;
-esac
 exit 1

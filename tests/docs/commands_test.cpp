@@ -289,7 +289,7 @@ TEST_F(CommandsOfDocs, ThatAreWrongAreFound) {
     EXPECT_EQ(complaint("sudo make instal PREFIX=/usr"), "the Makefile has no goal instal");
     EXPECT_EQ(complaint("make test TESTS='Spot*'"), "the Makefile has no variable TESTS");
     EXPECT_EQ(complaint("make test TEST='Spot* Light*'"), "");
-    EXPECT_EQ(complaint("GALLIUM_DRIVER=softpipe make GL=egl test"), "");
+    EXPECT_EQ(complaint("GALLIUM_DRIVER=softpipe TWINLIGHT_GL=egl make test"), "");
     EXPECT_EQ(complaint("tools/in-clean-root.sh --bare trixie 'make'"), "no option --bare");
     EXPECT_EQ(complaint("build/fuzz/gif-fuzzer a"), "there is no such fuzzer");
     EXPECT_EQ(complaint("build/twinlight scenes"), "none");

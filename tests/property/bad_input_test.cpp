@@ -168,7 +168,10 @@ TEST(BadInput, CommandLines) {
     for (const Row& row : rows) {
         const std::size_t end = printed.find('\1', at), after = printed.find('\1', end + 1);
         ASSERT_NE(after, std::string::npos);
-        const std::string error = printed.substr(at, end - at), status = printed.substr(end + 1, after - end - 1);
+        ProgramResult result;
+        result.err = printed.substr(at, end - at);
+        take_gl(result);  // a picture that cannot be written was drawn
+        const std::string error = result.err, status = printed.substr(end + 1, after - end - 1);
         at = after + 1;
         EXPECT_EQ(status, "2") << row.input << ": " << error;
         EXPECT_NE(error.find(row.message), std::string::npos) << row.input << "\ngives " << error;

@@ -51,7 +51,17 @@ inline std::string build_folder() {
 struct ProgramResult {
     int status = -1;  // of the exit; 128 + the signal's number where one ended it
     std::string out, err;
+    std::string
+        gl;  // which GL drew, and its library: the first line of standard error, which `err` lacks; empty if nothing was drawn
 };
+
+// Moves the line about GL out of `err`.
+inline void take_gl(ProgramResult& result) {
+    if (!result.err.starts_with("twinlight: OpenGL is ")) return;
+    const std::size_t length = result.err.find('\n') + 1;
+    result.gl = result.err.substr(0, length);
+    result.err.erase(0, length);
+}
 
 inline std::string quoted(const std::string& word) {
     std::string text = "'";
@@ -74,6 +84,7 @@ inline ProgramResult run_shell(const std::string& program, const std::string& li
     const int status = ::pclose(pipe);
     result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     result.err = read_file(folder / "err");
+    take_gl(result);
     return result;
 }
 

@@ -24,8 +24,10 @@ parts | awk -F '\t' -v shell="$shell" -v program="$name" -v scenes="$scenes" -v 
     function quoted(text) { gsub(/\047/, "\047\\\047\047", text); return "\047" text "\047" }
     # What a word after an option or in place of an argument may be: its choices, "files", "folders" or nothing.
     function choices(value) {
-        if (value ~ /[|]/) { gsub(/[|]/, " ", value); return value }
-        return ""
+        if (value !~ /[|]/) return ""
+        gsub(/[|][A-Z]+/, "", value)
+        gsub(/[|]/, " ", value)
+        return value
     }
     function places(value) {
         if (value ~ /DIR/) return "folders"
@@ -140,7 +142,7 @@ parts | awk -F '\t' -v shell="$shell" -v program="$name" -v scenes="$scenes" -v 
     function fish_option(condition, i,    n, words, j, line) {
         n = split(names[i], words, ",")
         for (j = 1; j <= n; ++j) line = line (words[j] ~ /^--/ ? " -l " substr(words[j], 3) : " -s " substr(words[j], 2))
-        if (choices(value[i]) != "") line = line " -x -a " quoted(choices(value[i]))
+        if (choices(value[i]) != "") line = line (places(value[i]) == "" ? " -x" : " -r -F") " -a " quoted(choices(value[i]))
         else if (places(value[i]) == "folders") line = line " -x -a \047(__fish_complete_directories)\047"
         else if (places(value[i]) == "files") line = line " -r -F"
         else if (value[i] != "") line = line " -x"

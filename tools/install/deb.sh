@@ -1,6 +1,6 @@
 #!/bin/sh
 # deb.sh ROOT VERSION FOLDER: makes a Debian package of what is installed below ROOT, for the system that this runs on. The package
-# depends on the libraries that the programs were linked with. It is written into FOLDER, and its path is printed.
+# depends on the libraries that the programs were linked with, and on a GL to load. It is written into FOLDER, and its path is printed.
 set -eu
 root=$(cd "$1" && pwd) version=$2 folder=$3
 maintainer="The Twinlight authors <authors@twinlight.invalid>"
@@ -30,7 +30,7 @@ Version: $version
 Architecture: $architecture
 Maintainer: $maintainer
 Installed-Size: $(du -sk --exclude=DEBIAN "$root" | cut -f 1)
-Depends: $libraries
+Depends: $libraries, libosmesa6 | libegl1
 Recommends: fonts-dejavu-core, xclip
 Suggests: apitrace, xvfb
 Section: graphics

@@ -12,6 +12,7 @@
 #include "judge/compare/releases.h"
 #include "judge/conformance/case_programs.h"
 #include "judge/conformance/case_report.h"
+#include "render/context/context.h"
 #include "render/context/driver_name.h"
 
 namespace twinlight::cli {
@@ -107,7 +108,7 @@ nlohmann::ordered_json json_of(const std::optional<Seen>& seen) {
 }
 
 std::string json_of(const std::string& driver, const std::vector<Case>& cases, const std::vector<Result>& results) {
-    nlohmann::ordered_json json = {{"driver", driver}};
+    nlohmann::ordered_json json = {{"driver", driver}, {"library", gl_library()}};
     const std::string_view release = compare::counts_as(parse_driver_name(driver));
     if (!release.empty()) json["bugs_measured_on"] = release;
     auto& list = json["cases"] = nlohmann::ordered_json::array();
@@ -172,6 +173,7 @@ int run_check(const CheckArguments& arguments) {
          {arguments.programs, arguments.reports, arguments.page})  // before the work: a bad folder fails at once
         if (!folder.empty()) try_folder(folder);
     if (!arguments.programs.empty()) return write_programs(arguments.programs, cases);
+    name_gl();
     Suite suite;
     std::vector<Result> results = suite.run(cases);
     if (!arguments.reports.empty()) write_reports(arguments.reports, suite.driver(), cases, results);
@@ -211,6 +213,7 @@ Subcommand add_check(CLI::App& app) {
         ->type_name("DIR")
         ->check(not_empty())
         ->excludes(programs);
+    add_gl_option(*check);
     check->add_flag("--json", arguments->json, "print one JSON object instead of the table")->excludes(programs);
     check->footer(
         "Results of the driver's fixed function:\n"

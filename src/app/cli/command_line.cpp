@@ -18,6 +18,7 @@
 #include "base/image/contrast.h"
 #include "base/image/file.h"
 #include "render/context/context.h"
+#include "render/context/driver_name.h"
 #include "render/fixed/fixed.h"
 #include "scene/command/text.h"
 #include "scene/frame/picture_memory.h"
@@ -104,6 +105,32 @@ void add_step_option(CLI::App& app, std::string& step, const std::string& defaul
         ->check(not_empty());
 }
 
+namespace {
+
+bool& is_to_name_gl() {
+    static bool is_to = false;
+    return is_to;
+}
+
+}  // namespace
+
+void add_gl_option(CLI::App& app) {
+    app.add_option_function<std::string>(
+           "--gl", [](const std::string& name) { choose_gl(name); },
+           "which OpenGL draws: OSMesa, EGL's first driver, or that of a file: a libOSMesa, libEGL or libGL (default: "
+           "the environment variable TWINLIGHT_GL, or else OSMesa, or EGL's software driver)")
+        ->type_name("osmesa|egl|FILE")
+        ->check(not_empty());
+    app.parse_complete_callback([] { is_to_name_gl() = true; });
+}
+
+void name_gl() {
+    if (!is_to_name_gl()) return;
+    is_to_name_gl() = false;
+    const std::unique_ptr<OffscreenContext> context = make_offscreen_context(1, 1);
+    print_message("twinlight: OpenGL is {} ({})\n", one_line(driver_name()), one_line(gl_library()));
+}
+
 void add_memory_option(CLI::App& app, MemoryBudget& memory) {
     app.add_option_function<double>(
            "--memory", [&memory](double gigabytes) { memory.bytes = static_cast<std::size_t>(gigabytes * 1e9); },
@@ -131,6 +158,7 @@ std::optional<float> contrast(const Scene& scene, const MemoryBudget& memory) {
         return std::nullopt;
     Image image;
     try {
+        name_gl();
         const std::unique_ptr<OffscreenContext> context = make_offscreen_context(frame.width, frame.height);
         image = fixed::render(scene);
     } catch (const std::runtime_error&) {
@@ -153,6 +181,7 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
     }
     const auto print = [&](const std::string& note) { print_note(*recording, note); };
     std::vector<std::string> notes = recording->notes();
+    if (!notes.empty()) name_gl();
     std::ranges::for_each(notes, print);
     ProgressBar bar;
     choice.progress = [&](int frames, std::size_t commands) {

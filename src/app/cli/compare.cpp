@@ -118,6 +118,7 @@ struct Compared {
 };
 
 Compared compared(const Scene& scene, const CompareArguments& arguments, ProgressBar& bar) {
+    name_gl();
     static const DrawingPrecision precision = measure_drawing_precision();
     const RendererSet set(scene.frame.width, scene.frame.height);
     compare::Renderers renderers = set.functions();
@@ -132,6 +133,7 @@ Compared compared(const Scene& scene, const CompareArguments& arguments, Progres
     result.comparison = compare::compare_scene(
         scene,
         {.driver = driver_name(),
+         .library = gl_library(),
          .budget = arguments.budget,
          .precise = arguments.precise,
          .per_pixel = arguments.per_pixel,
@@ -226,6 +228,7 @@ Subcommand add_compare(CLI::App& app) {
     add_run_flag(*compare, arguments->run);
     add_step_option(*compare, arguments->step, "all, on one page");
     add_memory_option(*compare, arguments->memory);
+    add_gl_option(*compare);
     add_budget_option(*compare, arguments->budget);
     add_precise_flag(*compare, arguments->precise);
     compare

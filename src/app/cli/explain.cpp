@@ -202,6 +202,7 @@ Subcommand add_explain(CLI::App& app) {
     add_run_flag(*command, arguments->run);
     add_step_option(*command, arguments->step);
     add_memory_option(*command, arguments->memory);
+    add_gl_option(*command);
     add_budget_option(*command, arguments->budget);
     command
         ->add_option("--pixel", arguments->pixel,

@@ -12,6 +12,7 @@
 #include "app/cli/renderers.h"
 #include "judge/explain/explain.h"
 #include "render/context/context.h"
+#include "render/context/driver_name.h"
 #include "render/fixed/replay.h"
 #include "render/reference/reference.h"
 #include "render/reference/undefined_colors.h"
@@ -29,6 +30,7 @@ using explain::VertexOfDraw;
 std::vector<Rendered> rendered(const Scene& scene, const PlanOptions& options, const Pixel& pixel,
                                const Rgba& reference) {
     const Frame& frame = scene.frame;
+    name_gl();
     const RendererSet set(frame.width, frame.height);
     const compare::Renderers& functions = set.functions();
     std::vector<Rendered> result;
@@ -40,6 +42,7 @@ std::vector<Rendered> rendered(const Scene& scene, const PlanOptions& options, c
 }
 
 std::vector<Rendered> rendered(const Frame& picture, const PlanOptions& options) {
+    name_gl();
     const RendererSet set(picture.width, picture.height);
     std::vector<Rendered> result;
     fixed::Replay(picture, {.budget = options.budget, .patches = false}).draw();
@@ -115,9 +118,13 @@ VertexOfDraw parse_vertex(const std::string& text, const Frame& frame) {
 
 template <class Explanation>
 std::string printed(const Scene& scene, const ExplainOptions& options, const Explanation& explanation) {
-    return options.as_json ? explain::dumped(json_of(scene, explanation))
-                           : text_of(scene, explanation,
-                                     {.all = options.all, .in_color = result_in_color(), .calls = options.calls});
+    if (!options.as_json)
+        return text_of(scene, explanation, {.all = options.all, .in_color = result_in_color(), .calls = options.calls});
+    auto json = json_of(scene, explanation);
+    const auto context = make_offscreen_context(1, 1);
+    json["driver"] = driver_name();
+    json["library"] = gl_library();
+    return explain::dumped(json);
 }
 
 }  // namespace

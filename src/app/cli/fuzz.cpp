@@ -12,6 +12,7 @@
 #include "judge/fuzz/against_oracle.h"
 #include "judge/fuzz/fuzzer.h"
 #include "judge/report/words.h"
+#include "render/context/context.h"
 #include "scene/command/names.h"
 #include "scene/command/text.h"
 
@@ -112,6 +113,7 @@ nlohmann::ordered_json left_out_json(const fuzz::LeftOutCounts& counts) {
 
 std::string summary_json(const FuzzArguments& arguments, const Summary& summary, double seconds) {
     nlohmann::ordered_json json = {{"driver", summary.driver},
+                                   {"library", gl_library()},
                                    {"seed", arguments.options.seed},
                                    {"first", arguments.options.first},
                                    {"count", arguments.options.count},
@@ -203,10 +205,15 @@ std::string summary_text(const FuzzArguments& arguments, const fuzz::OracleSumma
 }
 
 std::string summary_json(const FuzzArguments& arguments, const fuzz::OracleSummary& summary, double seconds) {
-    nlohmann::ordered_json json = {{"driver", summary.driver},           {"against", kOracle},
-                                   {"seed", arguments.options.seed},     {"first", arguments.options.first},
-                                   {"count", arguments.options.count},   {"states", summary.states},
-                                   {"out_of_view", summary.out_of_view}, {"seconds", seconds}};
+    nlohmann::ordered_json json = {{"driver", summary.driver},
+                                   {"library", gl_library()},
+                                   {"against", kOracle},
+                                   {"seed", arguments.options.seed},
+                                   {"first", arguments.options.first},
+                                   {"count", arguments.options.count},
+                                   {"states", summary.states},
+                                   {"out_of_view", summary.out_of_view},
+                                   {"seconds", seconds}};
     auto& results = json["results"] = nlohmann::ordered_json::array();
     for (const auto& [who, counts] : summary.counts) {
         nlohmann::ordered_json verdicts = nlohmann::ordered_json::object();
@@ -251,6 +258,7 @@ int run_against_oracle(const FuzzArguments& arguments) {
 
 int run_fuzz(const FuzzArguments& arguments) {
     try_folder(arguments.folder);  // most runs find nothing, so it is not made yet
+    name_gl();
     if (arguments.against == kOracle) return run_against_oracle(arguments);
     const Interrupt interrupt;
     const auto start = std::chrono::steady_clock::now();
@@ -288,6 +296,7 @@ Subcommand add_fuzz(CLI::App& app) {
     Options& options = arguments->options;
     CLI::App* fuzz = app.add_subcommand("fuzz", "Compare random scenes across the three renderers, or with an oracle");
     const auto most = static_cast<std::uint64_t>(1) << 31;
+    add_gl_option(*fuzz);
     fuzz->add_option("--count", options.count, "number of random scenes")
         ->type_name("N")
         ->capture_default_str()

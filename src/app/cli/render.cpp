@@ -109,6 +109,7 @@ int run_render(RenderArguments arguments) {
         throw UsageError("-o - would write a PNG to the terminal; redirect standard output or give a file name");
     }
     const Scene scene = load_scene(arguments.scene, arguments.size, arguments.part, arguments.step, arguments.memory);
+    name_gl();
     const RendererSet renderers(scene.frame.width, scene.frame.height);
     const std::string png = encode_png(drawn(arguments, scene, renderers));
     const std::vector<compare::Query> queries = compare::queries_of(scene, renderers.functions().answers);
@@ -142,6 +143,7 @@ Subcommand add_render(CLI::App& app) {
     add_recorded_options(*render, arguments->part);
     add_step_option(*render, arguments->step);
     add_memory_option(*render, arguments->memory);
+    add_gl_option(*render);
     add_budget_option(*render, arguments->budget);
     render->add_flag("--scrubbed", arguments->scrubbed,
                      "with fixed or reference: drop lights and other lighting state that a draw does not need");

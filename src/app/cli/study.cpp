@@ -138,6 +138,7 @@ int run_study(StudyArguments arguments) {
     };
     // Before the work, so that a bad folder is reported at once.
     try_folder(arguments.folder);
+    name_gl();
     StudyRenderers renderers(frame.width, frame.height);
 
     study::Study about;  // known before measuring
@@ -157,6 +158,7 @@ int run_study(StudyArguments arguments) {
     about.series.push_back({.name = current_driver().renderer,
                             .machine = this_machine(),
                             .driver = driver_name(),
+                            .library = gl_library(),
                             .rounds = 0,
                             .findings = {}});
     if (earlier) check_resumable(*earlier, about);
@@ -185,6 +187,7 @@ int run_study(StudyArguments arguments) {
     series.name = about.series[0].name;
     series.machine = about.series[0].machine;
     series.driver = about.series[0].driver;
+    series.library = about.series[0].library;
     series.spectral = study_samples(frame, arguments.quick);
     return write(arguments, result);
 }
@@ -220,6 +223,7 @@ Subcommand add_study(CLI::App& app) {
     study->add_flag("--resume", arguments->resume, "continue the study in DIR with the same settings");
     study->add_option("--merge", arguments->merge, "combine studies of one scene from several machines; takes no SCENE")
         ->type_name("A.json B.json");
+    add_gl_option(*study);
     study->add_flag("--json", arguments->json, "print study.json instead of the table");
     study->footer(
         "Draws the scene in many ways (renderer, shading, mesh, lighting), and measures the time of each and its "

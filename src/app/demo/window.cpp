@@ -326,5 +326,3 @@ int show(const std::shared_ptr<const CommandList>& scene, const WindowOptions& o
 }
 
 }  // namespace twinlight::demo
-
-std::string_view twinlight::context_provider() { return "GLUT"; }

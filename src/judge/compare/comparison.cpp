@@ -221,6 +221,7 @@ Comparison compare_scene(const Scene& scene, const CompareOptions& options, cons
     const bool all = !options.per_vertex_only;
     result.scene = scene.title();
     result.driver = options.driver;
+    result.library = options.library;
     result.precision = renderers.precision;
     result.width = frame.width;
     result.height = frame.height;

@@ -73,6 +73,7 @@ struct SceneWarning {
 struct Comparison {
     std::string scene;
     std::string driver;          // driver_name()
+    std::string library{};       // gl_library()
     DrawingPrecision precision;  // of the driver
     int width = 0, height = 0;
     std::vector<Render> renders;
@@ -117,7 +118,7 @@ Verdict judge(const Comparison& comparison, const Pair& pair);
 // ---- How it is made ----
 
 struct CompareOptions {
-    std::string driver{};                  // driver_name() of the driver that the renderers use
+    std::string driver{}, library{};       // driver_name() and gl_library() of the driver that the renderers use
     double budget = PlanOptions{}.budget;  // for shaders
     bool precise = false;                  // programmable::Options::precise, for the picture with lighting per vertex
     // kPhong, or kExact: the pictures "shaders-exact" and "reference-exact" then replace those with phong shading.

@@ -51,8 +51,10 @@ Json json_of(const Comparison& comparison, const Pair& pair) {
 }
 
 Json json_of(const Comparison& comparison) {
-    Json json = {
-        {"scene", comparison.scene}, {"driver", comparison.driver}, {"size", {comparison.width, comparison.height}}};
+    Json json = {{"scene", comparison.scene},
+                 {"driver", comparison.driver},
+                 {"library", comparison.library},
+                 {"size", {comparison.width, comparison.height}}};
     json["verdict"] = word_of(comparison.verdict());
     json["renders"] = Json::array();
     for (const Render& render : comparison.renders) {
@@ -113,6 +115,7 @@ std::string steps_json(const std::vector<ComparedStep>& steps) {
     const Comparison& first = steps.front().comparison;
     Json json = {{"scene", first.scene},
                  {"driver", first.driver},
+                 {"library", first.library},
                  {"size", {first.width, first.height}},
                  {"verdict", word_of(verdict_of(steps))},
                  {"steps", Json::array()}};

@@ -17,7 +17,7 @@ std::string difference_file(const compare::Comparison& comparison, const compare
 std::string step_folder(std::size_t step);
 
 // One JSON object, indented, with a newline at the end:
-//   {"scene", "driver", "size": [w, h], "verdict": "within" | "beyond" (the tolerance) | "partial" | "unchecked",
+//   {"scene", "driver", "library", "size": [w, h], "verdict": "within" | "beyond" (the tolerance) | "partial" | "unchecked",
 //    "renders": [{"name", "file", "ms", "error_bound"}],   error_bound: only for pictures drawn from plans
 //    "pairs": [{"a", "b",                        names of renders
 //               "interior": {"pixels", "differing", "max", "rms", "worst": [x, y]},   pixels away from edges
@@ -75,7 +75,7 @@ struct ComparedStep {
     compare::Comparison comparison;
 };
 
-// One JSON object: {"scene", "driver", "size": [w, h], "verdict": the worst of all steps,
+// One JSON object: {"scene", "driver", "library", "size": [w, h], "verdict": the worst of all steps,
 //    "steps": [{"number", "title", "folder": "step-1", "comparison": as comparison_json() has it}]}
 std::string steps_json(const std::vector<ComparedStep>& steps);
 

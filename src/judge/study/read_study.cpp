@@ -113,6 +113,7 @@ Series read_series(const Node& node) {
                         .cores = machine["cores"].whole_number(0, kMany),
                         .system = machine["system"].text()},
             .driver = node["driver"].text(),
+            .library = node.has("library") ? node["library"].text() : "",
             .rounds = node["rounds"].whole_number(0, kMany),
             .findings = {},
             .spectral = node.has("spectral") ? std::optional(read_spectral(node["spectral"])) : std::nullopt};

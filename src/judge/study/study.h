@@ -34,7 +34,8 @@ struct Machine {
 struct Series {
     std::string name;  // distinguishes it from other series of the study
     Machine machine;
-    std::string driver;
+    std::string driver;   // driver_name()
+    std::string library;  // gl_library()
     int rounds = 0;
     std::vector<std::string> findings;        // sentences: the fastest choice for each error
     std::optional<SpectralStudy> spectral{};  // only for scenes with spectra
@@ -141,7 +142,7 @@ std::vector<std::string> headlines(const Study& study, std::size_t series);
 // ---- Files ----
 
 // {"format": "twinlight study", "version": 2, "scene", "fingerprint", "size": [w, h], "extent": "full"|"quick", "coverage",
-//  "series": [{"name", "machine": {"processor", "cores", "system"}, "driver", "rounds", "findings": ["sentence"],
+//  "series": [{"name", "machine": {"processor", "cores", "system"}, "driver", "library", "rounds", "findings": ["sentence"],
 //              "spectral": see spectral_json(); only for scenes with spectra}],
 //  "points": [{"series": 0, "key", "words", "axes": {"renderer": "fixed", ...}, "seconds": {"median", "q1", "q3", "samples": []},
 //              "error": {"whole"|"interior"|"silhouette": {"pixels", a value for each measure, "psnr_db"}},

@@ -21,6 +21,7 @@ Json json_of(const Series& series) {
         {"machine",
          {{"processor", series.machine.processor}, {"cores", series.machine.cores}, {"system", series.machine.system}}},
         {"driver", series.driver},
+        {"library", series.library},
         {"rounds", series.rounds},
         {"findings", series.findings}};
     if (series.spectral) json["spectral"] = Json::parse(spectral_json(*series.spectral));

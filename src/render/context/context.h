@@ -1,4 +1,4 @@
-// A place to draw without a window, provided by OSMesa (osmesa.cpp) or EGL (egl.cpp), whichever the program links.
+// A place to draw without a window: of a GL that is loaded while the program runs (offscreen.cpp), or beside a window.
 #pragma once
 
 #include <memory>
@@ -27,7 +27,14 @@ std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height,
 // then takes three times as long (docs/performance.md). After this call it keeps up to 256 MB for the next frame.
 void keep_freed_memory();
 
-std::string_view context_provider();  // what made the context: "OSMesa", "EGL", "GLUT"; each program links one
+// Which GL draws: "osmesa", "egl", or the file of a libOSMesa, libEGL or libGL. Without it, the environment variable TWINLIGHT_GL says
+// so, or else it is OSMesa, or EGL's software driver where there is no OSMesa. To be called before what is below and before the first
+// context.
+void choose_gl(const std::string& name);
+
+// Both load the GL, and throw std::runtime_error if that fails.
+std::string_view context_provider();  // what makes contexts: "OSMesa", "EGL", "GLX"; "GLUT" in a window's program
+const std::string& gl_library();      // the file that it was loaded from
 
 // A rectangle of the colour buffer of the current context (the back buffer of a window), row 0 at the top. x, y: its lower left
 // corner, in GL's window coordinates.

@@ -6,30 +6,50 @@
 
 #include <array>
 #include <cstdlib>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "base/text/input_text.h"
-#include "render/context/clamped_colors.h"
-#include "render/context/context.h"
+#include "render/context/context_buffer.h"
 #include "render/context/driver_choice.h"
 #include "render/context/driver_name.h"
-#include "render/context/egl_devices.h"
 #include "render/context/gl.h"
+#include "render/context/provider.h"
 #include "render/context/softpipe.h"
 
 namespace twinlight {
 
 namespace {
 
-bool has_word(const char* words, std::string_view word) {
-    InputText stream(words ? words : "");
-    for (std::string each; stream >> each;)
-        if (each == word) return true;
-    return false;
-}
+struct EglFunctions {
+    explicit EglFunctions(const Library& library) {
+        library.find("eglGetProcAddress", address);
+        library.find("eglQueryString", query_string);
+        library.find("eglGetPlatformDisplay", get_platform_display);
+        library.find("eglInitialize", initialize);
+        library.find("eglBindAPI", bind_api);
+        library.find("eglChooseConfig", choose_config);
+        library.find("eglCreateContext", create_context);
+        library.find("eglDestroyContext", destroy_context);
+        library.find("eglCreatePbufferSurface", create_surface);
+        library.find("eglDestroySurface", destroy_surface);
+        library.find("eglMakeCurrent", make_current);
+    }
+
+    decltype(&::eglGetProcAddress) address = nullptr;
+    decltype(&::eglQueryString) query_string = nullptr;
+    decltype(&::eglGetPlatformDisplay) get_platform_display = nullptr;
+    decltype(&::eglInitialize) initialize = nullptr;
+    decltype(&::eglBindAPI) bind_api = nullptr;
+    decltype(&::eglChooseConfig) choose_config = nullptr;
+    decltype(&::eglCreateContext) create_context = nullptr;
+    decltype(&::eglDestroyContext) destroy_context = nullptr;
+    decltype(&::eglCreatePbufferSurface) create_surface = nullptr;
+    decltype(&::eglDestroySurface) destroy_surface = nullptr;
+    decltype(&::eglMakeCurrent) make_current = nullptr;
+};
 
 // A possible source of a display.
 struct Source {
@@ -39,16 +59,15 @@ struct Source {
 };
 
 // GPUs first, if they are taken; then Mesa's default, then all other devices.
-std::vector<Source> sources() {
+std::vector<Source> sources(const EglFunctions& egl, EglDevices taken) {
     constexpr int kKeep = 0;  // keeps the user's setting
-    if (!kTakesGpus) ::setenv("LIBGL_ALWAYS_SOFTWARE", "true", kKeep);
-    const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    if (taken == EglDevices::kSoftware) ::setenv("LIBGL_ALWAYS_SOFTWARE", "true", kKeep);
+    const char* extensions = egl.query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     std::vector<Source> gpus, others;
     if (has_word(extensions, "EGL_MESA_platform_surfaceless"))
         others.push_back({"surfaceless", EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY});
-    const auto query_devices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
-    const auto query_string =
-        reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(eglGetProcAddress("eglQueryDeviceStringEXT"));
+    const auto query_devices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(egl.address("eglQueryDevicesEXT"));
+    const auto query_string = reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(egl.address("eglQueryDeviceStringEXT"));
     if (query_devices && query_string && has_word(extensions, "EGL_EXT_platform_device")) {
         std::array<EGLDeviceEXT, 32> devices{};
         EGLint count = 0;
@@ -59,7 +78,7 @@ std::vector<Source> sources() {
             (is_software ? others : gpus).push_back({fmt::format("device {}", i), EGL_PLATFORM_DEVICE_EXT, device});
         }
     }
-    if (!kTakesGpus) return others;
+    if (taken == EglDevices::kSoftware) return others;
     gpus.insert(gpus.end(), others.begin(), others.end());
     return gpus;
 }
@@ -72,7 +91,7 @@ struct Connection {
 };
 
 // The display's first configuration for the surfaces that are wanted, or else any; nullptr if OpenGL has none.
-EGLConfig configuration(EGLDisplay display) {
+EGLConfig configuration(const EglFunctions& egl, EGLDisplay display) {
     const std::array<EGLint, 17> with_surface = {EGL_SURFACE_TYPE,
                                                  EGL_PBUFFER_BIT,
                                                  EGL_RENDERABLE_TYPE,
@@ -93,41 +112,41 @@ EGLConfig configuration(EGLDisplay display) {
     const std::array<EGLint, 5> any = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
-    if (eglChooseConfig(display, with_surface.data(), &config, 1, &count) && count > 0) return config;
-    if (eglChooseConfig(display, any.data(), &config, 1, &count) && count > 0) return config;
+    if (egl.choose_config(display, with_surface.data(), &config, 1, &count) && count > 0) return config;
+    if (egl.choose_config(display, any.data(), &config, 1, &count) && count > 0) return config;
     return nullptr;
 }
 
 // Connects, and returns nullptr or the reason why it failed. An initialised display stays so: a process has only one of
 // each.
-const char* refusal(const Source& source, Connection& connection) {
-    connection.display = eglGetPlatformDisplay(source.platform, source.native, nullptr);
-    if (connection.display == EGL_NO_DISPLAY || !eglInitialize(connection.display, nullptr, nullptr))
+const char* refusal(const EglFunctions& egl, const Source& source, Connection& connection) {
+    connection.display = egl.get_platform_display(source.platform, source.native, nullptr);
+    if (connection.display == EGL_NO_DISPLAY || !egl.initialize(connection.display, nullptr, nullptr))
         return "it does not start";
-    if (!has_word(eglQueryString(connection.display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context"))
+    if (!has_word(egl.query_string(connection.display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context"))
         return "it cannot draw without a surface";
-    connection.config = eglBindAPI(EGL_OPENGL_API) ? configuration(connection.display) : nullptr;
+    connection.config = egl.bind_api(EGL_OPENGL_API) ? configuration(egl, connection.display) : nullptr;
     if (!connection.config) return "it does not support OpenGL";
     // Without a requested version, the driver gives the newest one that keeps the commands of GL 1.0.
-    connection.context = eglCreateContext(connection.display, connection.config, EGL_NO_CONTEXT, nullptr);
+    connection.context = egl.create_context(connection.display, connection.config, EGL_NO_CONTEXT, nullptr);
     if (connection.context == EGL_NO_CONTEXT) return "it cannot create an OpenGL context";
     GLint lights = 0;
-    const bool is_current = eglMakeCurrent(connection.display, EGL_NO_SURFACE, EGL_NO_SURFACE, connection.context);
+    const bool is_current = egl.make_current(connection.display, EGL_NO_SURFACE, EGL_NO_SURFACE, connection.context);
     if (is_current) glGetIntegerv(GL_MAX_LIGHTS, &lights);
     if (lights > 0) return nullptr;
-    eglMakeCurrent(connection.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    eglDestroyContext(connection.display, connection.context);
+    egl.make_current(connection.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    egl.destroy_context(connection.display, connection.context);
     return is_current ? "it has no compatibility profile" : "its context cannot be made current";
 }
 
 // Throws if nothing connects, with one line for all attempts; Mesa's own line for each attempt is turned off.
-Connection connect() {
+Connection connect(const EglFunctions& egl, EglDevices taken) {
     constexpr int kKeep = 0;  // keeps the user's setting
     ::setenv("EGL_LOG_LEVEL", "fatal", kKeep);
     std::string tried;
-    for (const Source& source : sources()) {
+    for (const Source& source : sources(egl, taken)) {
         Connection connection;
-        const char* why = refusal(source, connection);
+        const char* why = refusal(egl, source, connection);
         if (!why) return connection;
         tried += fmt::format("{}{}: {}", tried.empty() ? "" : "; ", source.name, why);
     }
@@ -140,14 +159,17 @@ Connection connect() {
 
 class EglContext final : public OffscreenContext {
   public:
-    EglContext(int width, int height, ColorBuffer color_buffer) : connection_(connect()) {
+    EglContext(const EglFunctions& egl, EglDevices devices, int width, int height, ColorBuffer color_buffer)
+        : egl_(egl), connection_(connect(egl, devices)) {
         if (color_buffer != ColorBuffer::kUnorm8 || !make_surface(width, height)) {
-            make_framebuffer(color_buffer == ColorBuffer::kFloat ? GL_RGBA32F : GL_RGBA8, width, height);
+            try {
+                buffer_.emplace(width, height, color_buffer);
+            } catch (const std::runtime_error&) {
+                release();
+                throw;
+            }
         }
-        clamp_colors();
-        glViewport(0, 0, width, height);
-        glScissor(0, 0, width, height);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+        prepare_context(width, height);
     }
     ~EglContext() override {
         bind();
@@ -163,7 +185,7 @@ class EglContext final : public OffscreenContext {
     // A surface is a window's framebuffer, whose name is 0. Without one, a scene that binds no framebuffer object would still have one.
     bool make_surface(int width, int height) {
         const std::array<EGLint, 5> size = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
-        surface_ = eglCreatePbufferSurface(connection_.display, connection_.config, size.data());
+        surface_ = egl_.create_surface(connection_.display, connection_.config, size.data());
         if (surface_ == EGL_NO_SURFACE) return false;
         std::array<GLint, 3> bits{};
         if (bind()) {
@@ -173,58 +195,39 @@ class EglContext final : public OffscreenContext {
         }
         // NVIDIA's driver (580.159.04) gives black pictures of a surface if its context was current without one.
         if (bits == std::array<GLint, 3>{24, 8, 8} && current_driver().maker() == "Mesa") return true;
-        eglMakeCurrent(connection_.display, EGL_NO_SURFACE, EGL_NO_SURFACE, connection_.context);
-        eglDestroySurface(connection_.display, std::exchange(surface_, EGL_NO_SURFACE));
+        egl_.make_current(connection_.display, EGL_NO_SURFACE, EGL_NO_SURFACE, connection_.context);
+        egl_.destroy_surface(connection_.display, std::exchange(surface_, EGL_NO_SURFACE));
         return false;
     }
-    void make_framebuffer(GLenum color, int width, int height) {
-        glGenRenderbuffers(2, buffers_.data());
-        glGenFramebuffers(1, &framebuffer_);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-        attach(GL_COLOR_ATTACHMENT0, color, buffers_[0], width, height);
-        attach(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, buffers_[1], width, height);
-        flip_rows_like_a_window();
-        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
-        const std::string driver = driver_name();
-        release();
-        throw std::runtime_error(
-            fmt::format("{} cannot draw into a buffer of {} x {} pixels; try a smaller one", driver, width, height));
-    }
-    static void attach(GLenum attachment, GLenum format, GLuint buffer, int width, int height) {
-        glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-        glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
-    }
-    // In Mesa a window's first row in memory is the top one, a framebuffer object's is the bottom one. Upside down,
-    // borders and positions would round to the other side. Other drivers have no such switch.
-    static void flip_rows_like_a_window() {
-        if (has_word(reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS)), "GL_MESA_framebuffer_flip_y"))
-            glFramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_FLIP_Y_MESA, GL_TRUE);
-    }
-    bool bind() { return eglMakeCurrent(connection_.display, surface_, surface_, connection_.context) == EGL_TRUE; }
+    bool bind() { return egl_.make_current(connection_.display, surface_, surface_, connection_.context) == EGL_TRUE; }
     void release() {
-        if (framebuffer_ != 0) {
-            glDeleteFramebuffers(1, &framebuffer_);
-            glDeleteRenderbuffers(2, buffers_.data());
-        }
-        eglMakeCurrent(connection_.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        if (surface_ != EGL_NO_SURFACE) eglDestroySurface(connection_.display, surface_);
-        eglDestroyContext(connection_.display, connection_.context);
+        buffer_.reset();
+        egl_.make_current(connection_.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        if (surface_ != EGL_NO_SURFACE) egl_.destroy_surface(connection_.display, surface_);
+        egl_.destroy_context(connection_.display, connection_.context);
     }
 
+    EglFunctions egl_;
     Connection connection_;
     EGLSurface surface_ = EGL_NO_SURFACE;
-    std::array<GLuint, 2> buffers_{};  // colour; depth and stencil: without a surface
-    GLuint framebuffer_ = 0;
+    std::optional<ContextBuffer> buffer_;  // without a surface
 };
 
 }  // namespace
 
-std::string_view context_provider() { return "EGL"; }
+bool is_egl(const Library& library) { return library.has("eglGetProcAddress"); }
 
-std::unique_ptr<OffscreenContext> make_offscreen_context(int width, int height, ColorBuffer color_buffer) {
-    keep_llvm_out_of_softpipe();
-    return std::make_unique<EglContext>(width, height, color_buffer);
+Provider egl_provider(const Library& library, EglDevices devices) {
+    const EglFunctions egl(library);
+    const auto make_context = [egl, devices](int width, int height, ColorBuffer color_buffer) {
+        keep_llvm_out_of_softpipe();
+        return std::make_unique<EglContext>(egl, devices, width, height, color_buffer);
+    };
+    const auto address = [egl, library](const char* name) {
+        void* const exported = library.address(name);
+        return exported ? exported : reinterpret_cast<void*>(egl.address(name));
+    };
+    return {"EGL", make_context, address};
 }
 
 }  // namespace twinlight

@@ -1,5 +1,5 @@
-// GL's declarations: the only place that includes them. The functions come from the library that the program links
-// (OSMesa, libGL); the Makefile sets GL_GLEXT_PROTOTYPES.
+// GL's declarations: the only place that includes them. The functions come from the library that the program loads (entry_points.h),
+// or links, as the window does; the Makefile sets GL_GLEXT_PROTOTYPES.
 #pragma once
 
 #include <GL/gl.h>

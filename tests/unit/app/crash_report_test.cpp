@@ -14,14 +14,17 @@ namespace {
 
 class Crashes : public testing::Test {
   protected:
-    // A library with this function, loaded before all others, crashes instead of the one of this name.
-    // The shell may add a line of its own, so only the first one counts.
-    ProgramResult crash_in(const std::string& library, const std::string& function, const std::string& before = "") {
+    // A library with this function crashes instead of the one of this name. `variable` says how it is loaded: LD_PRELOAD, or TWINLIGHT_GL;
+    // then it has all other functions of GL from the usual library. The shell may add a line of its own, so only the first one counts.
+    ProgramResult crash_in(const std::string& variable, const std::string& library, const std::string& function,
+                           const std::string& before = "") {
+        const std::string gl = run_shell("twinlight", "\"$PROGRAM\" check light-none").gl,
+                          usual = gl.substr(gl.rfind('(') + 1, gl.rfind(')') - gl.rfind('(') - 1);
         write_file_atomically(folder_ / "crash.c", function);
-        ProgramResult result =
-            run_shell("twinlight", "cc -shared -fPIC -O0 -o " + quoted(folder_ / library) + " " +
-                                       quoted(folder_ / "crash.c") + " || exit 77; " + before +
-                                       " LD_PRELOAD=" + quoted(folder_ / library) + " \"$PROGRAM\" check light-none");
+        ProgramResult result = run_shell(
+            "twinlight", "cc -shared -fPIC -O0 -o " + quoted(folder_ / library) + " " + quoted(folder_ / "crash.c") +
+                             " -Wl,--no-as-needed " + quoted(usual) + " || exit 77; " + before + " " + variable + "=" +
+                             quoted(folder_ / library) + " \"$PROGRAM\" check light-none");
         result.err.resize(std::min(result.err.find('\n') + 1, result.err.size()));
         return result;
     }
@@ -46,26 +49,26 @@ TEST_F(Crashes, NameTheDriverOnlyWhereItCrashed) {
     const std::string segv = "void glBegin(int mode) { *(volatile int*)0 = mode; }\n",
                       abort = "#include <stdlib.h>\nint isatty(int file) { abort(); }\n";
 
-    const ProgramResult driver = crash_in("libGLcrash.so", segv);
+    const ProgramResult driver = crash_in("TWINLIGHT_GL", "libGLcrash.so", segv);
     EXPECT_EQ(driver.status, 128 + SIGSEGV);
     EXPECT_EQ(driver.err,
               "twinlight: crashed (SIGSEGV) in libGLcrash.so, during a call of the GL driver; the environment variable "
               "GALLIUM_DRIVER, set to llvmpipe or softpipe, chooses another driver. If that crashes too, please report "
               "the scene.\n");
 
-    const ProgramResult other = crash_in("libother.so", segv);
+    const ProgramResult other = crash_in("TWINLIGHT_GL", "libother.so", segv);
     EXPECT_EQ(other.status, 128 + SIGSEGV);
     EXPECT_EQ(
         other.err,
         "twinlight: crashed (SIGSEGV) in libother.so, which it called; please report the command and the scene.\n");
 
     // Named as the C library, which runs what its caller wants.
-    const ProgramResult own = crash_in("libc.so.crash", abort);
+    const ProgramResult own = crash_in("LD_PRELOAD", "libc.so.crash", abort);
     EXPECT_EQ(own.status, 128 + SIGABRT);
     EXPECT_EQ(own.err, "twinlight: crashed (SIGABRT) in its own code; please report the command and the scene.\n");
 
     const ProgramResult memory =
-        crash_in("libGLcrash.so",
+        crash_in("TWINLIGHT_GL", "libGLcrash.so",
                  "#include <stdlib.h>\n#include <sys/mman.h>\nvoid glBegin(int mode) {\n"
                  "    for (size_t size = 1 << 30; size >= 1 << 20; size /= 2)\n"
                  "        while (mmap(0, size, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) != MAP_FAILED) {}\n"

@@ -43,16 +43,15 @@ class System {
 };
 
 constexpr const char* kMissing =
-    "g++ false\nlibosmesa6-dev|libegl-dev false\nlibglm-dev true\nlibjs-chart.js false\nxvfb false\n";
+    "g++ false\nlibosmesa6|libegl-mesa0 false\nlibglm-dev true\nlibjs-chart.js false\nxvfb false\n";
 
 TEST(Packages, OfOtherSystemsAreNamedAndNotInstalled) {
     struct Row {
         const char *manager, *system, *packages;
     };
-    for (const Row& row :
-         {Row{"dnf", "Fedora", "dnf install gcc-c++ libglvnd-devel mesa-libEGL xorg-x11-server-Xvfb\n"},
-          Row{"pacman", "Arch", "pacman -S --needed gcc libglvnd mesa xorg-server-xvfb\n"},
-          Row{"zypper", "openSUSE", "zypper install gcc-c++ Mesa-libEGL-devel xorg-x11-server-Xvfb\n"}}) {
+    for (const Row& row : {Row{"dnf", "Fedora", "dnf install gcc-c++ mesa-libEGL xorg-x11-server-Xvfb\n"},
+                           Row{"pacman", "Arch", "pacman -S --needed gcc mesa xorg-server-xvfb\n"},
+                           Row{"zypper", "openSUSE", "zypper install gcc-c++ Mesa-libEGL1 xorg-x11-server-Xvfb\n"}}) {
         const ProgramResult result = System(Programs{{row.manager, "echo ran >&2; exit 9"}}).deps(kMissing);
         EXPECT_EQ(result.status, 1);
         EXPECT_EQ(result.out, "");
@@ -67,7 +66,7 @@ TEST(Packages, OfOtherSystemsAreNamedAndNotInstalled) {
 TEST(Packages, HaveDebiansNamesWhereTheSystemIsNotKnown) {
     const ProgramResult result = System(Programs{}).deps(kMissing);
     EXPECT_EQ(result.status, 1);
-    EXPECT_NE(result.err.find(" g++ libegl-dev libjs-chart.js xvfb\n"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find(" g++ libegl-mesa0 libjs-chart.js xvfb\n"), std::string::npos) << result.err;
 }
 
 TEST(Packages, AreNotLookedForIfNothingIsMissing) {
@@ -81,13 +80,13 @@ TEST(Packages, TakeEglWhereAptHasNoOsmesa) {
     for (const bool has_osmesa : {false, true}) {
         const System system(Programs{{"id", "echo 0"},
                                      {"apt-get", "echo \"$*\" >>\"${0%/*}/log\""},
-                                     {"apt-cache", fmt::format("case $2 in libosmesa6-dev) echo \"  Candidate: {}\" ;; "
+                                     {"apt-cache", fmt::format("case $2 in libosmesa6) echo \"  Candidate: {}\" ;; "
                                                                "*) echo \"  Candidate: 1.0\" ;; esac",
                                                                has_osmesa ? "25.0" : "(none)")}});
         const ProgramResult result = system.deps(kMissing);
         EXPECT_EQ(result.status, 1);  // this apt-get installs nothing
         EXPECT_NE(result.err.find("Still missing"), std::string::npos);
-        const std::string mesa = has_osmesa ? "libosmesa6-dev" : "libegl-dev";
+        const std::string mesa = has_osmesa ? "libosmesa6" : "libegl-mesa0";
         EXPECT_EQ(system.log(),
                   "update -qq\ninstall -y --no-install-recommends g++ " + mesa + " libjs-chart.js xvfb\n");
     }
@@ -104,10 +103,10 @@ TEST(Packages, OfTheTableAreThoseOfTheMakefile) {
         std::vector<std::string> row;
         for (std::string word; words >> word;) row.push_back(word);
         ASSERT_EQ(row.size(), 4u) << line;
-        EXPECT_TRUE(makefile.find("\n" + row[0] + " ") != std::string::npos ||
-                    makefile.find("," + row[0] + " ") != std::string::npos ||
-                    makefile.find("|" + row[0] + " ") != std::string::npos)
-            << row[0];
+        int named = 0;
+        for (const char* before : {"\n", ",", "|"})
+            for (const char* after : {" ", "|"}) named += makefile.find(before + row[0] + after) != std::string::npos;
+        EXPECT_GT(named, 0) << row[0];
         ++rows;
     }
     EXPECT_GT(rows, 20);

@@ -47,12 +47,12 @@ TEST(RefusedShaders, AreAResultOfTheirCase) {
 
 TEST(RefusedShaders, LeaveTheOtherChoicesOfAStudy) {
     const TemporaryFolder folder;
-    const ProgramResult result = run_without_shaders(
-        folder, "study report --quick --size 16x16 --seconds 0 -o " + quoted(folder / "study") + " 2>&1 >/dev/null");
-    EXPECT_EQ(result.status, 0) << result.out;
-    EXPECT_NE(result.out.find("choices are left out: the driver refuses a vertex shader"), std::string::npos)
-        << result.out;
-    EXPECT_EQ(std::ranges::count(result.out, '\n'), 1) << result.out;
+    const ProgramResult result =
+        run_without_shaders(folder, "study report --quick --size 16x16 --seconds 0 -o " + quoted(folder / "study"));
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.err.find("choices are left out: the driver refuses a vertex shader"), std::string::npos)
+        << result.err;
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
     EXPECT_NE(read_file(folder / "study/study.json").find("\"fixed\""), std::string::npos);
 }
 

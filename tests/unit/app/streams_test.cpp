@@ -54,9 +54,11 @@ ProgramResult run(std::vector<std::string> words, int stream, State state, const
     for (const int file : {full, null, errors, broken}) ::close(file);
     int status = 0;
     ::waitpid(child, &status, 0);
-    return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-            .out = {},
-            .err = read_file(file_of_errors)};
+    ProgramResult result;
+    result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    result.err = read_file(file_of_errors);
+    take_gl(result);
+    return result;
 }
 
 TEST(Streams, InAnyStateLeaveEveryCommandItsStatus) {

@@ -1,7 +1,0 @@
-#include "render/context/egl_devices.h"
-
-namespace twinlight {
-
-const bool kTakesGpus = true;
-
-}  // namespace twinlight
