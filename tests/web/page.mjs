@@ -81,9 +81,10 @@ const checks = {
         told.order = await browser.value(`window.order`);
         await browser.value(`document.getElementById("probe").requestSubmit()`);
         told.explanation = await text("explanation");
-        told.arrows = await browser.value(`[...document.querySelectorAll("#shaders + svg text")].map((text) => text.textContent)`);
+        told.arrows = await browser.value(`[...document.querySelectorAll("#shaders ~ .arrows text")].map((text) => text.textContent)`);
         told.terms = await browser.value(`[document.querySelectorAll(".bars div").length, document.querySelector("#terms table .result").innerText]`);
         told.caption = await text("caption");
+        told.labels = await browser.value(`[...document.querySelectorAll("#reference ~ .labels span")].map((text) => text.textContent)`);
         told.loaded = await browser.value(`performance.getEntriesByName("first reference")[0].startTime`);
     },
 

@@ -436,6 +436,7 @@ TEST(WebPage, DrawsEveryScene) {
     EXPECT_EQ(page["arrows"], (Json{"n", "V", "L1", "h1"}));
     EXPECT_EQ(page["terms"][0], 3);
     EXPECT_TRUE(page["terms"][1].get<std::string>().starts_with("=\t\tc_pri before the clamp\t")) << page["terms"];
+    EXPECT_EQ(page["labels"], (Json{"exponent 0", "exponent 60", "smooth from 7 to 13.1 degrees"}));
     EXPECT_TRUE(page["caption"].get<std::string>().starts_with("Three spotlights on a wall: ")) << page["caption"];
     EXPECT_EQ(page["numbers"][0], "GL_LIGHT0 GL_POSITION x\n1\nGL_LIGHT0 GL_POSITION y\n2\nGL_FRONT GL_SHININESS\n20");
     EXPECT_NE(page["numbers"][1].get<std::string>().find("{-0.5, 2, 3, 1}"), std::string::npos) << page["numbers"];

@@ -60,6 +60,13 @@ TEST(WebglFrame, WritesNumbersThatDrawsShareOnce) {
     EXPECT_EQ(header["uniforms"].size(), 1u);
 }
 
+TEST(WebglFrame, HasTheTextsOverThePicture) {
+    const Json header = header_of(
+        "glOrtho(-2, 2, -2, 2, -1, 1);\n#pragma twinlight label(1, 1, 0, \"n = %g\", 2.5)\nglRectf(-1, -1, 1, 1);");
+    EXPECT_EQ(header["labels"], (Json{{{"text", "n = 2.5"}, {"at", {48.0, 16.0}}}}));
+    EXPECT_FALSE(header_of("glRectf(-1, -1, 1, 1);").contains("labels"));
+}
+
 // The names that a program declares, except samplers. Of a struct's members, the struct.
 std::set<std::string> names_of_numbers(const Json& program) {
     static const std::regex kUniform("uniform (\\w+) (\\w+)");

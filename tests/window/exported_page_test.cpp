@@ -81,11 +81,13 @@ const told = {};
 const canvas = document.getElementById("picture");
 const picture = () => canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
 const changed = (a, b) => a.reduce((count, value, i) => count + (value !== b[i]), 0);
+const labels = () => [...document.querySelectorAll(".labels span")].map((text) => text.textContent);
 const press = (key) => document.dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true}));
 try {
     told.size = [canvas.width, canvas.height];
     const first = picture();
     told.picture = canvas.toDataURL();
+    told.labels = [labels()];
     press("1");
     told.without_light = changed(picture(), first);
     told.state = document.getElementById("state").textContent.trim();
@@ -94,8 +96,10 @@ try {
     canvas.dispatchEvent(new PointerEvent("pointermove", {buttons: 1, movementX: 60, movementY: 20}));
     told.turned = changed(picture(), first);
     told.turned_picture = canvas.toDataURL();
+    told.labels.push(labels());
     canvas.dispatchEvent(new PointerEvent("pointermove", {buttons: 1, movementX: -60, movementY: -20}));
     told.turned_back = changed(picture(), first);
+    told.labels.push(labels());
     const choices = (id) => [...document.getElementById(id).options].map((option) => option.value);
     const choose = (id, value) => {
         document.getElementById(id).value = value;
@@ -238,6 +242,9 @@ TEST_F(ExportedPage, DrawsWhatTheReferenceDrawsAndAnswersKeysAndTheMouse) {
 
 TEST_F(ExportedPage, HasAllStepsOfTheSceneAndWhatItShows) {
     const json told = used("terms");
+    EXPECT_GE(told["labels"][0].size(), 3U);
+    EXPECT_EQ(told["labels"][1], json::array()) << "their places are those of the first view";
+    EXPECT_EQ(told["labels"][2], told["labels"][0]);
     EXPECT_EQ(told["steps"], json({"The sum", "Ambient", "Diffuse", "Specular", "All three terms"}));
     EXPECT_EQ(told["chosen_back"], 0);
     expect_close("terms", picture_of(told, "last_step_picture"), {}, "5");

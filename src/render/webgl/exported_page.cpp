@@ -121,6 +121,7 @@ std::string exported_page(const std::vector<PageStep>& steps, const Look& look, 
                                                        {"words", base64(bytes)},
                                                        {"theme.css", text_of_file("theme.css")},
                                                        {"gl.js", text_of_file("gl.js")},
+                                                       {"labels.js", text_of_file("labels.js")},
                                                        {"theme.js", text_of_file("theme.js")},
                                                        {"viewer.js", text_of_file("viewer.js")}});
 }

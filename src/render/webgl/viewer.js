@@ -109,6 +109,8 @@ function display() {
     pixels = renderer.draw({header: {...scene, programs, uniforms}, words});
     for (let i = 3; i < pixels.length; i += 4) pixels[i] = 255;  // opaque, as a window
     at("picture").getContext("2d").putImageData(new ImageData(pixels, scene.width), 0, 0);
+    const is_turned = turn_deg !== 0 || tilt_deg !== 0;
+    showLabels(at("picture"), (!is_turned && scene.labels) || [], scene);  // their places are those of the first view
     at("lights").replaceChildren(...lights_of(scene).map((light) => {
         const button = document.createElement("button");
         button.type = "button";

@@ -120,6 +120,9 @@ class Writer {
                        {"uniforms", std::move(uniforms_)},
                        {"items", std::move(items_)},
                        {"missing", std::move(missing)}};
+        for (const auto& [text, place] : frame_.labels)
+            header["labels"].push_back(
+                {{"text", text}, {"at", {place.x * frame_.width, (1 - place.y) * frame_.height}}});
         if (options_.for_any_pose) header["middle"] = {middle_eye_.x, middle_eye_.y, middle_eye_.z};
         return header;
     }

@@ -24,6 +24,7 @@ struct WebglFrame {
     //        "framebuffer": sampler of the picture before each part,
     //        "sides": each part is drawn once for each face, ...}],
     //    "missing": [{"line", "column", "message"}],
+    //    "labels": [{"text", "at": [x, y]}], texts of the scene over the picture, in pixels from its upper left corner; only if there are any,
     //    "middle": [x, y, z], what the camera turns around, in eye coordinates: only for any pose}
     Json header;
     std::vector<std::uint32_t> words;  // vertices, indices and texels

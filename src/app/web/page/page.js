@@ -4,6 +4,7 @@ import {Editor} from "./editor.js";
 import {sceneIn} from "./files.js";
 import {startGallery} from "./gallery.js";
 import {Renderer} from "./gl.js";
+import {showLabels} from "./labels.js";
 import {Lessons} from "./lessons.js";
 import {sceneInLink, sizeInLink, textInLink} from "./link.js";
 import {Numbers} from "./numbers.js";
@@ -95,8 +96,9 @@ async function draw() {
     let pixels = null;
     at("verdict").textContent = "The reference is drawing ...";
     try {
-        renderer ??= new Renderer();
         const frame = twinlight.webglFrame(shading);
+        for (const canvas of document.querySelectorAll("figure canvas")) showLabels(canvas, frame.header.labels ?? [], size);
+        renderer ??= new Renderer();
         pixels = renderer.draw(frame);
         show("shaders", pixels, size);
         for (const {line, column, message: text} of frame.header.missing)

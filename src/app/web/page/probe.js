@@ -62,7 +62,7 @@ function arrow({kind, name, from, to}) {
 
 function showArrows(arrows, {width, height}) {
     for (const canvas of document.querySelectorAll("figure canvas")) {
-        const figure = canvas.parentElement, svg = figure.querySelector("svg") ?? figure.appendChild(drawn("svg", {"aria-hidden": true}));
+        const figure = canvas.parentElement, svg = figure.querySelector("svg.arrows") ?? figure.appendChild(drawn("svg", {class: "arrows", "aria-hidden": true}));
         svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
         svg.style.aspectRatio = `${width} / ${height}`;
         svg.replaceChildren(...arrows.map(arrow));
@@ -81,4 +81,4 @@ export function showProbe({heading, rows, mean, arrows}, size) {
     showArrows(arrows, size);
 }
 
-export const hideArrows = () => document.querySelectorAll("figure svg").forEach((svg) => svg.replaceChildren());
+export const hideArrows = () => document.querySelectorAll("svg.arrows").forEach((svg) => svg.replaceChildren());
