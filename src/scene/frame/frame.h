@@ -609,6 +609,14 @@ struct WindowPixels {
 inline constexpr int kMostWindowPixels = 8192;
 inline constexpr Rectangle kWindowOfPixels{0, 0, kMostWindowPixels, kMostWindowPixels};
 
+// A call of a display list (5.4).
+struct ListCall {
+    std::uint32_t name = 0;
+    Place place;                              // of glCallList or glCallLists; in a list, of the line that compiled it
+    glm::dmat4 eye_from_object{1};            // the modelview matrix then
+    std::shared_ptr<const ListCall> outer{};  // the call of the list that calls it; null if none does
+};
+
 // One batch of primitives with all state that affects it.
 struct Draw {
     Enum mode = kGL_TRIANGLES;  // glBegin's primitive type
@@ -631,6 +639,7 @@ struct Draw {
     glm::dmat4 clip_from_eye{1};
     Place place;           // the place of glBegin or of the shape
     bool in_list = false;  // a display list draws it; then a driver may cut quadrilaterals the other way
+    std::shared_ptr<const ListCall> list{};  // the call of the innermost list that draws it; null if none does
     // Draws with the same number, unless it is 0, have the same state: at most `mode`, `materials` and the values of vertices
     // differ. Different numbers say nothing. Whoever changes the state of a frame's Draw sets it to 0, as
     // Frame::editable_draws() does.

@@ -263,7 +263,8 @@ void State::execute_list(const Command& c, std::uint32_t name) {
     const auto found = lists_.named.find(name);
     if (!has_time(c, 1) || found == lists_.named.end() || lists_.nesting >= kMaxListNesting) return;
     const std::shared_ptr<const DisplayList> list = found->second;  // held: it may be replaced while it runs
-    if (lists_.nesting == 0) lists_.called = c.place;
+    const auto outer =
+        std::exchange(lists_.call, std::make_shared<const ListCall>(ListCall{name, c.place, modelview(), lists_.call}));
     ++lists_.nesting;
     for (const ListedCommand& listed : list->commands) {
         if (exhausted_ || !has_time(c, 1 + static_cast<double>(listed.elements()))) break;
@@ -274,6 +275,7 @@ void State::execute_list(const Command& c, std::uint32_t name) {
     }
     lists_.quadric = nullptr;
     --lists_.nesting;
+    lists_.call = outer;
 }
 
 void State::execute_listed(const ListedCommand& listed) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/command/command.h"
+#include "scene/frame/frame.h"
 #include "scene/shape/quadric.h"
 #include "scene/state/arrays.h"
 #include "scene/state/pixel_unpacking.h"
@@ -63,9 +64,9 @@ struct Lists {
     Place opened;
     std::shared_ptr<DisplayList> open;
 
-    int nesting = 0;                   // how many lists are being executed
-    Place called;                      // the place of the call of the outermost list
-    const Quadric* quadric = nullptr;  // that of the listed command being executed
+    int nesting = 0;                       // how many lists are being executed
+    std::shared_ptr<const ListCall> call;  // of the innermost one
+    const Quadric* quadric = nullptr;      // that of the listed command being executed
 };
 
 }  // namespace twinlight

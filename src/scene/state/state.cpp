@@ -97,8 +97,10 @@ void State::raise(GlError error) {
     ++error_count_;
     if (error.code == kGL_OUT_OF_MEMORY && !exhausted_) exhausted_ = error;
     if (errors_.size() >= kMaxErrorsKept) return;
-    if (lists_.nesting > 0)
-        error.message += fmt::format("; this command is in the display list that is called at {}", lists_.called.str());
+    if (const ListCall* call = lists_.call.get()) {
+        while (call->outer) call = call->outer.get();
+        error.message += fmt::format("; this command is in the display list that is called at {}", call->place.str());
+    }
     errors_.push_back(std::move(error));
 }
 
@@ -314,6 +316,7 @@ Draw State::new_draw(Enum mode, const Place& place) {
     draw.clip_from_eye = projection();
     draw.place = place;
     draw.in_list = lists_.nesting > 0 || lists_.open_name != 0;
+    draw.list = lists_.call;
     draw.texture = texture_unit(0);
     for (std::size_t i = 1; i < a_.units.size(); ++i)
         if (a_.units[i].is_enabled())

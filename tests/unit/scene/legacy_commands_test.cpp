@@ -382,6 +382,26 @@ TEST(Selection, IsTheDriversModeWhereItHasABuffer) {
     both("glRenderMode(GL_RENDER);");
 }
 
+TEST(DisplayLists, AreKnownToTheirDraws) {
+    const std::string draw = "glBegin(GL_POINTS); glVertex2f(0, 0); glEnd();\n";
+    const Frame frame = frame_of("glNewList(1, GL_COMPILE);\n" + draw + "glEndList();\n" +
+                                 "glNewList(2, GL_COMPILE); glTranslatef(1, 0, 0); glCallList(1);\n" + draw +
+                                 "glEndList();\nglScalef(2, 2, 2); glCallList(2);\nglCallList(1);\n" + draw);
+    const std::vector<const Draw*> draws = frame.draws();
+    ASSERT_EQ(draws.size(), 4U);
+    const ListCall &inner = *draws[0]->list, &outer = *draws[1]->list, &again = *draws[2]->list;
+    EXPECT_EQ(inner.outer, draws[1]->list);
+    EXPECT_EQ(outer.outer, nullptr);
+    EXPECT_EQ(again.outer, nullptr);
+    EXPECT_EQ(draws[3]->list, nullptr);
+    EXPECT_EQ((std::vector{inner.name, outer.name, again.name}), (std::vector<std::uint32_t>{1, 2, 1}));
+    EXPECT_EQ((std::vector{inner.place.line, outer.place.line, again.place.line}), (std::vector{4, 7, 8}));
+    // The matrices at the calls: the list 2 moves what is scaled, and leaves that behind.
+    EXPECT_EQ(outer.eye_from_object[3], glm::dvec4(0, 0, 0, 1));
+    EXPECT_EQ(inner.eye_from_object[3], glm::dvec4(2, 0, 0, 1));
+    EXPECT_EQ(again.eye_from_object, inner.eye_from_object);
+}
+
 TEST(Selection, IsNotCompiledIntoLists) {
     const State state =
         run("glSelectBuffer(4, (GLuint[4]){0}); glNewList(1, GL_COMPILE); glRenderMode(GL_SELECT); glEndList();");
