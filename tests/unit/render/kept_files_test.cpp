@@ -1,17 +1,25 @@
 // Shaders to keep: planned by state and not by pose, one pair for each kind, GL's names, every version's spelling.
 #include "render/programmable/export/kept_files.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <memory>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../hand_built_draws.h"
+#include "render/programmable/export/core_elements.h"
 #include "render/programmable/export/kept_code.h"
 #include "render/programmable/text/kept_text.h"
 #include "render/webgl/exported_page.h"
+#include "scene/command/text.h"
+#include "scene/state/state.h"
 
 namespace twinlight::programmable::kept_files_test {
 namespace {
@@ -92,8 +100,8 @@ TEST(KeptFiles, HaveOnePairForDrawsThatDifferInPlacesAndNumbers) {
     std::vector<std::string> names;
     for (const NamedFile& file : files) names.push_back(file.name);
     EXPECT_EQ(names, (std::vector<std::string>{"kind1.vert", "kind1.frag", "kind2.vert", "kind2.frag", "kinds.c",
-                                               "gl_state.h", "gl_state.c", "names.sed", "scene.c", "scene.bin", "scene.h",
-                                               "window.c", "README.md"}));
+                                               "gl_state.h", "gl_state.c", "names.sed", "scene.c", "scene.bin",
+                                               "scene.h", "window.c", "README.md"}));
     const std::string readme = text_of(files, "README.md");
     EXPECT_LE(std::ranges::count(readme, '\n'), 10);
 }
@@ -188,6 +196,152 @@ TEST(KeptFiles, RefuseMoreThanThePage) {
     frame.items = {Accumulate{.op = kGL_RETURN}};
     EXPECT_EQ(why_not_kept(frame), "");
     EXPECT_NE(why_not_in_files(frame).find("glAccum"), std::string::npos);
+}
+
+// ---- scene.c ----
+
+// The statements of a function in their order, with those of the lists that it calls.
+std::vector<std::string> statements(const std::string& text, const std::string& function) {
+    std::vector<std::string> lines;
+    std::istringstream body(text.substr(text.find("void " + function + "(void) {\n")));
+    std::string line;
+    std::getline(body, line);
+    while (std::getline(body, line) && line != "}") {
+        if (line.find("//") != line.npos || line.empty()) continue;
+        line = line.substr(4);
+        if (line.starts_with("list"))
+            std::ranges::copy(statements(text, line.substr(0, line.find('('))), std::back_inserter(lines));
+        else
+            lines.push_back(line);
+    }
+    return lines;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = text.find(part, at)) != text.npos; at += part.size()) ++count;
+    return count;
+}
+
+// What a statement sets: its function without ff, gl, Enable and Disable, and its arguments but the last, or the names among them.
+std::string what_it_sets(const std::string& statement) {
+    const std::string function = statement.substr(2, statement.find('(') - 2);
+    const std::string arguments = statement.substr(statement.find('('));
+    if (function == "Enable" || function == "Disable") return arguments;
+    const std::size_t value = arguments.find(", ");
+    const std::size_t array = arguments.find(", (float[])");
+    return function + arguments.substr(0, array != arguments.npos ? array : value);
+}
+
+// Twenty objects in two lists, and a sphere without one.
+constexpr const char* kHouse = R"(
+glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+glMatrixMode(GL_PROJECTION); gluPerspective(40, 4.0 / 3.0, 1, 100); glMatrixMode(GL_MODELVIEW);
+glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_DEPTH_TEST); glEnable(GL_NORMALIZE);
+glNewList(1, GL_COMPILE);
+glMaterialfv(GL_FRONT, GL_DIFFUSE, (GLfloat[]){0.8, 0.3, 0.2, 1}); glutSolidTorus(0.2, 0.5, 8, 12);
+glMaterialfv(GL_FRONT, GL_DIFFUSE, (GLfloat[]){0.2, 0.3, 0.8, 1});
+glPushMatrix(); glTranslatef(0, 1, 0); glutSolidCube(1); glPopMatrix();
+glEndList();
+glNewList(2, GL_COMPILE); glutSolidTeapot(0.5); glEndList();
+glTranslatef(0, -3, -20); glutSolidSphere(0.5, 16, 8);
+)";
+std::string house() {
+    std::string text = kHouse;
+    for (int i = 0; i < 10; ++i)
+        for (int list = 1; list <= 2; ++list)
+            text += fmt::format(
+                "glPushMatrix(); glTranslatef({}, {}, 0); glRotatef({}, 1, 2, 3); glCallList({}); glPopMatrix();\n",
+                i - 5, 3 * list, 17 * i * list, list);
+    return text;
+}
+
+TEST(SceneText, HasEachMeshOnceAndSetsOnlyWhatChanges) {
+    const auto list = std::make_shared<CommandList>(read_scene(house(), "house.gl", "house.gl"));
+    const std::string text = text_of(kept_files(make_frame(*list, {}), {}, Glsl::k330, "house"), "scene.c");
+    EXPECT_EQ(count_of(text, "static const struct mesh "), 4U) << text;
+    EXPECT_EQ(count_of(text, "// house.gl:6:"), 2U) << "at the torus and at its draw\n" << text;
+    EXPECT_EQ(count_of(text, "static void list1(void) {"), 1U) << text;
+    EXPECT_EQ(count_of(text, "    list1();"), 10U) << text;
+    EXPECT_LT(std::ranges::count(text, '\n'), 160) << text;
+
+    std::map<std::string, std::string> last;
+    std::size_t draws = 0;
+    for (const std::string& statement : statements(text, "draw_scene")) {
+        draws += statement.starts_with("draw(");
+        if (!statement.starts_with("ff") && !statement.starts_with("gl")) continue;
+        if (statement.find("Matrix") != statement.npos || statement.starts_with("glClear(")) continue;
+        EXPECT_NE(std::exchange(last[what_it_sets(statement)], statement), statement) << text;
+    }
+    EXPECT_EQ(draws, 31U) << text;
+}
+
+std::vector<NamedFile> files_of_frames(const std::vector<Frame>& frames) {
+    KeptScene scene;
+    scene.name = "frames";
+    scene.for_each_frame = [&](const auto& visit) {
+        for (std::size_t i = 0; i < frames.size(); ++i) visit(frames[i], static_cast<int>(10 + i));
+    };
+    return kept_files(scene, {}, Glsl::k330);
+}
+
+TEST(SceneText, SharesWhatFramesHaveInCommon) {
+    std::vector<Frame> frames;
+    for (int i = 0; i < 3; ++i) {
+        Draw draw = square(attenuated_cone());
+        draw.eye_from_object[3] = {i, 1, -40, 1};
+        frames.push_back({.width = 8, .height = 8, .items = {draw, draw}});
+        draw.lighting.front.diffuse = {0.5, 0.4, 0.3, 1};
+        frames.back().items.emplace_back(draw);
+    }
+    const auto one = files_of_frames({frames[0]}), several = files_of_frames(frames);
+    const std::string text = text_of(several, "scene.c");
+    EXPECT_EQ(count_of(text, "static void "), 1U) << text;
+    EXPECT_NE(text.find("    ffMultMatrixf(frame_values);\n"), text.npos) << text;
+    EXPECT_NE(text.find("    {10, draw_scene, 0, "), text.npos) << text;
+    EXPECT_NE(text.find("    {12, draw_scene, 2, "), text.npos) << text;
+    EXPECT_EQ(text_of(several, "scene.bin").size(), text_of(one, "scene.bin").size() + 3 * 16 * sizeof(float));
+    EXPECT_EQ(text_of(several, "kinds.c"), text_of(one, "kinds.c"));
+    // Without frames there is nothing that differs.
+    EXPECT_EQ(text_of(one, "scene.c").find("frame_values"), std::string::npos);
+}
+
+TEST(SceneText, HasAMeshForEachFrameThatMovesVertices) {
+    std::vector<Frame> frames;
+    for (int i = 0; i < 2; ++i) {
+        Draw draw = square(attenuated_cone());
+        draw.vertices.edit()[0].position_object.x += 0.1 * i;
+        frames.push_back({.width = 8, .height = 8, .items = {draw}});
+    }
+    const std::string text = text_of(files_of_frames(frames), "scene.c");
+    EXPECT_EQ(count_of(text, "static void "), 1U) << text;
+    EXPECT_NE(text.find("    draw(mesh[frame_index]);\n"), text.npos) << text;
+}
+
+TEST(SceneText, HasAFunctionForFramesWithOtherDraws) {
+    const Draw draw = square(attenuated_cone());
+    LightingState unlit = dark();
+    unlit.enabled = false;
+    const std::string text = text_of(files_of_frames({{.width = 8, .height = 8, .items = {draw}},
+                                                      {.width = 8, .height = 8, .items = {draw, square(unlit)}},
+                                                      {.width = 8, .height = 8, .items = {draw}}}),
+                                     "scene.c");
+    EXPECT_EQ(count_of(text, "static void "), 2U) << text;
+    for (const char* row : {"    {10, draw_frame10, 0, ", "    {11, draw_frame11, 0, ", "    {12, draw_frame10, 1, "})
+        EXPECT_NE(text.find(row), text.npos) << row << " in\n" << text;
+}
+
+// Table 2.12: the last vertex gives a flat colour; for a line loop's last line, the first.
+TEST(SeparateElements, KeepTheLastVertexAndTheFace) {
+    using Indices = std::vector<std::uint32_t>;
+    EXPECT_EQ(separate_elements({kGL_TRIANGLE_STRIP, {5, 6, 7, 8}}),
+              CoreElements(kGL_TRIANGLES, Indices{5, 6, 7, 7, 6, 8}));
+    EXPECT_EQ(separate_elements({kGL_TRIANGLE_FAN, {5, 6, 7, 8}}),
+              CoreElements(kGL_TRIANGLES, Indices{5, 6, 7, 5, 7, 8}));
+    EXPECT_EQ(separate_elements({kGL_LINE_STRIP, {5, 6, 7}}), CoreElements(kGL_LINES, Indices{5, 6, 6, 7}));
+    EXPECT_EQ(separate_elements({kGL_LINE_LOOP, {5, 6, 7}}), CoreElements(kGL_LINES, Indices{5, 6, 6, 7, 7, 5}));
+    EXPECT_EQ(separate_elements({kGL_TRIANGLES, {5, 6, 7, 8}}), CoreElements(kGL_TRIANGLES, Indices{5, 6, 7}));
+    EXPECT_EQ(separate_elements({kGL_POINTS, {5, 6}}), CoreElements(kGL_POINTS, Indices{5, 6}));
 }
 
 // Planes keep the coordinates that glTexGen was given them for, so that they stay right in other poses.

@@ -15,14 +15,8 @@ std::string printable(std::string text) {
 }
 
 std::string c_number(double x) {
-    const std::string text = fmt::format("{:.9g}", to_float(x));
+    const std::string text = fmt::format("{}", to_float(x));  // the shortest text that is this float
     return text.find_first_of(".en") == text.npos ? text : text + "f";
-}
-
-std::string c_floats(const glm::dvec4& v) { return fmt::format("(float[]){{{}}}", c_numbers(v)); }
-std::string c_floats(const glm::dmat4& m) {
-    return fmt::format("(float[]){{{}, {}, {}, {}}}", c_numbers(m[0]), c_numbers(m[1]), c_numbers(m[2]),
-                       c_numbers(m[3]));
 }
 
 }  // namespace twinlight::programmable

@@ -11,8 +11,6 @@ namespace twinlight::programmable {
 std::string printable(std::string text);
 
 std::string c_number(double x);
-std::string c_floats(const glm::dvec4& v);  // an array
-std::string c_floats(const glm::dmat4& m);
 
 // "1, 2, 3"
 template <class Vector>

@@ -10,10 +10,14 @@
 
 namespace twinlight::programmable {
 
-// The mode and the indices of its vertices. Core GL has no quadrilaterals and polygons: they become triangles. The last
+using CoreElements = std::pair<Enum, std::vector<std::uint32_t>>;  // the mode, and the indices of the vertices
+
+// Core GL has no quadrilaterals and polygons: they become triangles. The last
 // vertex of a triangle gives a flat colour; it is the vertex that gives the colour of the quadrilateral or polygon
 // (table 2.12). Unless `flat`, quadrilaterals are cut from the first corner to the third, as llvmpipe does.
-std::pair<Enum, std::vector<std::uint32_t>> core_elements(const Draw& draw, bool flat);
+CoreElements core_elements(const Draw& draw, bool flat);
+// The same primitives as points, lines or triangles, one by one, with the same last vertices.
+CoreElements separate_elements(CoreElements elements);
 
 // glPointSize's size in pixels, without attenuation (3.3).
 double point_size(const Draw& draw);

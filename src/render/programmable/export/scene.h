@@ -1,4 +1,4 @@
-// What scene.c and window.c have in common: the scene's data and its draws. Needs gl_state.h.
+// What scene.c and window.c have in common: the scene's data and its frames. Needs gl_state.h.
 #ifndef SCENE_H
 #define SCENE_H
 
@@ -22,7 +22,25 @@ struct attribute {
     int room;    // in floats
 };
 
+// Points, lines or triangles. The places are in scene.bin, counted in 4 bytes.
+struct mesh {
+    GLenum mode;
+    const struct attribute* layout;  // ends with a name of NULL
+    int first_vertex, first_index, index_count;
+};
+
+struct frame {
+    int number;          // in the recording
+    void (*draw)(void);  // frames that differ only in numbers and meshes have one function
+    int index;           // among these
+    int first_value;     // in 4 bytes of scene.bin: frame_values
+};
+
 // ---- window.c ----
+
+// Of the frame that is being drawn: the numbers that its function takes, and its index.
+extern const float* frame_values;
+extern int frame_index;
 
 void load_texture(int texture, struct texture description);
 void use_texture(GLenum target, int texture, float lod_bias);
@@ -33,8 +51,7 @@ void place_light(GLenum light, float x, float y, float z, float w);
 void switch_light(GLenum light, int is_on);
 // What GL's state lacks, for the shaders of a kind.
 void set_uniform(int kind, const char* uniform, float value);
-// glDrawElements; vertices and indices lie in scene.bin, counted in 4 bytes.
-void draw(GLenum mode, const struct attribute* layout, int first_vertex, int first_index, int index_count);
+void draw(struct mesh mesh);
 
 // ---- scene.c ----
 
@@ -42,7 +59,8 @@ extern const int scene_width, scene_height;
 extern const int scene_gl_version[2], scene_has_core_profile;
 extern const int scene_texture_count;
 extern const float scene_middle[3];  // in eye coordinates; --turn turns around it
+extern const struct frame scene_frames[];
+extern const int scene_frame_count;
 void load_scene(void);
-void draw_scene(void);
 
 #endif

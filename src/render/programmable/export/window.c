@@ -1,7 +1,8 @@
 // A window, in a core profile, that shows scene.c with the shaders beside it. README.md has the command that compiles it.
 //
-//   ./scene                      a window: drag to turn, 1 to 8 switch lights
+//   ./scene                      a window: drag to turn, 1 to 8 switch lights; several frames play, and space stops them
 //   ./scene -o picture.ppm       writes the picture instead
+//   ./scene --frame N            stops at this frame of the recording
 //   ./scene --turn DEGREES       turns the camera around the scene's middle
 //   ./scene --light N X Y Z      moves light N, in the eye coordinates of the scene's own camera
 #define GL_GLEXT_PROTOTYPES
@@ -21,6 +22,9 @@ static double turn_deg, tilt_deg;
 static float light_shift[FF_LIGHTS][3];
 static int light_is_off[FF_LIGHTS];
 static const char* picture_file;
+static int frame, is_playing = 1;
+const float* frame_values;
+int frame_index;
 
 static void fail(const char* what, const char* why) {
     fprintf(stderr, "%s: %s\n", what, why);
@@ -135,24 +139,31 @@ static void point_to(const struct attribute* one, int size, int stride, const vo
         ffTexCoordPointer(size, GL_FLOAT, stride, pointer);
 }
 
-void draw(GLenum mode, const struct attribute* layout, int first_vertex, int first_index, int index_count) {
+void draw(struct mesh mesh) {
+    const struct attribute* layout = mesh.layout;
     int stride = 0, offset = 0;
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
     for (int i = 0; layout[i].name; ++i) stride += 4 * layout[i].room;
     for (int i = 0; layout[i].name; ++i) {
-        point_to(&layout[i], layout[i].floats, stride, data_offset(4L * first_vertex + offset));
+        point_to(&layout[i], layout[i].floats, stride, data_offset(4L * mesh.first_vertex + offset));
         offset += 4 * layout[i].room;
     }
-    ffDrawElements(mode, index_count, GL_UNSIGNED_INT, data_offset(4L * first_index));
+    ffDrawElements(mesh.mode, mesh.index_count, GL_UNSIGNED_INT, data_offset(4L * mesh.first_index));
     for (int i = 0; layout[i].name; ++i) point_to(&layout[i], 0, 0, NULL);
 }
 
 // ---- The window ----
 
+static void draw_frame(void) {
+    frame_values = (const float*)(const void*)(data + 4L * scene_frames[frame].first_value);
+    frame_index = scene_frames[frame].index;
+    scene_frames[frame].draw();
+}
+
 static void display(void) {
-    draw_scene();
-    if (picture_file) draw_scene();  // as in a window, where each picture begins with the state that the last one left
+    draw_frame();
+    if (picture_file) draw_frame();  // as in a window, where each picture begins with the state that the last one left
     const GLenum error = glGetError();
     if (error != GL_NO_ERROR) fprintf(stderr, "GL error 0x%x\n", (unsigned)error);
     if (!picture_file) {
@@ -186,8 +197,24 @@ static void drag(int x, int y) {
 static void key(unsigned char c, int x, int y) {
     (void)x, (void)y;
     if (c >= '1' && c <= '8') light_is_off[c - '1'] = !light_is_off[c - '1'];
+    if (c == ' ') is_playing = !is_playing;
     if (c == 27) exit(0);
     glutPostRedisplay();
+}
+
+static void next_frame(int milliseconds) {
+    if (is_playing) {
+        frame = (frame + 1) % scene_frame_count;
+        glutPostRedisplay();
+    }
+    glutTimerFunc((unsigned)milliseconds, next_frame, milliseconds);
+}
+
+static void stop_at(int number) {
+    for (frame = 0; frame < scene_frame_count; ++frame)
+        if (scene_frames[frame].number == number) break;
+    if (frame == scene_frame_count) fail("--frame", "there is no such frame");
+    is_playing = 0;
 }
 
 int main(int argc, char** argv) {
@@ -195,6 +222,8 @@ int main(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         if (i + 1 < argc && strcmp(argv[i], "-o") == 0) {
             picture_file = argv[++i];
+        } else if (i + 1 < argc && strcmp(argv[i], "--frame") == 0) {
+            stop_at(atoi(argv[++i]));
         } else if (i + 1 < argc && strcmp(argv[i], "--turn") == 0) {
             turn_deg = atof(argv[++i]);
         } else if (i + 4 < argc && strcmp(argv[i], "--light") == 0) {
@@ -202,7 +231,7 @@ int main(int argc, char** argv) {
             if (light_number < 0 || light_number >= FF_LIGHTS) fail("--light", "there is no such light");
             for (int row = 0; row < 3; ++row) light_shift[light_number][row] = (float)atof(argv[++i]);
         } else {
-            fail(argv[i], "unknown; the options are -o FILE, --turn DEGREES, --light N X Y Z");
+            fail(argv[i], "unknown; the options are -o FILE, --frame N, --turn DEGREES, --light N X Y Z");
         }
     }
     glutInitContextVersion(scene_gl_version[0], scene_gl_version[1]);
@@ -226,5 +255,6 @@ int main(int argc, char** argv) {
     glutMouseFunc(press);
     glutMotionFunc(drag);
     glutKeyboardFunc(key);
+    if (scene_frame_count > 1 && !picture_file) glutTimerFunc(40, next_frame, 40);
     glutMainLoop();
 }
