@@ -257,6 +257,62 @@ TEST_F(ExportedGlsl, DrawsTexturesOfDepths) {
     }
 }
 
+// Lists that are called at several places, call each other, set state and matrices, and place a light.
+TEST_F(ExportedGlsl, DrawsDisplayLists) {
+    const std::string scene = folder_ / "lists.gl";
+    write_file_atomically(scene, R"(
+glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+glMatrixMode(GL_PROJECTION); gluPerspective(40, 4.0 / 3.0, 1, 100); glMatrixMode(GL_MODELVIEW);
+gluLookAt(0, 3, 11,  0, 0, 0,  0, 1, 0);
+glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_DEPTH_TEST); glEnable(GL_NORMALIZE);
+glNewList(1, GL_COMPILE);
+glMaterialfv(GL_FRONT, GL_DIFFUSE, (GLfloat[]){0.8, 0.3, 0.2, 1}); glutSolidSphere(0.5, 16, 8);
+glPushMatrix(); glTranslatef(0, 0.7, 0); glRotatef(30, 0, 0, 1); glScalef(1, 0.5, 1);
+glMaterialfv(GL_FRONT, GL_DIFFUSE, (GLfloat[]){0.2, 0.5, 0.3, 1}); glutSolidCube(0.8); glPopMatrix();
+glEndList();
+glNewList(2, GL_COMPILE);
+glPushMatrix(); glTranslatef(-0.6, 0, 0); glCallList(1); glTranslatef(1.2, 0, 0.3); glScalef(1, 1.4, 1);
+glShadeModel(GL_FLAT); glCallList(1); glShadeModel(GL_SMOOTH); glPopMatrix();
+glEndList();
+glNewList(3, GL_COMPILE);
+glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){-1, 0, 1, 0}); glutSolidSphere(0.4, 12, 8);
+glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){1, 0, 1, 0}); glTranslatef(0, 1, 0); glutSolidSphere(0.4, 12, 8);
+glEndList();
+glPushMatrix(); glTranslatef(-2.5, 0, 0); glCallList(2); glPopMatrix();
+glPushMatrix(); glTranslatef(0, -1.2, 0); glRotatef(50, 0, 1, 0); glCallList(2); glPopMatrix();
+glPushMatrix(); glTranslatef(0, 1.5, 0); glScalef(0, 0, 0); glCallList(1); glPopMatrix();
+// The shadow on a plane: its matrix has no inverse.
+glDisable(GL_LIGHTING); glColor3f(0.3, 0.3, 0.3);
+glPushMatrix(); glTranslatef(-2.5, -2, 0);
+glMultMatrixf((GLfloat[]){1.7, 0, 0, 0,  -0.3, 0, -0.7, 0,  0, 0, 1.7, 0,  0, 0, 0, 1.7}); glCallList(2); glPopMatrix();
+glEnable(GL_LIGHTING);
+glTranslatef(2.8, 0, 0); glCallList(3);
+)");
+    const std::string folder = compiled(scene, {});
+    expect_close(scene, drawn(folder), rendered(scene, {"--with", "fixed"}));
+    const std::string text = read_file(folder + "/scene.c");
+    for (const char* function : {"void list1(void)", "void list2(void)"})
+        EXPECT_NE(text.find(function), text.npos) << function << " in\n" << text;
+    EXPECT_EQ(text.find("void list3"), text.npos) << "its light needs the camera's matrix\n" << text;
+}
+
+// Each frame is the picture of its own export.
+TEST_F(ExportedGlsl, PlaysTheFramesOfARecording) {
+    for (const auto& [name, last] : {std::pair("dangerball", 2), {"cubestorm", 2}, {"lattice", 4}}) {
+        const std::string recording = fmt::format("tests/traces/{}/dump.txt", name);
+        const std::string folder = compiled(recording, {"--frames", fmt::format("{}-{}", last - 1, last)});
+        const std::string number = std::to_string(last);
+        const Image expected = drawn(compiled(recording, {"--frame", number}));
+        const Image picture = drawn(folder, "--frame " + number);
+        EXPECT_EQ(difference(picture, expected, PixelMask(picture.pixels.size())).interior.differing, 0U) << name;
+        const Image first = drawn(folder);
+        EXPECT_EQ(difference(first, drawn(folder, fmt::format("--frame {}", last - 1)), PixelMask(first.pixels.size()))
+                      .interior.differing,
+                  0U);
+        EXPECT_NE(read_file(folder + "/scene.c").find(fmt::format("    {{{}, draw_", last - 1)), std::string::npos);
+    }
+}
+
 // The camera turns around the scene's middle, and GL_LIGHT0 moves in the coordinates of the scene's own camera, far
 // enough that it shines on other faces and from behind.
 TEST_F(ExportedGlsl, StaysRightWhenLightsAndTheCameraMove) {

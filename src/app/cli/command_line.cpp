@@ -173,8 +173,8 @@ void print_note(const Recording& recording, std::string_view note) {
 
 // Reading up to a late frame may take long, so this shows its progress.
 Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std::optional<Size> size,
-                          std::optional<int> number, const MemoryBudget& memory) {
-    FrameChoice choice{.number = number, .memory = memory.bytes};
+                          const RecordedPart& part, const MemoryBudget& memory) {
+    FrameChoice choice{.number = part.frame, .may_be_empty = part.is_of_several, .memory = memory.bytes};
     if (size) {
         choice.width = size->width;
         choice.height = size->height;
@@ -226,11 +226,14 @@ Scene load_scene(const std::string& name, std::optional<Size> size, const Record
         throw with_gl_errors(error, {});
     }
     const CommandList* commands = recording->command_list();
-    if (!commands) return load_recorded_frame(recording, size, part.frame, memory);
+    if (!commands) return load_recorded_frame(recording, size, part, memory);
     const bool is_refused = part.frame && !(part.chooses_of_program && commands->is_program);
     if (is_refused || part.context) {
-        throw UsageError(fmt::format("--{} applies only to recorded programs; '{}' is a scene",
-                                     part.frame ? "frame" : "context", name));
+        throw UsageError(fmt::format("{} applies only to recorded programs; '{}' is a scene",
+                                     part.is_of_several ? "--frames"
+                                     : part.frame       ? "--frame"
+                                                        : "--context",
+                                     name));
     }
     return scene_of(std::move(recording), size, memory);
 }

@@ -68,6 +68,7 @@ struct RecordedPart {
     std::optional<int> frame{}, context{};  // counted from 0
     // Whether the caller itself chooses the frame of a program that is read; otherwise it is refused.
     bool chooses_of_program = false;
+    bool is_of_several = false;  // the first frame of --frames, which may draw nothing
 };
 // --frame and --context.
 void add_recorded_options(CLI::App& app, RecordedPart& part);

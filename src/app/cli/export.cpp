@@ -2,12 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <functional>
 #include <map>
+#include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "app/cli/command_line.h"
+#include "app/cli/progress.h"
 #include "base/image/file.h"
 #include "base/image/named_file.h"
 #include "render/programmable/export/kept_code.h"
@@ -35,7 +39,22 @@ struct ExportArguments {
     std::string output;  // a folder for shaders to keep, a file for a page; empty: standard output
     std::string glsl;    // the version of shaders to keep; empty: 330
     bool for_this_picture = false;
+    std::optional<std::pair<int, int>> frames;  // the first and the last
 };
+
+// "12" or "0-60".
+std::optional<std::pair<int, int>> read_frames(const std::string& text) {
+    const auto number = [](std::string_view digits) {
+        int value = -1;
+        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        return error == std::errc() && end == digits.data() + digits.size() ? value : -1;
+    };
+    const std::size_t dash = text.find('-', 1);
+    const int first = number(std::string_view(text).substr(0, dash));
+    const int last = dash == text.npos ? first : number(std::string_view(text).substr(dash + 1));
+    if (first < 0 || last < first) return std::nullopt;
+    return std::pair(first, last);
+}
 
 // The scene with texels in place of copies of its picture, as the reference draws them, unless glCopyPixels draws some.
 Scene with_texels(Scene scene, const programmable::Options& options) {
@@ -96,10 +115,50 @@ void check_can_be_kept(const Scene& scene, const programmable::Options& options,
         throw UsageError(fmt::format("{}: shaders to keep cannot draw this scene: {}; {}", scene.name(), why, kRemedy));
 }
 
-// Writes the shaders to keep and the program that draws the scene with them.
+// The names of a scene's shapes by their places: "sphere" for glutSolidSphere. A recorded program has the names of its functions.
+std::map<std::string, std::string> shape_names(const CommandList* list) {
+    std::map<std::string, std::string> names;
+    if (!list) return names;
+    for (const Command& command : list->commands)
+        for (const auto& [prefix, short_name] : {std::pair("glutSolid", ""), {"glutWire", "wire_"}, {"glu", ""}}) {
+            const std::string_view name = command.name();
+            if (command.sig().family != Family::kShape && command.sig().family != Family::kQuadric) break;
+            if (!name.starts_with(prefix)) continue;
+            std::string& shape = names[command.place.str()] = short_name;
+            for (const char c : name.substr(std::string_view(prefix).size())) {
+                const bool is_word = c >= 'A' && c <= 'Z';
+                if (is_word && !shape.empty() && shape.back() != '_') shape += '_';
+                shape += is_word ? static_cast<char>(c - 'A' + 'a') : c;
+            }
+            break;
+        }
+    return names;
+}
+
+// Writes the shaders to keep and the program that draws the scene with them. With --frames, `scene` has the first frame.
 void write_kept(const Scene& scene, const programmable::Options& options, const ExportArguments& arguments) {
     const programmable::Glsl version = kVersions.at(arguments.glsl.empty() ? "330" : arguments.glsl);
-    write_folder_atomically(arguments.output, programmable::kept_files(scene.frame, options, version, scene.name()));
+    const std::map<std::string, std::string> shapes = shape_names(scene.recording->command_list());
+    programmable::KeptScene kept;
+    kept.name = scene.name();
+    if (arguments.frames) kept.name += fmt::format(" to {}", arguments.frames->second);
+    kept.name_of_shape = [&](const Place& place) {
+        const auto found = shapes.find(place.str());
+        return found == shapes.end() ? "" : found->second;
+    };
+    kept.for_each_frame = [&](const auto& visit) {
+        const auto [first, last] = arguments.frames.value_or(std::pair(0, 0));
+        if (last > first) later_frame(scene, last - first);  // an error before the work if there is no such frame
+        visit(scene.frame, first);
+        ProgressBar bar;
+        for (int number = first + 1; number <= last; ++number) {
+            bar.show(fmt::format("reading frame {}, up to {}", number, last));
+            const Scene later = with_texels(later_frame(scene, number - first).scene, options);
+            check_can_be_kept(later, options, false);
+            visit(later.frame, number);
+        }
+    };
+    write_folder_atomically(arguments.output, programmable::kept_files(kept, options, version));
 }
 
 void check_usage(const ExportArguments& arguments) {
@@ -115,10 +174,18 @@ void check_usage(const ExportArguments& arguments) {
         throw UsageError("--for-this-picture prints shaders; use it with --as glsl, without -o");
     if (!arguments.glsl.empty() && (!glsl || !to_file))
         throw UsageError("--glsl applies only to shaders to keep; use it with --as glsl -o DIR");
+    if (arguments.frames && (!glsl || !to_file))
+        throw UsageError("--frames applies only to shaders to keep; use it with --as glsl -o DIR");
+    if (arguments.frames && arguments.part.frame)
+        throw UsageError("--frame and --frames choose the same thing; leave one of them out");
 }
 
 int run_export(ExportArguments arguments) {
     check_usage(arguments);
+    if (arguments.frames) {
+        arguments.part.frame = arguments.frames->first;
+        arguments.part.is_of_several = true;
+    }
     const bool to_file = !arguments.output.empty();
     const bool writes_texels = arguments.form == "html" || (arguments.form == "glsl" && to_file);
     if (writes_texels) arguments.memory.bytes_of_pixel = arguments.memory.bytes_of_step_pixel = 40;
@@ -175,6 +242,16 @@ Subcommand add_export(CLI::App& app) {
     exporting->add_option("--glsl", arguments->glsl, "GLSL version of the shaders to keep (default: 330, core profile)")
         ->type_name("130|330|300es")
         ->check(one_of(kVersions));
+    exporting
+        ->add_option_function<std::string>(
+            "--frames", [arguments](const std::string& text) { arguments->frames = read_frames(text); },
+            "with --as glsl -o: these frames of a recorded program, with one set of shaders; the C program plays them")
+        ->type_name("N-M")
+        ->check(CLI::Validator(
+            [](const std::string& text) {
+                return read_frames(text) ? "" : fmt::format("'{}' is not a range of frames, such as 0-60", text);
+            },
+            ""));
     exporting->add_flag("--for-this-picture", arguments->for_this_picture,
                         "print shaders with only the effects that this picture needs, as without -o");
     return {exporting, [arguments] { return run_export(*arguments); }};

@@ -315,7 +315,7 @@ int Player::first_that_shows() const {
 }
 
 RecordedFrame Player::result(const std::shared_ptr<const Recording>& recording) {
-    if (!drawn_) {
+    if (!drawn_ && !choice_.may_be_empty) {
         throw SceneError(fmt::format("{}: frame {} draws nothing; leave out --frame to get the first frame that does",
                                      recording->name, frame_));
     }
@@ -415,6 +415,10 @@ RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& record
         result.scene.frame.height = reach_y;
         return result;
     }
+}
+
+RecordedFrame later_frame(const Scene& scene, int frames) {
+    return dynamic_cast<const Beginning&>(*scene.recording).later(frames, {scene.frame.width, scene.frame.height});
 }
 
 std::vector<RecordedFrame> later_frames(const Scene& scene) {

@@ -13,6 +13,7 @@ namespace twinlight {
 
 struct FrameChoice {
     std::optional<int> number;  // counts from 0; nullopt: the first frame that draws something
+    bool may_be_empty = false;  // whether that frame may draw nothing
     // The picture's size in pixels; nullopt: large enough for all viewports up to the end of the frame.
     std::optional<int> width{}, height{};
     SignedRule signed_rule = SignedRule::kGl21;
@@ -36,6 +37,9 @@ struct RecordedFrame {
 // Throws SceneError if the recording cannot be read, has too few frames, or this frame draws nothing.
 RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& recording, const FrameChoice& choice);
 
+// The frame that comes so many frames after that of a scene, in a picture of the same size. One of these functions made the scene.
+// Throws SceneError as make_recorded_frame() does.
+RecordedFrame later_frame(const Scene& scene, int frames);
 // The frames after that of a scene, which one of these functions made: the next one, and the last of the next 50. Fewer where the
 // recording ends, or they draw nothing.
 std::vector<RecordedFrame> later_frames(const Scene& scene);

@@ -154,6 +154,17 @@ TEST_F(Cli, RefusesBadUse) {
     expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--glsl", "120"}),
                    "'120' is not one of 130, 300es, 330");
     expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--for-this-picture"}), "without -o");
+    expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--frames", "0-3"}),
+                   "--frames applies only to recorded programs");
+    expect_refused(run({"export", file, "--as", "glsl", "--frames", "0-3"}), "use it with --as glsl -o DIR");
+    const std::string gears = "tests/traces/glxgears/dump.txt";
+    for (const char* range : {"3-2", "-1", "2-", "x", "0-1x", "1--2"})
+        expect_refused(run({"export", gears, "--as", "glsl", "-o", out_ / "e", "--frames=" + std::string(range)}),
+                       "is not a range of frames, such as 0-60");
+    expect_refused(run({"export", gears, "--as", "glsl", "-o", out_ / "e", "--frames", "0-7"}),
+                   "has no frame 7; its frames are 0 to 1");
+    expect_refused(run({"export", gears, "--as", "glsl", "-o", out_ / "e", "--frames", "0-1", "--frame", "1"}),
+                   "leave one of them out");
     expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--precise"}),
                    "use --as glsl --for-this-picture");
     expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--shading", "exact"}),
