@@ -141,7 +141,8 @@ void write_kept(const Scene& scene, const programmable::Options& options, const 
     const std::map<std::string, std::string> shapes = shape_names(scene.recording->command_list());
     programmable::KeptScene kept;
     kept.name = scene.name();
-    if (arguments.frames) kept.name += fmt::format(" to {}", arguments.frames->second);
+    if (arguments.frames && arguments.frames->second > arguments.frames->first)
+        kept.name = fmt::format("{} to {}", kept.name, arguments.frames->second);
     kept.name_of_shape = [&](const Place& place) {
         const auto found = shapes.find(place.str());
         return found == shapes.end() ? "" : found->second;
