@@ -135,6 +135,7 @@ class SceneNames {
     const std::string& lists() const { return list_text_; }
 
   private:
+    // "list2_mesh" for a display list's mesh, "mesh134" for line 134.
     static std::string wanted_name(const SceneStep& step) {
         if (!step.name.empty()) return step.name;
         if (!step.lists.empty()) return fmt::format("list{}_mesh", step.lists.back()->name);
