@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "render/effect/plan.h"
@@ -16,7 +17,10 @@ struct CallText {
     std::string text;  // '@' is where the numbers are, one by one; '*' is where an array of them is
     std::vector<float> numbers{};
 
-    friend auto operator<=>(const CallText&, const CallText&) = default;  // NOLINT
+    friend bool operator==(const CallText&, const CallText&) = default;
+    friend bool operator<(const CallText& a, const CallText& b) {
+        return std::tie(a.text, a.numbers) < std::tie(b.text, b.numbers);
+    }
 };
 
 enum class CallScope : std::uint8_t {
