@@ -87,7 +87,8 @@ Json value_of(EsTextureValue value, const TextureUnit& unit) {
 
 class Writer {
   public:
-    Writer(const Frame& frame, PlanOptions options, Words& words) : frame_(frame), options_(options), words_(words) {
+    Writer(const Frame& frame, PlanOptions options, Words& words, bool keeps_shading)
+        : frame_(frame), options_(options), may_become_flat_(options.for_any_pose && !keeps_shading), words_(words) {
         options_.reasons = false;
     }
 
@@ -287,7 +288,7 @@ class Writer {
     void add_parts(const Json& state, const Draw& draw, const EffectSet& effects, const Form& form,
                    const glm::dvec3& origin_object) {
         const bool is_flat = effects.shading == Shading::kFlat;
-        const PartOptions options = {.flat = is_flat || options_.for_any_pose,  // a viewer may switch to flat shading
+        const PartOptions options = {.flat = is_flat || may_become_flat_,
                                      .flat_edges = is_flat,
                                      .two_side = effects.two_side || has_two_stencils(draw),
                                      .for_any_pose = options_.for_any_pose};
@@ -296,7 +297,7 @@ class Writer {
         const bool has_colors = effects.lighting || std::ranges::any_of(draw.vertices, [&](const Vertex& vertex) {
                                     return vertex.color != draw.vertices.front().color;
                                 });
-        if (draw.draws_borders() && options_.for_any_pose && has_colors)
+        if (draw.draws_borders() && may_become_flat_ && has_colors)
             miss(draw, "after the key f, edges of polygons have the colours of other vertices");
         std::optional<Json> whole;  // the place of the Draw's vertices
         const Parts made = parts_of(draw, options);
@@ -381,6 +382,7 @@ class Writer {
 
     const Frame& frame_;
     PlanOptions options_;
+    const bool may_become_flat_;
     Words& words_;
     std::vector<std::pair<EffectSet, Form>> kinds_;
     Json programs_ = Json::array(), textures_ = Json::array(), uniforms_ = Json::array(), items_ = Json::array();
@@ -393,13 +395,13 @@ class Writer {
 
 }  // namespace
 
-Json webgl_header(const Frame& frame, const PlanOptions& options, Words& words) {
+Json webgl_header(const Frame& frame, const PlanOptions& options, Words& words, bool keeps_shading) {
     if (std::ranges::none_of(frame.draws(), [](const Draw* draw) { return is_reversed(*draw); }))
-        return Writer(frame, options, words).header();
+        return Writer(frame, options, words, keeps_shading).header();
     Frame forward = frame;
     for (Draw* draw : forward.editable_draws())
         if (is_reversed(*draw)) reverse(*draw);
-    return Writer(forward, options, words).header();
+    return Writer(forward, options, words, keeps_shading).header();
 }
 
 WebglFrame webgl_frame(const Frame& frame, const PlanOptions& options) {

@@ -33,7 +33,7 @@ struct WebglFrame {
 // The frame must not show copied pixels: reference::drawable() fills them in. With options.for_any_pose the programs are those of
 // programmable/export/kept_code.h, and the uniforms GL's state (kept_values.h), which viewer.js changes as the camera turns.
 WebglFrame webgl_frame(const Frame& frame, const PlanOptions& options);
-// The header of a frame that shares `words` with others.
-Json webgl_header(const Frame& frame, const PlanOptions& options, Words& words);
+// The header of a frame that shares `words` with others. keeps_shading: no viewer of a frame for any pose switches to flat shading.
+Json webgl_header(const Frame& frame, const PlanOptions& options, Words& words, bool keeps_shading = false);
 
 }  // namespace twinlight::webgl
