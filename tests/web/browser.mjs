@@ -21,12 +21,14 @@ function served(folder) {
 }
 
 export class Browser {
-    static async open(program, folder) {
+    // `options`: more of Chromium's.
+    static async open(program, folder, options = []) {
         const browser = new Browser();
         browser.server = await served(folder);
         browser.profile = fs.mkdtempSync(path.join(os.tmpdir(), "twinlight-"));
         browser.process = spawn(program, ["--headless", "--no-sandbox", "--no-first-run", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-            "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", `--user-data-dir=${browser.profile}`, "--remote-debugging-pipe", "--js-flags=--expose-gc"],
+            "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", `--user-data-dir=${browser.profile}`, "--remote-debugging-pipe", "--js-flags=--expose-gc",
+            ...options],
             {stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"]});
         browser.waiting = new Map();
         browser.complaints = [];
