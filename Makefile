@@ -68,6 +68,7 @@ $(if $(CI),strace              command -v strace)
 $(if $(CI),clang               command -v clang++)
 $(if $(CI),libclang-rt-dev     $(try_fuzzer))
 $(if $(CI),chromium            command -v chromium || grep -q ubuntu /etc/os-release)
+$(if $(CI),glslang-tools       command -v glslangValidator)
 $(if $(CI),firefox-esr         command -v firefox-esr || grep -q ubuntu /etc/os-release)
 $(if $(CI),debootstrap         command -v debootstrap || ls /usr/sbin/debootstrap)
 $(if $(CI)$(filter web release,$(MAKECMDGOALS)),emscripten          command -v em++)
@@ -152,7 +153,7 @@ SOURCES_fuzzers := $(wildcard tests/fuzz/*_fuzzer.cpp)
 SOURCES_fuzz_common := tests/fuzz/command_bytes.cpp tests/fuzz/stb.cpp
 SOURCES_fuzz_seeds := tests/fuzz/write_seeds.cpp
 SOURCES_fuzz := $(SOURCES_fuzzers) $(SOURCES_fuzz_common) $(SOURCES_fuzz_seeds)
-SOURCES_fuzz_library := $(filter-out src/judge/% $(addsuffix /%,$(addprefix src/render/,context stages fixed programmable webgl)),$(SOURCES_library))
+SOURCES_fuzz_library := $(filter-out src/judge/% $(addsuffix /%,$(addprefix src/render/,context stages fixed programmable webgl webgpu)),$(SOURCES_library))
 # The tables of bad input; with the sanitizers they are a program of their own.
 SOURCES_bad_input := tests/property/bad_input_test.cpp
 SOURCES_recorder := $(wildcard tests/window/recorder/*.cpp)
@@ -170,7 +171,7 @@ FILES_scenes := $(sort $(filter-out $(SCENES_of_tests),$(wildcard src/scene/scen
 FILES_scene_assets := $(wildcard $(addprefix src/scene/scenes/*.,png obj mtl))
 FILES_recorder := src/scene/record/python_lines.py
 FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.glsl export/*.glsl export/*.c export/gl_state.h export/scene.h export/names.sed))
-FILES_webgl := $(addprefix src/render/webgl/,exported_page.html gl.js labels.js theme.css theme.js viewer.js)
+FILES_webgl := $(addprefix src/render/webgl/,exported_page.html gl.js labels.js theme.css theme.js viewer.js webgpu.html)
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
 CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
 FILES_cases := $(wildcard golden/hard/*.gl)
@@ -201,7 +202,7 @@ object = $(sort $(patsubst %.cpp,$(BUILD)/objects/%.o,$(filter $(ALONE),$(1))) \
     $(patsubst %,$(BUILD)/objects/%.room.o,$(patsubst %/,%,$(dir $(filter-out $(ALONE),$(1))))))
 # The rooms that are optimised less.
 LESS := $(patsubst %,src/%,app app/cli app/demo app/session app/web base/text judge/check judge/conformance judge/explain judge/fuzz judge/lesson judge/lint \
-    judge/report judge/study render/programmable/export render/webgl scene/scenes) \
+    judge/report judge/study render/programmable/export render/webgl render/webgpu scene/scenes) \
     $(patsubst %/,%,$(sort $(dir $(SOURCES_tests))))
 OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
 OBJECTS_library := $(call object,$(SOURCES_library)) $(OBJECTS_embedded)

@@ -62,7 +62,8 @@ const std::map<std::string, Table>& rooms() {
           {"reference", {"reference/textures", "reference/vertices", "reference/geometry"}},
           {"webgl",
            {"effect", "programmable/numbers", "programmable/text", "programmable/export", "reference/vertices",
-            "reference/geometry", "reference"}}}},
+            "reference/geometry", "reference"}},
+          {"webgpu", {"effect", "programmable/text", "programmable/export", "webgl"}}}},
         {"judge",
          {{"compare", {}},
           {"report", {"compare"}},
@@ -90,6 +91,7 @@ const Table& narrower() {
         {"render/programmable", {"base", "scene/command", "scene/frame"}},  // names of commands in exported C
         {"render/reference", {"base", "lighting", "scene/frame", "scene/shape", "scene/spectrum"}},
         {"render/webgl", {"base", "scene/frame"}},
+        {"render/webgpu", {"base", "scene/command", "scene/frame"}},  // names of enumerants in layout.json
         // The renderers come as functions.
         // It judges everything else that lights, so it shares only the reader of commands.
         {"judge/oracle", {"scene"}},

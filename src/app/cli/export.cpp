@@ -19,6 +19,7 @@
 #include "render/programmable/export/shader_text.h"
 #include "render/reference/copied_pixels.h"
 #include "render/webgl/exported_page.h"
+#include "render/webgpu/ported_files.h"
 #include "scene/command/text.h"
 #include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/caption.h"
@@ -99,7 +100,11 @@ const std::map<std::string, Export> kForms = {
     {"glsl", [](const Scene& scene, const auto& options) { return programmable::shader_source(scene.frame, options); }},
     {"html", nullptr},  // page_of() has all steps
     {"scene", [](const Scene& scene, const auto&) { return scene_file_of(scene); }},
+    {"vulkan", nullptr},  // these two are files: write_ported()
+    {"wgsl", nullptr},
 };
+const std::map<std::string, webgpu::Target> kTargets = {{"vulkan", webgpu::Target::kVulkan},
+                                                        {"wgsl", webgpu::Target::kWgsl}};
 
 const std::map<std::string, programmable::Glsl> kVersions = {
     {"130", programmable::Glsl::k130}, {"330", programmable::Glsl::k330}, {"300es", programmable::Glsl::k300es}};
@@ -162,15 +167,32 @@ void write_kept(const Scene& scene, const programmable::Options& options, const 
     write_folder_atomically(arguments.output, programmable::kept_files(kept, options, version));
 }
 
+// The same for WebGPU or Vulkan.
+void write_ported(const Scene& scene, const programmable::Options& options, const ExportArguments& arguments) {
+    std::vector<NamedFile> files;
+    try {
+        files = webgpu::ported_files(scene.frame, options, kTargets.at(arguments.form), scene.name());
+    } catch (const std::runtime_error& why) {
+        throw UsageError(
+            fmt::format("{}: --as {} cannot draw this scene: {}; leave it out of the scene, or use --as glsl",
+                        scene.name(), arguments.form, why.what()));
+    }
+    write_folder_atomically(arguments.output, files);
+}
+
 void check_usage(const ExportArguments& arguments) {
     const bool glsl = arguments.form == "glsl", html = arguments.form == "html", to_file = !arguments.output.empty();
-    if (!glsl && !html && arguments.shading)
+    const bool ports = kTargets.contains(arguments.form);
+    if (ports && !to_file)
+        throw UsageError(fmt::format("--as {0} writes files; use it with --as {0} -o DIR", arguments.form));
+    if (!glsl && !html && !ports && arguments.shading)
         throw UsageError(
-            "--shading applies only to --as glsl and html; the other formats keep the scene's glShadeModel");
-    if (!glsl && !html && arguments.precise)
+            "--shading applies only to --as glsl, html, vulkan and wgsl; the other formats keep the scene's "
+            "glShadeModel");
+    if (!glsl && !html && !ports && arguments.precise)
         throw UsageError("--precise applies only to shaders; use it with --as glsl");
-    if (!glsl && !html && to_file)
-        throw UsageError("-o applies only to --as glsl and html; the other formats are printed");
+    if (!glsl && !html && !ports && to_file)
+        throw UsageError("-o applies only to --as glsl, html, vulkan and wgsl; the other formats are printed");
     if (arguments.for_this_picture && (!glsl || to_file))
         throw UsageError("--for-this-picture prints shaders; use it with --as glsl, without -o");
     if (!arguments.glsl.empty() && (!glsl || !to_file))
@@ -188,7 +210,8 @@ int run_export(ExportArguments arguments) {
         arguments.part.is_of_several = true;
     }
     const bool to_file = !arguments.output.empty();
-    const bool writes_texels = arguments.form == "html" || (arguments.form == "glsl" && to_file);
+    const bool ports = kTargets.contains(arguments.form);
+    const bool writes_texels = arguments.form == "html" || ports || (arguments.form == "glsl" && to_file);
     if (writes_texels) arguments.memory.bytes_of_pixel = arguments.memory.bytes_of_step_pixel = 40;
     const bool is_page = arguments.form == "html";
     // Loading runs the whole scene, so that a scene with an error is not exported.
@@ -201,7 +224,11 @@ int run_export(ExportArguments arguments) {
     options.precise = arguments.precise;
     if (writes_texels) {
         for (Scene& scene : scenes) scene = with_texels(std::move(scene), options);
-        check_can_be_kept(scenes.front(), options, is_page);
+        check_can_be_kept(scenes.front(), options, is_page || ports);
+    }
+    if (ports) {
+        write_ported(scenes.front(), options, arguments);
+        return kFine;
     }
     if (arguments.form == "glsl" && to_file) {
         write_kept(scenes.front(), options, arguments);
@@ -221,11 +248,12 @@ Subcommand add_export(CLI::App& app) {
     const auto arguments = std::make_shared<ExportArguments>();
     CLI::App* exporting = app.add_subcommand("export",
                                              "Print a scene as a C program (freeglut), as the GLSL shaders that draw "
-                                             "it, as a page that draws it with WebGL, or as a scene file");
+                                             "it, as a page that draws it with WebGL, as shaders for Vulkan or "
+                                             "WebGPU, or as a scene file");
     add_scene_argument(*exporting, arguments->scene);
     exporting->add_option("--as", arguments->form, "output format")
         ->required()
-        ->type_name("c|glsl|html|scene")
+        ->type_name("c|glsl|html|scene|vulkan|wgsl")
         ->check(one_of(kForms));
     add_shading_option(*exporting, arguments->shading);
     add_recorded_options(*exporting, arguments->part);
@@ -236,7 +264,8 @@ Subcommand add_export(CLI::App& app) {
         ->add_option(
             "-o", arguments->output,
             "with --as glsl: write shaders to keep into this folder; they stay right when objects, lights "
-            "and the camera move. A C program that draws the scene with them is beside them. With --as html: the "
+            "and the camera move. A C program that draws the scene with them is beside them. With --as vulkan and "
+            "wgsl: the same for these, with the layout of their buffers and the scene as data. With --as html: the "
             "file (default: standard output), with all steps of the scene")
         ->type_name("PATH")
         ->check(not_empty());

@@ -149,7 +149,8 @@ TEST_F(Cli, RefusesBadUse) {
     expect_refused(run({"render", file, "--with", "shaders", "--precise", "--baked", "-o", out_ / "p.png"}),
                    "does not work with constants");
     expect_refused(run({"export", file, "--as", "c", "--precise"}), "use it with --as glsl");
-    expect_refused(run({"export", file, "--as", "c", "-o", out_ / "e"}), "applies only to --as glsl and html");
+    expect_refused(run({"export", file, "--as", "c", "-o", out_ / "e"}),
+                   "applies only to --as glsl, html, vulkan and wgsl");
     expect_refused(run({"export", file, "--as", "glsl", "--glsl", "330"}), "use it with --as glsl -o DIR");
     expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--glsl", "120"}),
                    "'120' is not one of 130, 300es, 330");
@@ -169,7 +170,12 @@ TEST_F(Cli, RefusesBadUse) {
                    "use --as glsl --for-this-picture");
     expect_refused(run({"export", file, "--as", "glsl", "-o", out_ / "e", "--shading", "exact"}),
                    "use --as glsl --for-this-picture");
-    expect_refused(run({"export", file, "--as", "pascal"}), "'pascal' is not one of c, glsl, html, scene");
+    expect_refused(run({"export", file, "--as", "wgsl"}), "use it with --as wgsl -o DIR");
+    expect_refused(run({"export", file, "--as", "vulkan", "-o", out_ / "e", "--shading", "exact"}),
+                   "use --as glsl --for-this-picture");
+    expect_refused(run({"export", "shadow-map", "--as", "wgsl", "-o", out_ / "e"}), "8 bits a channel; leave it out");
+    expect_refused(run({"export", file, "--as", "pascal"}),
+                   "'pascal' is not one of c, glsl, html, scene, vulkan, wgsl");
     expect_refused(run({"scenes", "no-such-scene-at-all"}), "there is no built-in scene 'no-such-scene-at-all'");
 }
 
