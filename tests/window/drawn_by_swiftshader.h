@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "../unit/pictures.h"
 #include "base/image/difference.h"
 #include "base/image/png.h"
 #include "browser.h"

@@ -56,6 +56,14 @@ const std::vector<Way>& ways() {
              .takes_size = false,
              .writes = true,
              .may_refuse = "shaders to keep"},
+            {.command = {"export", "--as", "wgsl"},
+             .takes_size = false,
+             .writes = true,
+             .may_refuse = "cannot draw this scene"},
+            {.command = {"export", "--as", "vulkan"},
+             .takes_size = false,
+             .writes = true,
+             .may_refuse = "cannot draw this scene"},
         };
         for (const char* with : {"fixed", "shaders", "reference"})
             for (const char* shading : {"flat", "gouraud", "phong", "exact"})

@@ -187,6 +187,7 @@ TEST_F(OutOfMemory, OfExportIsOneLine) {
     for (const char* form : {"c", "glsl", "scene", "html"}) try_command({"export", scene, "--as", form});
     try_command({"export", scene, "--as", "glsl", "-o", output("shaders")});
     try_command({"export", scene, "--as", "html", "-o", output("page.html")});
+    try_command({"export", scene, "--as", "wgsl", "-o", output("wgsl")});
 }
 
 TEST_F(OutOfMemory, OfLintAndLessonsIsOneLine) {

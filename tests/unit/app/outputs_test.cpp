@@ -94,7 +94,8 @@ TEST_F(Outputs, LeaveNoFileWhereTheDiskIsFull) {
              "compare report --size 8x6 -o " + in_folder("report"),
              "study report --quick --seconds 0.01 --size 8x6 -o " + in_folder("study"), kFuzz + in_folder("fuzz"),
              "check rescale-1e7 --html " + in_folder("page"), "check rescale-1e7 --write-cases " + in_folder("cases"),
-             "export report --as glsl -o " + in_folder("shaders"), "lint --rules -o " + in_folder("rules")}) {
+             "export report --as glsl -o " + in_folder("shaders"), "export report --as wgsl -o " + in_folder("wgsl"),
+             "lint --rules -o " + in_folder("rules")}) {
         // No file may be longer than 512 bytes. A signal says so, too, which must not end the program.
         const ProgramResult result = run_shell("twinlight", "ulimit -f 1; \"$PROGRAM\" " + arguments);
         EXPECT_EQ(result.status, 2) << arguments;
@@ -155,6 +156,7 @@ constexpr Writer kWriters[] = {
     {"lint small.gl --fix normal-length -o", "fixed.gl", "fixed.gl"},
     {"export small.gl --as glsl -o", "shaders", "shaders/README.md"},
     {"export small.gl --as html -o", "page.html", "page.html"},
+    {"export small.gl --as wgsl -o", "wgsl", "wgsl/README.md"},
     {"lesson overlay -o", "start.gl", "start.gl"},
     {"check rescale-1e7 --html", "cases", "cases/index.html"},
     {"check rescale-1e7 --write-reports", "bugs", "bugs/rescale-1e7.md"},
