@@ -2,7 +2,6 @@
 // blocks: a buffer of lights is filled once and serves every kind.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,12 +37,12 @@ class Blocks {
     explicit Blocks(const std::vector<Kind>& kinds);
 
     const std::vector<Block>& all() const { return blocks_; }
-    // The blocks and structs whose uniforms the shader has.
+    // Those with a uniform of the shader.
     std::vector<const Block*> of(const Shader& shader) const;
+    // Null for a type that is no struct.
     const Struct* struct_named(std::string_view type) const;
-    // The block of a uniform; none for a texture.
+    // The block of a uniform; null for a texture.
     const Block* block_of(std::string_view uniform) const;
-    // Whether a shader declares the struct, for a block of which it has uniforms.
     std::vector<Place> places(const Block& block) const;
 
     // An element of layout.json's "blocks".

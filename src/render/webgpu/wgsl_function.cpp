@@ -285,18 +285,23 @@ class BodyWriter {
             out_ += fmt::format("{}{} {}{}{}", target.before, target.text, op.text, value.before, value.text);
     }
 
-    // What components are taken of.
+    // What an expression takes components of: v and "xyz" of v.xyz.
     struct Vector {
         std::string text{}, type{}, components{};
     };
 
-    // Whether the next statement assigns the component to the same vector as the statement at `start`.
+    // Whether the next statement assigns the component to the same vector as the statement at `start`, and does not read it.
     bool assigns_next(std::size_t start, char component) const {
+        const std::string& vector = tokens_[start].text;
         std::size_t next = at_ + 1;  // after the semicolon
         for (; tokens_[start + 1].text != "="; ++start, ++next)
             if (next >= tokens_.size() || tokens_[start].text != tokens_[next].text) return false;
-        return next + 1 < tokens_.size() && tokens_[next].text == std::string(1, component) &&
-               tokens_[next + 1].text == "=";
+        if (next + 1 >= tokens_.size() || tokens_[next].text != std::string(1, component) ||
+            tokens_[next + 1].text != "=")
+            return false;
+        for (next += 2; tokens_[next].text != ";"; ++next)
+            if (tokens_[next].text == vector) return false;
+        return true;
     }
 
     // v.rgb = x for a vector v of more components; the statement begins at `start`.

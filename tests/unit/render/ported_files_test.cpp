@@ -99,6 +99,13 @@ TEST(PortedWgsl, AssignsSeveralComponentsByTheWholeVector) {
               "    c = vec4f(v.xy, c.zw);\n    c = vec4f(\n        v,  // both\n        1.0);\n    return c;\n}\n");
 }
 
+// In one statement the second value would be that of before.
+TEST(PortedWgsl, KeepsTheOrderOfAssignmentsThatDependOnEachOther) {
+    EXPECT_EQ(wgsl_of("vec4 f(vec3 v) {\n    vec4 c = place;\n    c.rgb = v;\n    c.a = c.r;\n    return c;\n}\n"),
+              "fn f(v: vec3f) -> vec4f {\n    var c = matrices.place;\n    c = vec4f(v, c.a);\n    c.a = c.r;\n    "
+              "return c;\n}\n");
+}
+
 TEST(PortedWgsl, GivesScalarsTheTypeOfVectors) {
     EXPECT_EQ(wgsl_of("vec3 f(vec3 v) {\n    return min(max(v, 0.0), v) + mix(v, vec3(1.0), 0.5);\n}\n"),
               "fn f(v: vec3f) -> vec3f {\n    return min(max(v, vec3f(0.0)), v) + mix(v, vec3f(1.0), 0.5);\n}\n");
