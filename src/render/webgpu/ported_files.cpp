@@ -162,7 +162,7 @@ std::vector<NamedFile> ported_files(const Frame& frame, const Look& look, Target
             !why.empty())
             throw std::runtime_error("it has " + why);
     const Blocks blocks(kinds);
-    const SceneData scene = scene_data(header, words.all);
+    const SceneData scene = scene_data(header, words.all, target == Target::kVulkan);
 
     std::vector<NamedFile> files;
     Json layout = {{"blocks", Json::array()}, {"kinds", Json::array()}};

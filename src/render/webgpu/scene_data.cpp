@@ -162,8 +162,12 @@ List list_of(Enum mode, const std::uint32_t* first, std::size_t count) {
 
 class Scene {
   public:
-    Scene(const Json& header, const std::vector<std::uint32_t>& words)
-        : header_(header), given_(words), width_(header["width"]), height_(header["height"]) {}
+    Scene(const Json& header, const std::vector<std::uint32_t>& words, bool allows_formats)
+        : header_(header),
+          given_(words),
+          allows_formats_(allows_formats),
+          width_(header["width"]),
+          height_(header["height"]) {}
 
     SceneData data() {
         Json textures = Json::array(), state = Json::array(), items = Json::array();
@@ -193,9 +197,10 @@ class Scene {
 
     Json texture_of(const Json& texture) {
         const Enum target = texture["target"];
-        if (texture["format"] != "rgba8")
-            throw std::runtime_error("a texture whose texels are not of 8 bits a channel");
-        if (target != kGL_TEXTURE_2D && target != kGL_TEXTURE_3D) throw std::runtime_error("a cube map");
+        const std::string format = texture["format"];
+        if (format != "rgba8" && !allows_formats_)
+            throw std::runtime_error("a depth texture, or one whose texels are not of 8 bits a channel");
+        const bool is_cube = target == kGL_TEXTURE_CUBE_MAP;
         std::map<Enum, Json> parameters;
         for (const Json& row : texture["parameters"]) parameters[row[0].get<Enum>()] = row[1];
         const Enum min_filter = parameters[kGL_TEXTURE_MIN_FILTER];
@@ -211,16 +216,36 @@ class Scene {
                         {"addressModeW", word_of(parameters[kGL_TEXTURE_WRAP_R])}};
         // Above 0, so that the filter for smaller pictures is used, but below a half, so that the next level is not.
         if (!has_mipmaps) sampler["lodMaxClamp"] = 0.25;
-        Json levels = Json::array();
-        for (const Json& image : texture["images"]) {
-            const std::size_t count =
-                image[2].get<std::size_t>() * image[3].get<std::size_t>() * image[4].get<std::size_t>();
-            if (levels.empty() || has_mipmaps)
-                levels.push_back({image[2], image[3], image[4], copied(image[5], count)});
-        }
-        return {{"dimension", target == kGL_TEXTURE_3D ? "3d" : "2d"},
-                {"levels", std::move(levels)},
+        if (const auto found = parameters.find(kGL_TEXTURE_COMPARE_FUNC); found != parameters.end())
+            sampler["compare"] = word_of(found->second);
+        return {{"dimension", is_cube                    ? "cube"
+                              : target == kGL_TEXTURE_3D ? "3d"
+                                                         : "2d"},
+                {"format", format},
+                {"levels", levels_of(texture, has_mipmaps, is_cube)},
                 {"sampler", std::move(sampler)}};
+    }
+
+    // Of a cube map, the six faces follow each other in each level.
+    Json levels_of(const Json& texture, bool has_mipmaps, bool is_cube) {
+        const std::size_t words = texture["format"] == "rgba32f" ? 4 : 1;
+        const std::size_t count = has_mipmaps ? texture["levels"].get<std::size_t>() : 1;
+        Json levels = Json::array();
+        for (std::size_t level = 0; level < count; ++level) {
+            std::vector<std::uint32_t> texels;
+            Json size;
+            for (const Json& image : texture["images"]) {
+                if (image[1].get<std::size_t>() != level) continue;
+                const auto begin = given_.begin() + image[5].get<std::ptrdiff_t>();
+                size = {image[2], image[3], image[4]};
+                const std::size_t all =
+                    words * size[0].get<std::size_t>() * size[1].get<std::size_t>() * size[2].get<std::size_t>();
+                texels.insert(texels.end(), begin, begin + static_cast<std::ptrdiff_t>(all));
+            }
+            if (texels.empty()) break;
+            levels.push_back({size[0], size[1], is_cube ? Json(6) : size[2], words_.place_of(texels)[0]});
+        }
+        return levels;
     }
 
     // From the upper left corner.
@@ -333,6 +358,7 @@ class Scene {
 
     const Json& header_;
     const std::vector<std::uint32_t>& given_;
+    const bool allows_formats_;
     int width_, height_;
     Json pipelines_ = Json::array();
     webgl::Words words_;
@@ -340,8 +366,8 @@ class Scene {
 
 }  // namespace
 
-SceneData scene_data(const Json& header, const std::vector<std::uint32_t>& words) {
-    return Scene(header, words).data();
+SceneData scene_data(const Json& header, const std::vector<std::uint32_t>& words, bool allows_formats) {
+    return Scene(header, words, allows_formats).data();
 }
 
 }  // namespace twinlight::webgpu

@@ -10,7 +10,8 @@ namespace twinlight::webgpu {
 
 struct SceneData {
     //   {"width", "height",
-    //    "textures": [{"dimension", "levels": [[width, height, depth, first]], "sampler"}],
+    //    "textures": [{"dimension": "2d" | "3d" | "cube", "format": "rgba8" | "rgba32f" | "depth" (the largest word is 1), "levels":
+    //        [[width, height, depth or 6 faces, first]], "sampler"}],
     //    "state": [{"FrontMaterial.diffuse": [number, ...], ...}], by the names in layout.json
     //    "pipelines": [{"kind", "primitive", "depthStencil", "target"}], as a GPURenderPipelineDescriptor has them
     //    "items": [{"clearColor", "clearDepth", "clearStencil", "scissor", "writeMask", "stencilWriteMask"} |
@@ -22,6 +23,7 @@ struct SceneData {
 };
 
 // `header`, `words`: a frame for any pose (webgl/webgl_frame.h). Throws std::runtime_error, which says what WebGPU lacks.
-SceneData scene_data(const Json& header, const std::vector<std::uint32_t>& words);
+// allows_formats: also depth textures and those of floats, which WebGPU does not fill or filter.
+SceneData scene_data(const Json& header, const std::vector<std::uint32_t>& words, bool allows_formats);
 
 }  // namespace twinlight::webgpu

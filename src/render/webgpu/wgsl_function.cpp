@@ -516,7 +516,7 @@ class BodyWriter {
     // Each texture has a sampler beside it.
     Expression lookup(const std::string& name, std::vector<Expression> arguments) const {
         const std::string first = fmt::format("{0}, {0}Sampler", arguments[0].text);
-        if (arguments[0].type != "sampler2D" && arguments[0].type != "sampler3D")
+        if (arguments[0].type != "sampler2D" && arguments[0].type != "sampler3D" && arguments[0].type != "samplerCube")
             fail("a texture of the type " + arguments[0].type);
         std::string function = name == "textureGrad" ? "textureSampleGrad" : "textureSample";
         if (name != "textureGrad" && arguments.size() == 3) function = "textureSampleBias";

@@ -24,6 +24,10 @@ std::string wgsl_struct(const std::string& above, const std::string& name, const
     return text + "}\n";
 }
 
+const char* dimension_of(const std::string& sampler) {
+    return sampler == "sampler3D" ? "3d" : sampler == "samplerCube" ? "cube" : "2d";
+}
+
 // "// Vertex shader: transforms ..." of both stages.
 std::string headings(const Kind& kind) { return kind.vertex.heading + kind.fragment.heading; }
 
@@ -129,7 +133,7 @@ class Module {
                 text += fmt::format(
                     "\n@group(0) @binding({0}) var {1}: texture_{2}<f32>;{3}\n@group(0) @binding({4}) var {1}Sampler: "
                     "sampler;\n",
-                    binding_of_texture(uniform), uniform.name, uniform.type == "sampler3D" ? "3d" : "2d",
+                    binding_of_texture(uniform), uniform.name, dimension_of(uniform.type),
                     wgsl_comment(uniform.comment), binding_of_texture(uniform) + 1);
         return text;
     }
@@ -218,7 +222,6 @@ std::string why_not_in_vulkan(const Kind& kind) {
 std::string why_not_in_wgsl(const Kind& kind) {
     if (std::string why = why_not_in_vulkan(kind); !why.empty()) return why;
     if (has_sampler(kind, "sampler2DShadow")) return "a depth texture that is compared (GL_TEXTURE_COMPARE_MODE)";
-    if (has_sampler(kind, "samplerCube")) return "a cube map";
     return "";
 }
 
