@@ -396,9 +396,10 @@ class Machine {
         const auto set = [&](std::initializer_list<std::string_view> names, const Function& function) {
             for (const std::string_view name : names) all.at(static_cast<std::size_t>(*find_command(name))) = function;
         };
-        set({"glFrustum", "glOrtho", "gluPerspective", "glShadeModel", "glEnd", "glClear", "glClearColor",
-             "glDepthRange"},
-            [](Machine&, const Command&) {});
+        set({"glShadeModel", "glEnd", "glClear", "glClearColor", "glDepthRange"}, [](Machine&, const Command&) {});
+        set({"glFrustum", "glOrtho", "gluPerspective"}, [](Machine& m, const Command& c) {
+            if (m.is_modelview_) throw std::invalid_argument(fmt::format("{} in the modelview matrix", c.name()));
+        });
         set({"glMatrixMode"}, [](Machine& m, const Command& c) { m.is_modelview_ = c.enumerant(0) == kGL_MODELVIEW; });
         set({"glLoadIdentity"}, [](Machine& m, const Command&) { m.set_matrix(identity<Number>()); });
         set({"glLoadMatrixf", "glLoadMatrixd"},
