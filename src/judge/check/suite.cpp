@@ -317,8 +317,14 @@ void compare_with_long_double(const Case& hard_case, const std::vector<CasePictu
     }
 }
 
-// The pictures of a case, for each of its shadings: by all variants of the shaders and all numbers of the reference.
-std::vector<CasePicture> pictures_of(const Case& hard_case, const Frame& frame, programmable::Renderer& renderer) {
+// Whether a known bug of the driver may crash it there.
+bool may_crash(const Case& hard_case, const Frame& frame, const std::string& driver) {
+    return compare::DeparturesOfScene(*hard_case.scene, parse_driver_name(driver), {}).crash_in(frame) != nullptr;
+}
+
+// The pictures of a case, for each of its shadings: by all variants of the shaders, unless `renderer` is null, and all numbers of
+// the reference.
+std::vector<CasePicture> pictures_of(const Case& hard_case, const Frame& frame, programmable::Renderer* renderer) {
     std::vector<std::optional<Shading>> shadings;
     for (const Expectation& expected : hard_case.expectations) {
         if (expected.spot.kind == Spot::Kind::kPixel &&
@@ -329,10 +335,11 @@ std::vector<CasePicture> pictures_of(const Case& hard_case, const Frame& frame, 
     for (const std::optional<Shading>& shading : shadings) {
         const std::string suffix = shading ? std::string(" ") + name_of(*shading) : "";
         for (ShaderVariant variant : shader_variants()) {
-            if (variant.options.shading || (variant.options.precise && shading) || !runs(variant, frame)) continue;
+            if (!renderer || variant.options.shading || (variant.options.precise && shading) || !runs(variant, frame))
+                continue;
             variant.options.shading = shading;
             shown.push_back(
-                {Path::kProgrammable, variant.name + suffix, shading, {}, renderer.render(frame, variant.options)});
+                {Path::kProgrammable, variant.name + suffix, shading, {}, renderer->render(frame, variant.options)});
         }
         for (ReferenceVariant variant : reference_variants()) {
             variant.options.shading = shading;
@@ -466,13 +473,16 @@ void Suite::run_pictures(std::span<const Case> cases, std::vector<Result>& resul
             const auto [scene, error] = hard_case.carried_out(kSide);
             const Frame& frame = scene.frame;
             judge_error(hard_case, error, result);
-            driver_error();
-            const Image fixed = fixed::render(scene);
-            judge_fixed(
-                hard_case, frame, driver_, driver_error(),
-                [&](const Expectation& expected) { return Seen(color_at(fixed, expected.spot)); }, result);
-            result.pictures.emplace_back("fixed", fixed);
-            std::vector<CasePicture> pictures = pictures_of(hard_case, frame, context_.shaders());
+            const bool draws = !may_crash(hard_case, frame, driver_);
+            if (draws) {
+                driver_error();
+                const Image fixed = fixed::render(scene);
+                judge_fixed(
+                    hard_case, frame, driver_, driver_error(),
+                    [&](const Expectation& expected) { return Seen(color_at(fixed, expected.spot)); }, result);
+                result.pictures.emplace_back("fixed", fixed);
+            }
+            std::vector<CasePicture> pictures = pictures_of(hard_case, frame, draws ? &context_.shaders() : nullptr);
             for (const CasePicture& picture : pictures) judge_picture(hard_case, picture, driver_, result);
             compare_with_long_double(hard_case, pictures, driver_, result);
             for (CasePicture& picture : pictures)

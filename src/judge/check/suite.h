@@ -17,7 +17,7 @@
 namespace twinlight::check {
 
 enum class Outcome : std::uint8_t {
-    kNotTested,  // "not tested": the case needs a feature that GL's fixed function lacks
+    kNotTested,  // "not tested": the case needs a feature that GL's fixed function lacks, or the driver may crash
     kPass,
     kOurChoice,  // "our choice": the fixed function gives another answer where the specification is silent
     kKnownBug,   // "known bug": a wrong answer that the case lists for this driver
