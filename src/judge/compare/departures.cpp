@@ -85,7 +85,9 @@ const std::vector<Departure>& departures() {
         {.name = "clip planes under a projection without an inverse",
          .section = "2.12: the planes are in eye coordinates; the driver takes them to clip coordinates",
          .seen_on = kBoth,
-         .draw_rule = clips_under_singular_projection},
+         .draw_rule = clips_under_singular_projection,
+         .where = "src/mesa/main/clip.c, _mesa_update_clip_plane(): multiplies the plane in eye coordinates by "
+                  "the inverse of the projection matrix"},
         {.name = "stippled lines in perspective",
          .section =
              "3.4.1: colours and texture coordinates are divided by w; the driver cuts the line where the pattern "
@@ -205,7 +207,9 @@ const std::vector<Departure>& departures() {
         {.name = "the colour sum in fog",
          .section = "3.9, 3.10",
          .seen_on = kBothAndNvidia,
-         .draw_rule = adds_secondary_color_in_fog},
+         .draw_rule = adds_secondary_color_in_fog,
+         .where = "src/mesa/main/ff_fragment_shader.c, emit_instructions(): the sum of the two colours is not "
+                  "clamped before st_nir_lower_fog()"},
         {.name = "GL_CLAMP between a nearest and a linear filter",
          .section = "3.8.7, 3.8.8",
          .cause = Cause::kDriver,
@@ -303,7 +307,9 @@ const std::vector<Departure>& departures() {
          .section = "3.3.1: GL_COORD_REPLACE counts for points",
          .seen_on = kBothAndNvidia,
          .command_rule = draws_others_beside_sprites,
-         .rewrite = &limits_sprites_to_points},
+         .rewrite = &limits_sprites_to_points,
+         .where = "src/mesa/main/ffvertex_prog.c, build_texture_transform(): skips units with coord_replace, "
+                  "whatever the primitive is"},
         {.name = "glShadeModel after glPopAttrib in a display list",
          .section = "5.4: a list keeps every command that can be compiled",
          .seen_on = kBoth,
@@ -313,12 +319,16 @@ const std::vector<Departure>& departures() {
          .section = "6.2, table 6.10",
          .seen_on = kBoth,
          .command_rule = switches_lights_before_pop,
-         .rewrite = &sets_lights_after_pop},
+         .rewrite = &sets_lights_after_pop,
+         .where = "src/mesa/main/attrib.c, pop_enable_group(): does not restore Light[], which "
+                  "_mesa_PushAttrib() saves"},
         {.name = "GL_GENERATE_MIPMAP after glPopAttrib",
          .section = "6.2, table 6.17",
          .seen_on = kBoth,
          .command_rule = generates_mipmaps_after_pop,
-         .rewrite = &sets_mipmaps_after_pop},
+         .rewrite = &sets_mipmaps_after_pop,
+         .where = "src/mesa/main/texparam.c, set_tex_parameteri(): sets GenerateMipmap without flush(), so that "
+                  "PopAttribState lacks GL_TEXTURE_BIT and _mesa_PopAttrib() restores no textures"},
         {.name = "a vertex whose w is not 1 under a positional light",
          .section = "2.14.1: for the direction P1P2, both points are divided by their w",
          .seen_on = kBoth,
@@ -457,7 +467,9 @@ const std::vector<Departure>& departures() {
          .section =
              "3.8.15: the enabled target of the highest dimension decides; if it is not complete, there is no texture",
          .seen_on = kBoth,
-         .command_rule = enables_incomplete_texture},
+         .command_rule = enables_incomplete_texture,
+         .where = "src/mesa/main/texstate.c, update_ff_texture_state(): goes on to the next texture that is "
+                  "complete"},
         {.name = "a base level above the greatest level",
          .section = "3.8.10: such a texture is not complete, so there is no texture",
          .command_rule = sets_base_above_greatest_level,
@@ -500,7 +512,9 @@ const std::vector<Departure>& departures() {
         {.name = "depths in one dimension",
          .section = "3.8.14: depths are compared with r in one dimension, too",
          .seen_on = kBoth,
-         .draw_rule = compares_depths_in_one_dimension},
+         .draw_rule = compares_depths_in_one_dimension,
+         .where = "src/mesa/main/ff_fragment_shader.c, load_texture(): the comparator is channel "
+                  "coord_components of the texture coordinates, which is t in one dimension"},
     };
     return list;
 }
