@@ -42,8 +42,11 @@ TEST(HardCases, AreAnsweredAsExpectedAndDepartedFromAsListed) {
         EXPECT_EQ(results[i].error, "");
         EXPECT_EQ(results[i].non_finite, 0);
         EXPECT_LE(results[i].from_long_double, 3e-5);  // also where the case has a larger tolerance
-        for (const Path path : {Path::kProgrammable, Path::kReference})
-            EXPECT_EQ(results[i].outcomes[static_cast<std::size_t>(path)], Outcome::kPass);
+        // Shaders show the bugs of the rasteriser, too.
+        const Outcome of_shaders = results[i].outcomes[static_cast<std::size_t>(Path::kProgrammable)];
+        EXPECT_TRUE(of_shaders == Outcome::kPass ||
+                    (of_shaders == Outcome::kKnownBug && results[i].outcomes[0] == Outcome::kKnownBug));
+        EXPECT_EQ(results[i].outcomes[static_cast<std::size_t>(Path::kReference)], Outcome::kPass);
         // The bugs of other drivers are not listed, and other releases may have fixed some.
         EXPECT_TRUE(!is_measured || !is_failure(results[i].outcomes[0]));
     }

@@ -18,8 +18,11 @@ void (*later_function(const char* name, int version, const char* extension))(voi
 #define glFogCoordf LATER("glFogCoordf", 14, 0, (GLfloat))
 #define glFramebufferTexture2D \
     LATER("glFramebufferTexture2D", 30, "GL_ARB_framebuffer_object", (GLenum, GLenum, GLenum, GLuint, GLint))
+#define glGenerateMipmap LATER("glGenerateMipmap", 30, "GL_ARB_framebuffer_object", (GLenum))
 #define glMultiTexCoord2f LATER("glMultiTexCoord2f", 13, 0, (GLenum, GLfloat, GLfloat))
 #define glPointParameterfv LATER("glPointParameterfv", 14, 0, (GLenum, const GLfloat*))
+#define glPointParameteri LATER("glPointParameteri", 14, 0, (GLenum, GLint))
+#define glSecondaryColor3f LATER("glSecondaryColor3f", 14, 0, (GLfloat, GLfloat, GLfloat))
 #define glStencilFuncSeparate LATER("glStencilFuncSeparate", 20, 0, (GLenum, GLenum, GLint, GLuint))
 #define glTexImage3D \
     LATER("glTexImage3D", 12, 0, (GLenum, GLint, GLint, GLsizei, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*))
