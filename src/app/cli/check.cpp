@@ -222,7 +222,7 @@ Subcommand add_check(CLI::App& app) {
         "  known bug   a wrong answer that the case lists for this driver\n"
         "  new bug     a wrong answer that is not listed: unexpected\n"
         "  fixed bug   the expected answer, although a wrong one is listed: unexpected\n"
-        "  not tested  GL has no such feature\n"
+        "  not tested  GL has no such feature, or the driver may crash\n"
         "The shaders and the reference must pass. GALLIUM_DRIVER=softpipe tests Mesa's other software driver.\n"
         "Exit status: 0 nothing unexpected; 1 a new bug, a fixed bug, a scene that GL rejects, a result of the "
         "shaders\n"

@@ -95,7 +95,7 @@ constexpr const char* kTerms = R"(<details><summary>What the words mean</summary
 chose, the driver gives another one.</dd>
 <dt>new bug</dt><dd>A wrong result that is not listed: unexpected.</dd>
 <dt>fixed bug</dt><dd>The expected result where a known bug is listed: unexpected.</dd>
-<dt>not tested</dt><dd>The case needs a feature that GL&rsquo;s fixed function lacks.</dd>
+<dt>not tested</dt><dd>The case needs a feature that GL&rsquo;s fixed function lacks, or the driver may crash.</dd>
 </dl></details>
 <details><summary>What the symbols mean</summary>
 <p class="hint">They are those of the OpenGL 2.1 specification, whose section numbers are given with each case. V is the
@@ -209,7 +209,7 @@ std::vector<Group> grouped(const std::vector<Result>& results) {
                                  {"Known bugs of this driver", "known bugs of the driver"},
                                  {"Our choice, where the specification is silent", "our choice"},
                                  {"Passed", "passed"},
-                                 {"Not tested on the driver: GL lacks these features", "not tested"}};
+                                 {"Not tested on the driver: GL lacks these features, or it may crash", "not tested"}};
     const auto place_of = [](const Result& result) -> std::size_t {
         if (result.fails()) return 0;
         switch (result.outcomes[0]) {
