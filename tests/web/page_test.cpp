@@ -37,6 +37,7 @@ const std::map<std::string, const char*>& known_differences() {
         {"nan-vertex-infinite", "the same"},
         {"clipping-near-light-inside",
          "SwiftShader loses the colour of vertices with w = 0 (with w = 1e-6 it does not)"},
+        {"point-level-of-detail", "SwiftShader does not add the bias at a point, as Mesa"},
         {"lab 5", "a pixel on the border of the spot's cone, where light begins within the rasteriser's rounding"},
     };
     return known;
