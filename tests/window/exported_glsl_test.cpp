@@ -21,6 +21,7 @@
 #include "judge/compare/allowances.h"
 #include "judge/compare/departures.h"
 #include "render/reference/reference.h"
+#include "scene/recorded/recorded_frame.h"
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 #include "xvfb.h"
@@ -183,7 +184,10 @@ class ExportedGlsl : public testing::Test {
     // across few centres of pixels.
     static void expect_close(const std::string& scene, const Image& picture, const Image& expected,
                              std::optional<Shading> shading = {}) {
-        const Frame frame = make_frame(*load_commands(scene), {});
+        expect_close(make_frame(*load_commands(scene), {}), picture, expected, shading);
+    }
+    static void expect_close(const Frame& frame, const Image& picture, const Image& expected,
+                             std::optional<Shading> shading = {}) {
         const reference::Options options{{.shading = shading}};
         AllowedDifference allowed = reference::allowed_difference(frame, options);
         compare::allow_ties(allowed, reference::render(frame, options));
@@ -294,6 +298,15 @@ glTranslatef(2.8, 0, 0); glCallList(3);
     for (const char* function : {"void list1(void)", "void list2(void)"})
         EXPECT_NE(text.find(function), text.npos) << function << " in\n" << text;
     EXPECT_EQ(text.find("void list3"), text.npos) << "its light needs the camera's matrix\n" << text;
+}
+
+TEST_F(ExportedGlsl, DrawsRecordings) {
+    for (const char* name : {"cage", "circuit", "glxgears", "hilbert", "menger", "stonerview"}) {
+        SCOPED_TRACE(name);
+        const std::string recording = fmt::format("tests/traces/{}/dump.txt", name);
+        const Frame frame = make_recorded_frame(load_recording(recording), {}).scene.frame;
+        expect_close(frame, drawn(compiled(recording, {})), rendered(recording, {"--with", "fixed"}));
+    }
 }
 
 // Each frame is the picture of its own export.

@@ -179,9 +179,11 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
         choice.width = size->width;
         choice.height = size->height;
     }
-    const auto print = [&](const std::string& note) { print_note(*recording, note); };
+    const auto print = [&](const std::string& note) {
+        name_gl();
+        print_note(*recording, note);
+    };
     std::vector<std::string> notes = recording->notes();
-    if (!notes.empty()) name_gl();
     std::ranges::for_each(notes, print);
     ProgressBar bar;
     choice.progress = [&](int frames, std::size_t commands) {
@@ -196,6 +198,7 @@ Scene load_recorded_frame(const std::shared_ptr<const Recording>& recording, std
     std::ranges::move(recorded.notes, std::back_inserter(notes));
     if (recorded.first_error) {
         notes.push_back(note_of_errors(recorded));
+        name_gl();
         print_message("twinlight: note: {}\n", notes.back());
     }
     recorded.scene.notes = std::move(notes);

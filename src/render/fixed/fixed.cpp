@@ -72,6 +72,7 @@ void draw(const Scene& scene, const Options& options) {
                 driver.drop_accumulated();
                 break;
             case Step::Kind::kOutside:
+            case Step::Kind::kElsewhere:
             case Step::Kind::kCutOff: break;
         }
         return true;

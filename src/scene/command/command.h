@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -151,17 +152,28 @@ struct Command {
     friend bool operator==(const Command& a, const Command& b);
 };
 
+// An object that GL contexts may share.
+struct SharedObject {
+    enum class Kind : std::uint8_t { kTexture, kBuffer, kList };
+    Kind kind = Kind::kTexture;
+    std::uint32_t name = 0;
+
+    friend auto operator<=>(const SharedObject&, const SharedObject&) = default;  // NOLINT
+};
+
 // One step of a recording.
 struct Step {
     enum class Kind : std::uint8_t {
         kCommand,
-        kFrameEnd,  // the program showed its picture (SwapBuffers); what the buffers hold next is undefined
-        kOutside,   // a call of a function that is not in commands.def: `text` is its name
-        kCutOff,    // the recording ends abruptly: `text` describes how
+        kFrameEnd,   // the program showed its picture (SwapBuffers); what the buffers hold next is undefined
+        kOutside,    // a call of a function that is not in commands.def: `text` is its name
+        kElsewhere,  // another context makes or changes `object`: `text` is "glTexImage2D in context 2"
+        kCutOff,     // the recording ends abruptly: `text` describes how
     };
     Kind kind = Kind::kCommand;
     const Command& command;  // only its place is valid for kinds other than kCommand
     std::string_view text{};
+    SharedObject object{};
 };
 
 struct CommandList;

@@ -222,6 +222,7 @@ bool Player::take(const Step& step) {
             }
             break;
         case Step::Kind::kOutside: state_.outside(step.text, step.command.place); break;
+        case Step::Kind::kElsewhere: state_.made_elsewhere(step.object, step.text, step.command.place); break;
         case Step::Kind::kCutOff: notes_.emplace_back(step.text); break;
         case Step::Kind::kFrameEnd: break;
     }

@@ -160,6 +160,18 @@ std::optional<GlError> VertexArrays::check(const Command& draw) const {
     return check_memory(draw, static_cast<std::uint64_t>(smallest), static_cast<std::uint64_t>(largest));
 }
 
+std::vector<std::uint32_t> VertexArrays::buffers_read() const {
+    std::vector<std::uint32_t> names;
+    const auto add = [&](const ArrayPointer& array) {
+        if (array.enabled && array.buffer != 0) names.push_back(array.buffer);
+    };
+    for (const ArrayPointer* array : {&client_.vertex, &client_.normal, &client_.color, &client_.edge_flag})
+        add(*array);
+    for (const ArrayPointer& array : client_.tex_coord) add(array);
+    if (client_.element_buffer != 0) names.push_back(client_.element_buffer);
+    return names;
+}
+
 std::pair<double, double> VertexArrays::index_range(const Command& draw) const {
     const std::vector<std::uint32_t> indices = elements(draw);
     if (indices.empty()) return {0, 0};

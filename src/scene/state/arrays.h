@@ -72,6 +72,8 @@ class VertexArrays {
     std::pair<double, double> index_range(const Command& draw) const;
 
     const ClientArrays& client() const { return client_; }
+    // The buffer objects of the enabled arrays, and that of indices.
+    std::vector<std::uint32_t> buffers_read() const;
     const BufferObject* buffer(std::uint32_t name) const;  // null if there is no such object
     // The buffer object that texture images are read from (3.6.1); null: they are read from client memory.
     const BufferObject* pixel_unpack_buffer() const { return pixel_unpack_ == 0 ? nullptr : buffer(pixel_unpack_); }

@@ -22,6 +22,7 @@ void State::client_arrays(const Command& c) {
 }
 
 std::optional<ArrayVertices> State::array_vertices(const Command& c) {
+    show_shared_buffers();
     if (const auto error = arrays_.check(c)) {
         raise(*error);
         return std::nullopt;

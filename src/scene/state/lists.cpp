@@ -110,6 +110,7 @@ bool State::compile(const Command& c) {
         if (error) {
             listed.error = std::make_shared<const GlError>(std::move(*error));
         } else {
+            show_shared_buffers();
             ArrayVertices read = arrays_.read(c, options_.signed_rule);
             for (Vertex& v : read.vertices) sanitize(v);
             listed.arrays = std::make_shared<const ArrayVertices>(std::move(read));
@@ -204,6 +205,7 @@ void State::new_list(const Command& c) {
         return raise(kGL_INVALID_OPERATION, c, "glNewList inside another glNewList; the one at {} has no glEndList yet",
                      lists_.opened.str());
     }
+    elsewhere_.erase({SharedObject::Kind::kList, name});
     lists_.open_name = name;
     lists_.open_mode = c.enumerant(1);
     lists_.opened = c.place;
@@ -260,6 +262,7 @@ void State::call_lists(const Command& c) {
 // A name without a list does nothing (5.4), and neither does a list that is nested too deep, such as one that calls
 // itself.
 void State::execute_list(const Command& c, std::uint32_t name) {
+    show_shared(SharedObject::Kind::kList, name);
     const auto found = lists_.named.find(name);
     if (!has_time(c, 1) || found == lists_.named.end() || lists_.nesting >= kMaxListNesting) return;
     const std::shared_ptr<const DisplayList> list = found->second;  // held: it may be replaced while it runs

@@ -317,6 +317,9 @@ Draw State::new_draw(Enum mode, const Place& place) {
     draw.place = place;
     draw.in_list = lists_.nesting > 0 || lists_.open_name != 0;
     draw.list = lists_.call;
+    if (!elsewhere_.empty())
+        for (const TextureBindings& unit : a_.units)
+            if (unit.is_enabled()) show_shared(SharedObject::Kind::kTexture, unit.bound(unit.target()));
     draw.texture = texture_unit(0);
     for (std::size_t i = 1; i < a_.units.size(); ++i)
         if (a_.units[i].is_enabled())
@@ -395,6 +398,28 @@ void State::note_lasting(std::string_view name, const Place& place) {
 
 void State::outside(std::string_view function, const Place& place) {
     count(outside_, function, place, MissingFrom::kEverything);
+}
+
+void State::made_elsewhere(const SharedObject& object, std::string_view function, const Place& place) {
+    constexpr std::size_t kMost = 1 << 16;
+    if (elsewhere_.size() >= kMost && !elsewhere_.contains(object)) return outside(function, place);
+    elsewhere_.insert_or_assign(object, std::pair(std::string(function), place));
+}
+
+void State::show_shared(SharedObject::Kind kind, std::uint32_t name) {
+    if (elsewhere_.empty()) return;
+    const auto found = elsewhere_.find({kind, name});
+    if (found == elsewhere_.end()) return;
+    const auto& [function, place] = found->second;
+    if (lists_.open_name != 0)
+        outside(function, place);  // later pictures may show the list
+    else
+        note_unsupported(function, place, MissingFrom::kEverything);
+}
+
+void State::show_shared_buffers() {
+    if (elsewhere_.empty()) return;
+    for (const std::uint32_t name : arrays_.buffers_read()) show_shared(SharedObject::Kind::kBuffer, name);
 }
 
 std::optional<GlError> State::unfinished() const {

@@ -89,6 +89,8 @@ class State {
     // Notes a call of a function that Twinlight does not know. Its effect is unknown, so it is listed as unsupported
     // for this picture and all later ones.
     void outside(std::string_view function, const Place& place);
+    // Another GL context makes or changes an object that this one shares. Each picture that shows it from now on lacks this.
+    void made_elsewhere(const SharedObject& object, std::string_view function, const Place& place);
 
     // The error of the first glBegin, glNewList or push that is still open at the end of a scene; nullopt if there is
     // none.
@@ -315,6 +317,9 @@ class State {
     // one.
     void note_lasting(std::string_view name, const Place& place);
     void note_unsupported(const std::string& name, const Place& place, MissingFrom missing_from = MissingFrom::kFrame);
+    // The picture shows an object that contexts may share; notes it if another context made it.
+    void show_shared(SharedObject::Kind kind, std::uint32_t name);
+    void show_shared_buffers();  // those of the enabled arrays
     // A component of a colour or a normal: integers become [-1,1] or [0,1].
     double to_real(double c, Kind kind) const;
 
@@ -368,6 +373,7 @@ class State {
     double work_ = 0;  // work for this picture so far
     std::vector<Unsupported> unsupported_;
     std::vector<Unsupported> outside_;
+    std::map<SharedObject, std::pair<std::string, Place>> elsewhere_;  // what made_elsewhere() is told last
     std::vector<GlError> errors_;
     std::size_t error_count_ = 0;
     std::optional<GlError> exhausted_;

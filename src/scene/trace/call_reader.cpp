@@ -159,11 +159,11 @@ void CallReader::carry_out(const Function& function) {
         if (function.names_shared && !read_call()) return;
         const auto current = current_.find(thread_);
         if (current == current_.end() || !groups_.may_share(current->second, *followed_)) return;
+        if (!shared_.makes(current->second, function, call_->name, call_->arguments.numbers)) return;
         const auto number = std::ranges::find(contexts_, current->second) - contexts_.begin();
-        const std::string report = shared_.of_other(current->second, static_cast<std::size_t>(number), function,
-                                                    call_->name, call_->arguments.numbers);
-        if (!report.empty()) outside(report);
-        return;
+        const std::string text = fmt::format("{} in context {}", call_->name, number);
+        if (const auto& object = shared_.made()) return step({Step::Kind::kElsewhere, command_, text, *object});
+        return outside(text);
     }
     has_drawn_ |= function.draws || function.is_vertex;
     switch (function.role) {
@@ -196,10 +196,6 @@ void CallReader::carry_out_command(const Function& function) {
     command_.id = function.command;
     convert(call_->arguments, call_->result, blobs_, command_);
     command_.id = client_state(command_);
-    if (followed_ && function.names_shared) {
-        const std::string report = shared_.of_followed(call_->name, call_->arguments.numbers);
-        if (!report.empty()) outside(report);
-    }
     if (!framebuffers_.follow(command_)) return;
     // A glVertexPointer whose arrays are recorded when the program draws.
     if (call_->is_fake && has_stacks_ && waiting_.size() < kMostWaiting)

@@ -27,8 +27,8 @@ class CallReader {
     // `name` is the name of the recording in places.
     CallReader(CallSource& source, const std::string& name, BlobLoader blobs);
 
-    // Reports only the commands of this context. Objects that another context creates and shares with it are reported as
-    // kOutside if it uses them. Without this call all commands count as one context. `shown_objects`: framebuffer objects that are
+    // Reports only the commands of this context. Objects that another context makes and shares with it are reported as
+    // kElsewhere. Without this call all commands count as one context. `shown_objects`: framebuffer objects that are
     // read as the window.
     void follow(ContextName context, std::set<double> shown_objects);
 

@@ -132,54 +132,31 @@ bool ContextCounts::busiest_draws_into_objects() const {
     return most && !contexts_[*most].draws_to_window;
 }
 
-std::optional<SharedObjects::Object> SharedObjects::named_by(std::string_view function,
-                                                             std::span<const double> numbers) {
+std::optional<SharedObject> SharedObjects::named_by(std::string_view function, std::span<const double> numbers) {
+    using enum SharedObject::Kind;
     const bool is_list = function.ends_with("List");
     const std::optional<double> name = number(numbers, is_list ? 0 : 1);
-    if (!name) return std::nullopt;
-    return Object(is_list ? Kind::kList : function.starts_with("glBindT") ? Kind::kTexture : Kind::kBuffer, *name);
+    if (!name || !(*name >= 0 && *name <= std::numeric_limits<std::uint32_t>::max())) return std::nullopt;
+    return SharedObject{is_list                           ? kList
+                        : function.starts_with("glBindT") ? kTexture
+                                                          : kBuffer,
+                        static_cast<std::uint32_t>(*name)};
 }
 
-std::string SharedObjects::of_other(ContextName context, std::size_t context_number, const Function& function,
-                                    std::string_view name, std::span<const double> numbers) {
-    if (name == "glCallLists") return {};
-    std::optional<Object> object = function.names_shared ? named_by(name, numbers) : std::nullopt;
-    if (object && name != "glNewList") {
-        if (bound_.size() < kMostObjects) bound_[{context, object->first}] = object->second;
-        return {};
+bool SharedObjects::makes(ContextName context, const Function& function, std::string_view name,
+                          std::span<const double> numbers) {
+    if (name == "glCallLists") return false;
+    made_ = function.names_shared ? named_by(name, numbers) : std::nullopt;
+    if (made_ && name != "glNewList") {
+        if (bound_.size() < kMostObjects) bound_[{context, made_->kind}] = made_->name;
+        return false;
     }
-    if (!function.makes_objects) return {};
-    std::string report = fmt::format("{} in context {}", name, context_number);
-    if (!object) {
-        const Kind kind = name.starts_with("glBuffer") ? Kind::kBuffer : Kind::kTexture;
-        const auto bound = bound_.find({context, kind});
-        if (bound == bound_.end()) return report;
-        object = Object(kind, bound->second);
-    }
-    if (used_.contains(*object) || made_.size() >= kMostObjects) return report;
-    made_.try_emplace(*object, std::move(report));
-    return {};
-}
-
-std::string SharedObjects::of_followed(std::string_view name, std::span<const double> numbers) {
-    if (name == "glCallLists") return any_list();
-    const std::optional<Object> object = named_by(name, numbers);
-    if (!object) return {};
-    if (used_.size() < kMostObjects) used_.insert(*object);
-    const auto made = made_.find(*object);
-    if (name == "glNewList" || made == made_.end()) return {};
-    std::string report = std::move(made->second);
-    made_.erase(made);
-    return report;
-}
-
-// The lists that glCallLists calls are not known here: it may be any.
-std::string SharedObjects::any_list() {
-    const auto first = made_.lower_bound({Kind::kList, -std::numeric_limits<double>::infinity()});
-    if (first == made_.end() || first->first.first != Kind::kList) return {};
-    std::string report = std::move(first->second);
-    std::erase_if(made_, [](const auto& made) { return made.first.first == Kind::kList; });
-    return report;
+    if (!function.makes_objects) return false;
+    if (made_) return true;
+    const auto kind = name.starts_with("glBuffer") ? SharedObject::Kind::kBuffer : SharedObject::Kind::kTexture;
+    const auto bound = bound_.find({context, kind});
+    if (bound != bound_.end()) made_ = SharedObject{kind, bound->second};
+    return true;
 }
 
 void ShareGroups::create(ContextName context, ContextName share) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -12,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/command/command.h"
 #include "scene/trace/functions.h"
 
 namespace twinlight::trace {
@@ -74,25 +76,20 @@ class ContextCounts {
     std::map<double, double> list_vertices_;  // of each display list
 };
 
-// The objects that other contexts make and share with the one that is followed. One is reported when that context uses it.
+// The objects that other contexts make and share with the one that is followed.
 class SharedObjects {
   public:
-    // Another context calls a function; `numbers`: its arguments, if it names shared objects. Returns what to report now:
-    // "glTexImage2D in context 2", or nothing.
-    std::string of_other(ContextName context, std::size_t number, const Function& function, std::string_view name,
-                         std::span<const double> numbers);
-    // The followed context calls a function that names shared objects. Returns what to report.
-    std::string of_followed(std::string_view name, std::span<const double> numbers);
+    // Another context calls a function; `numbers`: its arguments, if it names shared objects. Returns whether it makes or changes
+    // such an object.
+    bool makes(ContextName context, const Function& function, std::string_view name, std::span<const double> numbers);
+    // The one that makes() found; nullopt if the recording does not show which.
+    const std::optional<SharedObject>& made() const { return made_; }
 
   private:
-    enum class Kind : std::uint8_t { kTexture, kBuffer, kList };
-    using Object = std::pair<Kind, double>;
-    std::string any_list();
-    static std::optional<Object> named_by(std::string_view function, std::span<const double> numbers);
+    static std::optional<SharedObject> named_by(std::string_view function, std::span<const double> numbers);
 
-    std::map<std::pair<ContextName, Kind>, double> bound_;  // in other contexts
-    std::map<Object, std::string> made_;                    // by others, and not reported yet: what to report
-    std::set<Object> used_;                                 // by the followed context
+    std::map<std::pair<ContextName, SharedObject::Kind>, std::uint32_t> bound_;  // in other contexts
+    std::optional<SharedObject> made_;
 };
 
 // Which contexts share textures, display lists and buffer objects.

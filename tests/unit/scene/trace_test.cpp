@@ -35,6 +35,7 @@ class Traces : public testing::Test {
                 case Step::Kind::kCommand: lines.push_back(print_command(step.command)); break;
                 case Step::Kind::kFrameEnd: lines.emplace_back("end of frame"); break;
                 case Step::Kind::kOutside: lines.push_back("outside: " + std::string(step.text)); break;
+                case Step::Kind::kElsewhere: lines.push_back("elsewhere: " + std::string(step.text)); break;
                 case Step::Kind::kCutOff: lines.push_back("cut off: " + std::string(step.text)); break;
             }
             return true;
@@ -304,17 +305,26 @@ TEST_F(Traces, FollowTheContextThatIsChosen) {
     }
 }
 
-// An object that another context makes is missing only if the two share objects, and if this one uses it.
-TEST_F(Traces, NameObjectsOfOtherContextsThatAreUsed) {
-    const auto of_other = [this](const std::string& share, const std::string& made, const std::string& used) {
-        const Lines lines = steps(
+// An object that another context makes is missing only if the two share objects, and if the frame shows it.
+TEST_F(Traces, NameObjectsOfOtherContextsThatAFrameShows) {
+    constexpr const char *kDraw =
+                             "19 glClear(mask = GL_COLOR_BUFFER_BIT)\n20 glRecti(x1 = 0, y1 = 0, x2 = 1, y2 = 1)\n",
+                         *kEnd = "21 glXSwapBuffers(dpy = 0x1, drawable = 2)\n",
+                         *kOther = "22 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xb) = True\n",
+                         *kBack = "23 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xa) = True\n";
+    const auto in_frame = [this](int number, const std::string& share, const std::string& made,
+                                 const std::string& used) {
+        const RecordedFrame made_frame = frame(
             "1 glXCreateContext(dpy = 0x1, vis = &{visualid = 3}, shareList = NULL, direct = True) = 0xa\n"
             "2 glXCreateContext(dpy = 0x1, vis = &{visualid = 3}, shareList = " +
-            share + ", direct = True) = 0xb\n3 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xb) = True\n" + made +
-            "7 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xa) = True\n"
-            "8 glRecti(x1 = 0, y1 = 0, x2 = 1, y2 = 1)\n" +
-            used);
-        return std::ranges::count_if(lines, [](const std::string& line) { return line.ends_with("in context 0"); });
+                share + ", direct = True) = 0xb\n" + kOther + made + kBack + used + kDraw + kEnd,
+            number);
+        return std::ranges::count_if(made_frame.scene.frame.unsupported, [](const Unsupported& unsupported) {
+            return unsupported.name.ends_with("in context 0");
+        });
+    };
+    const auto of_other = [&](const std::string& share, const std::string& made, const std::string& used) {
+        return in_frame(0, share, made, used);
     };
     const std::string list = "4 glNewList(list = 1, mode = GL_COMPILE)\n5 glEndList()\n";
     const auto call = [](int name) { return fmt::format("9 glCallList(list = {})\n", name); };
@@ -324,33 +334,43 @@ TEST_F(Traces, NameObjectsOfOtherContextsThatAreUsed) {
     EXPECT_EQ(of_other("0xa", list, call(1) + call(1)), 1) << "once for each object";
     EXPECT_EQ(of_other("0xa", list, call(2)), 0);
     write_file_atomically(folder_ / "two.bin", "\x02");
-    EXPECT_EQ(of_other("0xa", list, "9 glCallLists(n = 1, type = GL_UNSIGNED_BYTE, lists = blob(\"two.bin\"))\n"), 1)
-        << "not known";
-    EXPECT_EQ(of_other("0xa", list, "9 glNewList(list = 1, mode = GL_COMPILE)\n10 glEndList()\n"), 0);
+    const std::string call_two = "9 glCallLists(n = 1, type = GL_UNSIGNED_BYTE, lists = blob(\"two.bin\"))\n";
+    EXPECT_EQ(of_other("0xa", list, call_two), 0);
+    EXPECT_EQ(of_other("0xa", "4 glNewList(list = 2, mode = GL_COMPILE)\n5 glEndList()\n", call_two), 1);
+    EXPECT_EQ(of_other("0xa", list, "9 glNewList(list = 1, mode = GL_COMPILE)\n10 glEndList()\n" + call(1)), 0);
+    EXPECT_EQ(in_frame(1, "0xa", list, call(1) + kDraw + kEnd), 0) << "only the first frame shows it";
 
     const std::string image =
         "glTexImage1D(target = GL_TEXTURE_1D, level = 0, internalformat = GL_RGB, width = 1, border = 0, format = "
-        "GL_RGB, "
-        "type = GL_UNSIGNED_BYTE, pixels = NULL)\n";
+        "GL_RGB, type = GL_UNSIGNED_BYTE, pixels = NULL)\n";
     const auto bind = [](int name) {
         return fmt::format("9 glBindTexture(target = GL_TEXTURE_1D, texture = {})\n", name);
     };
-    EXPECT_EQ(of_other("0xa", bind(5) + "5 " + image, bind(5)), 1);
-    EXPECT_EQ(of_other("0xa", bind(5) + "5 " + image, bind(6)), 0);
-    EXPECT_EQ(of_other("NULL", bind(5) + "5 " + image, bind(5)), 0);
+    const std::string enable = "10 glEnable(cap = GL_TEXTURE_1D)\n";
+    EXPECT_EQ(of_other("0xa", bind(5) + "5 " + image, enable + bind(5)), 1);
+    EXPECT_EQ(of_other("0xa", bind(5) + "5 " + image, bind(5)), 0) << "bound, but not shown";
+    EXPECT_EQ(of_other("0xa", bind(5) + "5 " + image, enable + bind(6)), 0);
+    EXPECT_EQ(of_other("NULL", bind(5) + "5 " + image, enable + bind(5)), 0);
     EXPECT_EQ(of_other("0xa", "5 " + image, ""), 1) << "of no known texture";
     // A texture that is bound already changes at once.
-    const std::string later = bind(5) + "10 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xb) = True\n" + bind(5) +
-                              "11 " + image + "12 glXMakeCurrent(dpy = 0x1, drawable = 2, ctx = 0xa) = True\n";
-    EXPECT_EQ(of_other("0xa", "", later), 1);
+    const std::string later = enable + bind(5) + kDraw + kEnd + kOther + bind(5) + "11 " + image + kBack;
+    EXPECT_EQ(in_frame(0, "0xa", "", later), 0);
+    EXPECT_EQ(in_frame(1, "0xa", "", later), 1);
+
     const std::string buffer =
         "4 glBindBuffer(target = GL_ARRAY_BUFFER, buffer = 3)\n5 glBufferData(target = "
-        "GL_ARRAY_BUFFER, size = 4, data = NULL, usage = GL_STATIC_DRAW)\n";
+        "GL_ARRAY_BUFFER, size = 8, data = NULL, usage = GL_STATIC_DRAW)\n";
     const auto use = [](int name) {
-        return fmt::format("9 glBindBuffer(target = GL_ARRAY_BUFFER, buffer = {})\n", name);
+        return fmt::format(
+            "9 glBindBuffer(target = GL_ARRAY_BUFFER, buffer = {})\n"
+            "10 glVertexPointer(size = 2, type = GL_FLOAT, stride = 0, pointer = NULL)\n"
+            "11 glEnableClientState(array = GL_VERTEX_ARRAY)\n",
+            name);
     };
-    EXPECT_EQ(of_other("0xa", buffer, use(3)), 1);
-    EXPECT_EQ(of_other("0xa", buffer, use(4)), 0);
+    const std::string draw = "12 glDrawArrays(mode = GL_POINTS, first = 0, count = 1)\n";
+    EXPECT_EQ(of_other("0xa", buffer, use(3) + draw), 1);
+    EXPECT_EQ(of_other("0xa", buffer, use(3)), 0);
+    EXPECT_EQ(of_other("0xa", buffer, use(4) + draw), 0);
 }
 
 // A widget: context 0xa draws into an object, context 0xb shows it with shaders. The object changes with the widget's size.
