@@ -139,6 +139,23 @@ TEST(HardCases, FailWhereAListedDepartureIsGone) {
     EXPECT_EQ(elsewhere.outcomes[0], Outcome::kPass);
 }
 
+TEST(HardCases, ListADepartureThatShowsAtTimes) {
+    const Differs differs{
+        .driver = "llvmpipe*Mesa|softpipe*Mesa before 25.0 at times", .spot = {}, .value = {}, .name = ""};
+    EXPECT_TRUE(differs.is_of("softpipe, 3.3 Mesa 22.3.6, EGL"));
+    EXPECT_TRUE(differs.is_at_times("softpipe, 3.3 Mesa 22.3.6, EGL"));
+    EXPECT_FALSE(differs.is_at_times("softpipe, 3.3 Mesa 26.1.6, EGL"));
+    EXPECT_FALSE(differs.is_at_times("llvmpipe, 4.5 Mesa 22.3.6, EGL"));
+    const char* const right =
+        "// expect: vertex 0: 0.5 0.5 0.5 1\n// differs: * at times: vertex 0: 0 0 0 1; some name\n";
+    EXPECT_EQ(result_of(right).outcomes[0], Outcome::kPass);
+    const char* const wrong = "// expect: vertex 0: 1 1 1 1\n// differs: * at times: vertex 0: 0 0 0 1; some name\n";
+    EXPECT_EQ(result_of(wrong).outcomes[0], Outcome::kNewBug);
+    const char* const known =
+        "// expect: vertex 0: 1 1 1 1\n// differs: * at times: vertex 0: 0.5 0.5 0.5 1; some name\n";
+    EXPECT_EQ(result_of(known).outcomes[0], Outcome::kKnownBug);
+}
+
 TEST(HardCases, ListADepartureForSeveralDrivers) {
     const Differs differs{.driver = "llvmpipe*Mesa 22.3|Mesa 25.0", .spot = {}, .value = {}, .name = "some name"};
     for (const char* driver : {"llvmpipe (LLVM 15.0.6), 4.5 Mesa 22.3.6, OSMesa", "softpipe, 3.3 Mesa 25.0.7, OSMesa"})

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 
 #include "../unit/run_program.h"
@@ -214,6 +215,13 @@ std::vector<double> values_after(const std::string& out, const std::string& name
     return at == std::string::npos ? std::vector<double>() : values_at(out.c_str() + at + name.size() + 3);
 }
 
+// The C program of a bug report.
+std::string program_in(const std::string& report) {
+    const std::size_t begin = report.find("```c\n"), end = report.rfind("```");
+    EXPECT_LT(begin, end);
+    return begin < end ? report.substr(begin + 5, end - begin - 5) : "";
+}
+
 // Bug reports: the driver of `check` and that of the program must be of one release.
 TEST_F(CasePrograms, ReportsHaveAProgramThatShowsTheBug) {
     const auto context = make_offscreen_context(8, 8);
@@ -230,9 +238,7 @@ TEST_F(CasePrograms, ReportsHaveAProgramThatShowsTheBug) {
         SCOPED_TRACE(of.name);
         const std::string report = read_file(folder_ / (of.name + ".md"));
         EXPECT_NE(report.find("Specification: OpenGL 2.1, section " + of.text), std::string::npos) << report;
-        const std::size_t begin = report.find("```c\n"), end = report.rfind("```");
-        ASSERT_LT(begin, end);
-        write_file_atomically(folder_ / (of.name + ".c"), report.substr(begin + 5, end - begin - 5));
+        write_file_atomically(folder_ / (of.name + ".c"), program_in(report));
         const ProgramResult shown = in_folder(fmt::format(
             "{0} -std=c99 -Wall -Wextra -Wpedantic -Werror {1}.c -o {1} -lglut -lGL -lm && ./{1}", compiler_, of.name));
         ASSERT_EQ(shown.status, 0) << shown.err;
@@ -256,6 +262,28 @@ TEST_F(CasePrograms, ReportsHaveAProgramThatShowsTheBug) {
     }
     if (compared == 0) GTEST_SKIP() << "the window's GL is of another release than " << driver_name();
     EXPECT_GE(compared, 5);
+}
+
+// The reports by hand say what their programs print, on all measured releases.
+TEST_F(CasePrograms, ReportsOfQueriesHaveAProgramThatShowsTheBug) {
+    int run = 0;
+    for (const auto& entry : std::filesystem::directory_iterator("docs/upstream")) {
+        const std::string name = entry.path().stem();
+        if (!name.starts_with("query-")) continue;
+        SCOPED_TRACE(name);
+        const std::string report = read_file(entry.path());
+        write_file_atomically(folder_ / (name + ".c"), program_in(report));
+        const ProgramResult shown = in_folder(fmt::format(
+            "{0} -std=c99 -Wall -Wextra -Wpedantic -Werror {1}.c -o {1} -lglut -lGL && ./{1}", compiler_, name));
+        ASSERT_EQ(shown.status, 0) << shown.err;
+        if (shown.out.find("Mesa") == std::string::npos) GTEST_SKIP() << "not Mesa: " << shown.out;
+        std::smatch row;
+        ASSERT_TRUE(std::regex_search(report, row, std::regex("\n\\| (gl[^|]*) \\| ([^ ]+) \\| ([^ ]+) \\|\n")));
+        EXPECT_NE(row[2], row[3]);
+        EXPECT_NE(shown.out.find(fmt::format("\n{}: {}\n", row.str(1), row.str(2))), std::string::npos) << shown.out;
+        ++run;
+    }
+    EXPECT_GT(run, 0);
 }
 
 // A crash is no wrong answer, and the cases after it still run.

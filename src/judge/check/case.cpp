@@ -182,9 +182,10 @@ Expectation expectation(const Head& head, const Entry& entry) {
     return result;
 }
 
-// One alternative of a Differs: "llvmpipe*Mesa from 25.0 before 26.1".
+// One alternative of a Differs: "llvmpipe*Mesa from 25.0 before 26.1", "softpipe*Mesa at times".
 struct Drivers {
     std::string pattern;
+    bool at_times = false;
     Releases releases;  // of the text that they were read from
 };
 Drivers drivers_of(std::string_view text) {
@@ -196,8 +197,11 @@ Drivers drivers_of(std::string_view text) {
         text = text.substr(0, at);
         return number;
     };
+    constexpr std::string_view kAtTimes = " at times";
+    const bool at_times = text.ends_with(kAtTimes);
+    if (at_times) text.remove_suffix(kAtTimes.size());
     const std::string_view before = limit(" before "), from = limit(" from ");
-    return {.pattern = std::string(text), .releases = {.from = from, .before = before}};
+    return {.pattern = std::string(text), .at_times = at_times, .releases = {.from = from, .before = before}};
 }
 
 std::vector<Drivers> all_drivers_of(const std::string& alternatives) {
@@ -310,6 +314,11 @@ void check_consistency(const Case& hard_case, const Head& head) {
 }  // namespace
 
 bool Differs::is_of(const std::string& driver_name) const { return alternative_of(driver, driver_name).has_value(); }
+
+bool Differs::is_at_times(const std::string& driver_name) const {
+    const std::optional<Drivers> found = alternative_of(driver, driver_name);
+    return found && found->at_times;
+}
 
 std::string Differs::note(const std::string& driver_name) const {
     const std::optional<Drivers> found = alternative_of(driver, driver_name);

@@ -61,13 +61,14 @@ struct Expectation {
 // A known bug: what a driver's fixed function gives instead.
 struct Differs {
     // Alternatives with '|' between them: a shell pattern that is found anywhere in driver_name(), and the releases that
-    // have the bug: "llvmpipe*Mesa before 25.0|NVIDIA 580".
+    // have the bug: "llvmpipe*Mesa before 25.0|NVIDIA 580". "softpipe at times": whether it shows depends on what was drawn before.
     std::string driver;
     Spot spot;
     Seen value;        // may be NaN
     std::string name;  // in golden/known_differences
 
     bool is_of(const std::string& driver_name) const;
+    bool is_at_times(const std::string& driver_name) const;
     // compare::measured_note() of a driver that counts as another release; empty where `driver` names the release itself.
     std::string note(const std::string& driver_name) const;
 };
