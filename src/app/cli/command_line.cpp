@@ -124,11 +124,14 @@ void add_gl_option(CLI::App& app) {
     app.parse_complete_callback([] { is_to_name_gl() = true; });
 }
 
-void name_gl() {
-    if (!is_to_name_gl()) return;
+const std::string& name_gl() {
+    static std::string driver;
+    if (!is_to_name_gl()) return driver;
     is_to_name_gl() = false;
     const std::unique_ptr<OffscreenContext> context = make_offscreen_context(1, 1);
-    print_message("twinlight: OpenGL is {} ({})\n", one_line(driver_name()), one_line(gl_library()));
+    driver = driver_name();
+    print_message("twinlight: OpenGL is {} ({})\n", one_line(driver), one_line(gl_library()));
+    return driver;
 }
 
 void add_memory_option(CLI::App& app, MemoryBudget& memory) {

@@ -79,8 +79,9 @@ void add_calls_flag(CLI::App& app, bool& calls);
 // --gl: which GL draws (choose_gl()). Commands that draw have it.
 void add_gl_option(CLI::App& app);
 // Says on standard error which GL draws, and the file that it was loaded from. Does so once, and only for commands that have --gl. To be
-// called before the first line of standard error and before drawing. Throws std::runtime_error if there is no GL.
-void name_gl();
+// called before the first line of standard error and before drawing. Returns driver_name(), which is empty without --gl. Throws
+// std::runtime_error if there is no GL.
+const std::string& name_gl();
 
 // For MemoryBudget::bytes.
 void add_memory_option(CLI::App& app, MemoryBudget& memory);

@@ -12,7 +12,6 @@
 #include "app/cli/renderers.h"
 #include "judge/explain/explain.h"
 #include "render/context/context.h"
-#include "render/context/driver_name.h"
 #include "render/fixed/replay.h"
 #include "render/reference/reference.h"
 #include "render/reference/undefined_colors.h"
@@ -121,8 +120,7 @@ std::string printed(const Scene& scene, const ExplainOptions& options, const Exp
     if (!options.as_json)
         return text_of(scene, explanation, {.all = options.all, .in_color = result_in_color(), .calls = options.calls});
     auto json = json_of(scene, explanation);
-    const auto context = make_offscreen_context(1, 1);
-    json["driver"] = driver_name();
+    json["driver"] = name_gl();
     json["library"] = gl_library();
     return explain::dumped(json);
 }

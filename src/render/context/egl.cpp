@@ -223,10 +223,7 @@ Provider egl_provider(const Library& library, EglDevices devices) {
         keep_llvm_out_of_softpipe();
         return std::make_unique<EglContext>(egl, devices, width, height, color_buffer);
     };
-    const auto address = [egl, library](const char* name) {
-        void* const exported = library.address(name);
-        return exported ? exported : reinterpret_cast<void*>(egl.address(name));
-    };
+    const auto address = [egl](const char* name) { return reinterpret_cast<void*>(egl.address(name)); };
     return {"EGL", make_context, address};
 }
 

@@ -162,9 +162,8 @@ Provider glx_provider(const Library& library) {
     const auto make_context = [glx](int width, int height, ColorBuffer color_buffer) {
         return std::make_unique<GlxContext>(glx, width, height, color_buffer);
     };
-    const auto address = [glx, library](const char* name) {
-        void* const exported = library.address(name);
-        return exported ? exported : reinterpret_cast<void*>(glx.address(reinterpret_cast<const GLubyte*>(name)));
+    const auto address = [glx](const char* name) {
+        return reinterpret_cast<void*>(glx.address(reinterpret_cast<const GLubyte*>(name)));
     };
     return {"GLX", make_context, address};
 }

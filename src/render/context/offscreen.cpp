@@ -6,7 +6,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "render/context/context.h"
 #include "render/context/entry_points.h"
@@ -43,42 +42,27 @@ std::optional<Library> if_there(const char* file) {
     }
 }
 
-Loaded with_egl(Library library, EglDevices devices) {
-    Provider provider = egl_provider(library, devices);
-    return {std::move(library), std::move(provider)};
-}
-
-Loaded with_osmesa(Library library) {
-    Provider provider = osmesa_provider(library);
-    return {std::move(library), std::move(provider)};
-}
-
 // The same pictures on each machine: no GPU's driver.
 Loaded load_default() {
-    if (std::optional<Library> library = if_there(kOsmesa)) return with_osmesa(std::move(*library));
-    if (std::optional<Library> library = if_there(kEgl)) return with_egl(std::move(*library), EglDevices::kSoftware);
+    if (const auto library = if_there(kOsmesa)) return {*library, osmesa_provider(*library)};
+    if (const auto library = if_there(kEgl)) return {*library, egl_provider(*library, EglDevices::kSoftware)};
     throw std::runtime_error(
         fmt::format("this system has neither {} nor {}; install OSMesa (libosmesa6) or EGL (libegl1 and libegl-mesa0)",
                     kOsmesa, kEgl));
 }
 
 Loaded load_file(const std::string& file) {
-    Library library(file);
-    if (is_osmesa(library)) return with_osmesa(std::move(library));
-    if (is_egl(library)) return with_egl(std::move(library), EglDevices::kAll);
-    if (is_glx(library)) {
-        Provider provider = glx_provider(library);
-        return {std::move(library), std::move(provider)};
-    }
+    const Library library(file);
+    if (is_osmesa(library)) return {library, osmesa_provider(library)};
+    if (is_egl(library)) return {library, egl_provider(library, EglDevices::kAll)};
+    if (is_glx(library)) return {library, glx_provider(library)};
     throw std::runtime_error(library.path() + " has no functions that make a context");
 }
 
 Loaded load(const std::string& name) {
     if (name.empty()) return load_default();
     try {
-        if (name == "osmesa") return with_osmesa(Library(kOsmesa));
-        if (name == "egl") return with_egl(Library(kEgl), EglDevices::kAll);
-        return load_file(name);
+        return load_file(name == "osmesa" ? kOsmesa : name == "egl" ? kEgl : name);
     } catch (const std::runtime_error& error) {
         std::error_code ignored;
         const bool is_here = name.find('/') == std::string::npos && std::filesystem::is_regular_file(name, ignored);
@@ -93,8 +77,10 @@ Loaded load(const std::string& name) {
 const Loaded& loaded() {
     static const Loaded gl = [] {
         Loaded now = load(chosen());
-        for (std::size_t i = 0; i < kEntryPoints; ++i)
-            entry_points[i].address = now.provider.address(entry_points[i].name);
+        for (std::size_t i = 0; i < kEntryPoints; ++i) {
+            void* const exported = now.library.address(entry_points[i].name);
+            entry_points[i].address = exported ? exported : now.provider.address(entry_points[i].name);
+        }
         return now;
     }();
     return gl;

@@ -90,11 +90,7 @@ Provider osmesa_provider(const Library& library) {
         keep_llvm_out_of_softpipe();
         return std::make_unique<OsmesaContext>(osmesa, width, height, color_buffer);
     };
-    const auto address = [osmesa, library](const char* name) {
-        void* const exported = library.address(name);
-        return exported ? exported : osmesa.address(name);
-    };
-    return {"OSMesa", make_context, address};
+    return {"OSMesa", make_context, osmesa.address};
 }
 
 }  // namespace twinlight

@@ -14,7 +14,7 @@ struct Provider {
     std::string_view name;  // context_provider()
     // As make_offscreen_context().
     std::function<std::unique_ptr<OffscreenContext>(int width, int height, ColorBuffer)> make_context;
-    // A function of GL by its name; nullptr if there is none.
+    // A function of GL that the library has but does not export; nullptr if it does not know the name.
     std::function<void*(const char* name)> address;
 };
 

@@ -73,7 +73,7 @@ std::string paragraph(const std::string& text) { return text.empty() ? "" : "<p>
 }  // namespace
 
 std::string exported_page(const std::vector<PageStep>& steps, const Look& look, const PageText& text) {
-    Words words;
+    programmable::ExportWords words;
     ShaderParts shaders;
     std::string views, refused;
     std::map<std::string, Place> missing;

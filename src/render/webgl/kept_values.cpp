@@ -11,10 +11,10 @@
 #include "scene/frame/parameter_rows.h"
 
 namespace twinlight::webgl {
-namespace {
 
-// The nearest float, as the shortest number that a reader takes for it: 0.1, not 0.10000000149011612.
 double short_number(double x) { return std::strtod(fmt::format("{}", programmable::to_float(x)).c_str(), nullptr); }
+
+namespace {
 
 Json list_of(double x) { return {short_number(x)}; }
 template <int kLength>

@@ -10,6 +10,9 @@
 
 namespace twinlight::webgl {
 
+// The nearest float, as the shortest number that a reader takes for it: 0.1, not 0.10000000149011612.
+double short_number(double x);
+
 // Objects from uniforms to numbers: matrices, materials, each light, and so on, because Draws often share them. Places and planes are
 // in the eye coordinates of the scene's own camera. What viewer.js computes is not there: ModelViewProjectionMatrix, NormalMatrix,
 // NormalScale and the lights' halfVector. It needs ProjectionMatrix instead, which no program has.

@@ -87,7 +87,7 @@ Json value_of(EsTextureValue value, const TextureUnit& unit) {
 
 class Writer {
   public:
-    Writer(const Frame& frame, PlanOptions options, Words& words, bool keeps_shading)
+    Writer(const Frame& frame, PlanOptions options, programmable::ExportWords& words, bool keeps_shading)
         : frame_(frame), options_(options), may_become_flat_(options.for_any_pose && !keeps_shading), words_(words) {
         options_.reasons = false;
     }
@@ -350,7 +350,7 @@ class Writer {
             if (reads_picture) miss(draw, when + "glLogicOp is wrong where primitives of one draw overlap");
             if (has_sides) miss(draw, when + "the back's stencil test is wrong where primitives of one draw overlap");
         }
-        const std::size_t first = words_.place_of(list.indices)[0];
+        const std::size_t first = words_.place_of(list.indices).first;
         std::size_t begin = 0;
         item["parts"] = Json::array();
         for (const std::size_t end : runs.ends) {
@@ -383,7 +383,7 @@ class Writer {
     const Frame& frame_;
     PlanOptions options_;
     const bool may_become_flat_;
-    Words& words_;
+    programmable::ExportWords& words_;
     std::vector<std::pair<EffectSet, Form>> kinds_;
     Json programs_ = Json::array(), textures_ = Json::array(), uniforms_ = Json::array(), items_ = Json::array();
     std::map<std::string, std::size_t> uniform_numbers_;  // by their text
@@ -395,7 +395,8 @@ class Writer {
 
 }  // namespace
 
-Json webgl_header(const Frame& frame, const PlanOptions& options, Words& words, bool keeps_shading) {
+Json webgl_header(const Frame& frame, const PlanOptions& options, programmable::ExportWords& words,
+                  bool keeps_shading) {
     if (std::ranges::none_of(frame.draws(), [](const Draw* draw) { return is_reversed(*draw); }))
         return Writer(frame, options, words, keeps_shading).header();
     Frame forward = frame;
@@ -405,7 +406,7 @@ Json webgl_header(const Frame& frame, const PlanOptions& options, Words& words, 
 }
 
 WebglFrame webgl_frame(const Frame& frame, const PlanOptions& options) {
-    Words words;
+    programmable::ExportWords words;
     Json header = webgl_header(frame, options, words);
     return {std::move(header), std::move(words.all)};
 }

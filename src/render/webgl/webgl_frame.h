@@ -7,7 +7,7 @@
 
 #include "base/text/json.h"
 #include "render/effect/plan.h"
-#include "render/webgl/webgl_words.h"
+#include "render/programmable/export/export_words.h"
 #include "scene/frame/frame.h"
 
 namespace twinlight::webgl {
@@ -34,6 +34,7 @@ struct WebglFrame {
 // programmable/export/kept_code.h, and the uniforms GL's state (kept_values.h), which viewer.js changes as the camera turns.
 WebglFrame webgl_frame(const Frame& frame, const PlanOptions& options);
 // The header of a frame that shares `words` with others. keeps_shading: no viewer of a frame for any pose switches to flat shading.
-Json webgl_header(const Frame& frame, const PlanOptions& options, Words& words, bool keeps_shading = false);
+Json webgl_header(const Frame& frame, const PlanOptions& options, programmable::ExportWords& words,
+                  bool keeps_shading = false);
 
 }  // namespace twinlight::webgl

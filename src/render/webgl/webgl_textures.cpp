@@ -125,7 +125,7 @@ glm::dvec3 part_inside(const Texture& texture) {
     return inside;
 }
 
-Json texture_json(const Texture& given, Words& words) {
+Json texture_json(const Texture& given, programmable::ExportWords& words) {
     const Texture texture = has_rim(given) ? with_rim(given) : given;
     const Format format = format_of(texture);
     Json images = Json::array();
@@ -135,7 +135,7 @@ Json texture_json(const Texture& given, Words& words) {
             if (image.texels.empty()) continue;
             std::vector<std::uint32_t> texels;
             for (const glm::vec4& texel : image.texels) append(texel, format, texels);
-            images.push_back({face, level, image.width, image.height, image.depth, words.place_of(texels)[0]});
+            images.push_back({face, level, image.width, image.height, image.depth, words.place_of(texels).first});
         }
     return {{"target", texture.is_flat() ? Enum{kGL_TEXTURE_2D} : texture.target},
             {"format", format == Format::kDepth   ? "depth"

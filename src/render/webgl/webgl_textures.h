@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/text/json.h"
-#include "render/webgl/webgl_words.h"
+#include "render/programmable/export/export_words.h"
 #include "scene/frame/frame.h"
 
 namespace twinlight::webgl {
@@ -24,7 +24,7 @@ bool stays_on_faces(const Texture& texture);
 bool lacks_faces(const Texture& texture);
 
 // An element of WebglFrame's "textures". Appends the texels, with the rim on the sides that show the border, to the words.
-Json texture_json(const Texture& texture, Words& words);
+Json texture_json(const Texture& texture, programmable::ExportWords& words);
 // The part of s, t and r that is within the rim: N / (N + 2) of N texels, or 1 without a rim. Of a cube map that stays on its faces:
 // the part between the middles of the outer texels, (N - 1) / N.
 glm::dvec3 part_inside(const Texture& texture);

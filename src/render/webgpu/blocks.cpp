@@ -179,10 +179,10 @@ const Block* Blocks::block_of(std::string_view uniform) const {
     return nullptr;
 }
 
-std::vector<const Block*> Blocks::of(const Shader& shader) const {
+std::vector<const Block*> Blocks::of(const std::vector<Variable>& uniforms) const {
     std::vector<const Block*> result;
     for (const Block& block : blocks_)
-        if (std::ranges::any_of(shader.uniforms, [&](const Variable& one) { return block_of(one.name) == &block; }))
+        if (std::ranges::any_of(uniforms, [&](const Variable& one) { return block_of(one.name) == &block; }))
             result.push_back(&block);
     return result;
 }

@@ -37,8 +37,8 @@ class Blocks {
     explicit Blocks(const std::vector<Kind>& kinds);
 
     const std::vector<Block>& all() const { return blocks_; }
-    // Those with a uniform of the shader.
-    std::vector<const Block*> of(const Shader& shader) const;
+    // Those with one of these uniforms.
+    std::vector<const Block*> of(const std::vector<Variable>& uniforms) const;
     // Null for a type that is no struct.
     const Struct* struct_named(std::string_view type) const;
     // The block of a uniform; null for a texture.

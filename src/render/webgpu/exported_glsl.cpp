@@ -137,6 +137,15 @@ class Reader {
 
 Shader read_shader(std::string_view text) { return Reader(text).shader(); }
 
+std::vector<Variable> uniforms_of(const Kind& kind) {
+    std::vector<Variable> uniforms = kind.vertex.uniforms;
+    for (const Variable& uniform : kind.fragment.uniforms)
+        if (std::ranges::find(uniforms, uniform.name, &Variable::name) == uniforms.end()) uniforms.push_back(uniform);
+    return uniforms;
+}
+
+std::string comment_behind(const Variable& one) { return one.comment.empty() ? "" : "  // " + one.comment; }
+
 bool mentions(std::string_view text, std::string_view identifier) {
     for (std::size_t at = text.find(identifier); at != text.npos; at = text.find(identifier, at + 1)) {
         const std::size_t end = at + identifier.size();

@@ -52,11 +52,16 @@ Shader read_shader(std::string_view text);
 // Whether the identifier is in the text, outside comments.
 bool mentions(std::string_view text, std::string_view identifier);
 
+// "  // n", or nothing.
+std::string comment_behind(const Variable& one);
+
 // A program of the export: a kind of Draw.
 struct Kind {
     Shader vertex, fragment;
     std::vector<int> attribute_floats;  // of each vertex input, in the vertex array
 };
+// Of both stages, once each.
+std::vector<Variable> uniforms_of(const Kind& kind);
 
 // Removes gl_PointSize, and what only its value needs. WebGPU's points have one pixel.
 void remove_point_size(Shader& vertex_shader);

@@ -71,13 +71,7 @@ Json kind_json(const Kind& kind, const Blocks& blocks, std::vector<std::string> 
                               {"format", "float32" + size}});
         offset += 4 * kind.attribute_floats.at(i);
     }
-    for (const Block& block : blocks.all()) {
-        const auto uses = [&](const Shader& shader) {
-            return std::ranges::any_of(shader.uniforms,
-                                       [&](const Variable& one) { return blocks.block_of(one.name) == &block; });
-        };
-        if (uses(kind.vertex) || uses(kind.fragment)) bindings.push_back(block.binding);
-    }
+    for (const Block* block : blocks.of(uniforms_of(kind))) bindings.push_back(block->binding);
     for (const Variable& uniform : kind.fragment.uniforms)
         if (is_sampler(uniform)) textures.push_back(binding_of_texture(uniform));
     return {{"files", std::move(files)},
@@ -150,7 +144,7 @@ std::vector<NamedFile> ported_files(const Frame& frame, const Look& look, Target
     PlanOptions options{look};
     options.for_any_pose = true;
     std::set<std::string> missing;
-    webgl::Words words;
+    programmable::ExportWords words;
     const Json header = webgl::webgl_header(with_thin_lines(frame, target, missing), options, words, true);
     for (const Json& one : header["missing"])
         missing.insert(fmt::format("{} (line {})", one["message"].get<std::string>(), one["line"].get<int>()));

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <map>
@@ -13,7 +12,9 @@
 #include <utility>
 
 #include "base/math/normal_matrix.h"
-#include "render/webgl/webgl_words.h"
+#include "render/programmable/export/core_elements.h"
+#include "render/programmable/export/export_words.h"
+#include "render/webgl/kept_values.h"
 #include "render/webgpu/blocks.h"
 #include "scene/frame/frame.h"
 
@@ -81,18 +82,16 @@ glm::dmat4 matrix_of(const Json& list) {
     for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = list[static_cast<std::size_t>(i)];
     return m;
 }
-// The nearest float, as the shortest number that a reader takes for it.
-double short_number(double x) { return std::strtod(fmt::format("{}", static_cast<float>(x)).c_str(), nullptr); }
 Json short_numbers(const Json& list) {
     Json result = Json::array();
-    for (const Json& one : list) result.push_back(short_number(one.get<double>()));
+    for (const Json& one : list) result.push_back(webgl::short_number(one.get<double>()));
     return result;
 }
 template <class Matrix>
 Json list_of_columns(const Matrix& m) {
     Json list = Json::array();
     for (int column = 0; column < Matrix::length(); ++column)
-        for (int row = 0; row < Matrix::length(); ++row) list.push_back(short_number(m[column][row]));
+        for (int row = 0; row < Matrix::length(); ++row) list.push_back(webgl::short_number(m[column][row]));
     return list;
 }
 
@@ -106,7 +105,7 @@ Json with_computed(const Json& given) {
             state["ModelViewProjectionMatrix"] = list_of_columns(matrix_of(given["ProjectionMatrix"]) * m);
             state["ModelViewMatrix"] = list_of_columns(m);
             state["NormalMatrix"] = list_of_columns(normals);
-            state["NormalScale"] = {short_number(third > 0 ? 1 / third : 1)};
+            state["NormalScale"] = {webgl::short_number(third > 0 ? 1 / third : 1)};
         } else if (name.ends_with(".position")) {
             const glm::dvec3 position(values[0], values[1], values[2]);
             const glm::dvec3 sum = position + glm::dvec3(0, 0, glm::length(position));
@@ -129,33 +128,10 @@ struct List {
 };
 // The last vertex of a primitive, whose colour counts in flat shading (section 2.14.7), comes first: there it counts in WebGPU and Vulkan.
 List list_of(Enum mode, const std::uint32_t* first, std::size_t count) {
-    List list{"triangle-list", {}};
-    const auto triangle = [&](std::size_t a, std::size_t b, std::size_t c) {
-        list.indices.insert(list.indices.end(), {first[c], first[a], first[b]});
-    };
-    const auto line = [&](std::size_t a, std::size_t b) {
-        list.indices.insert(list.indices.end(), {first[b], first[a]});
-    };
-    switch (mode) {
-        case kGL_TRIANGLES:
-            for (std::size_t i = 0; i + 2 < count; i += 3) triangle(i, i + 1, i + 2);
-            return list;
-        case kGL_TRIANGLE_STRIP:
-            for (std::size_t i = 0; i + 2 < count; ++i)
-                i % 2 == 0 ? triangle(i, i + 1, i + 2) : triangle(i + 1, i, i + 2);
-            return list;
-        case kGL_TRIANGLE_FAN:
-            for (std::size_t i = 1; i + 1 < count; ++i) triangle(0, i, i + 1);
-            return list;
-        case kGL_POINTS:
-            list.topology = "point-list";
-            list.indices.assign(first, first + count);
-            return list;
-        default: list.topology = "line-list";
-    }
-    for (std::size_t i = 0; i + 1 < count; i += mode == kGL_LINES ? 2 : 1) line(i, i + 1);
-    if (mode == kGL_LINE_LOOP && count > 1) line(count - 1, 0);
-    return list;
+    auto [separate, indices] = programmable::separate_elements({mode, {first, first + count}});
+    const std::ptrdiff_t size = separate == kGL_TRIANGLES ? 3 : separate == kGL_LINES ? 2 : 1;
+    for (auto at = indices.begin(); at != indices.end(); at += size) std::rotate(at, at + size - 1, at + size);
+    return {size == 3 ? "triangle-list" : size == 2 ? "line-list" : "point-list", std::move(indices)};
 }
 
 // ---- The scene ----
@@ -192,7 +168,7 @@ class Scene {
   private:
     std::size_t copied(std::size_t first, std::size_t count) {
         const auto begin = given_.begin() + static_cast<std::ptrdiff_t>(first);
-        return words_.place_of(std::vector<std::uint32_t>(begin, begin + static_cast<std::ptrdiff_t>(count)))[0];
+        return words_.place_of(std::vector<std::uint32_t>(begin, begin + static_cast<std::ptrdiff_t>(count))).first;
     }
 
     Json texture_of(const Json& texture) {
@@ -226,7 +202,7 @@ class Scene {
                 {"sampler", std::move(sampler)}};
     }
 
-    // Of a cube map, the six faces follow each other in each level.
+    // The texels of each level; the six faces of a cube map follow each other.
     Json levels_of(const Json& texture, bool has_mipmaps, bool is_cube) {
         const std::size_t words = texture["format"] == "rgba32f" ? 4 : 1;
         const std::size_t count = has_mipmaps ? texture["levels"].get<std::size_t>() : 1;
@@ -243,7 +219,7 @@ class Scene {
                 texels.insert(texels.end(), begin, begin + static_cast<std::ptrdiff_t>(all));
             }
             if (texels.empty()) break;
-            levels.push_back({size[0], size[1], is_cube ? Json(6) : size[2], words_.place_of(texels)[0]});
+            levels.push_back({size[0], size[1], is_cube ? Json(6) : size[2], words_.place_of(texels).first});
         }
         return levels;
     }
@@ -361,7 +337,7 @@ class Scene {
     const bool allows_formats_;
     int width_, height_;
     Json pipelines_ = Json::array();
-    webgl::Words words_;
+    programmable::ExportWords words_;
 };
 
 }  // namespace

@@ -7,11 +7,9 @@
 namespace twinlight::webgpu {
 namespace {
 
-std::string commented(const std::string& comment) { return comment.empty() ? "" : "  // " + comment; }
-
 std::string declared(const Variable& one) {
     return fmt::format("{} {}{};{}\n", one.type, one.name, one.length > 0 ? fmt::format("[{}]", one.length) : "",
-                       commented(one.comment));
+                       comment_behind(one));
 }
 
 std::string struct_text(const Struct& one) {
@@ -24,7 +22,7 @@ std::string struct_text(const Struct& one) {
 std::string blocks_text(const Shader& shader, const Blocks& blocks) {
     std::string text;
     std::vector<std::string> structs;
-    for (const Block* block : blocks.of(shader)) {
+    for (const Block* block : blocks.of(shader.uniforms)) {
         if (block->is_one && std::ranges::find(structs, block->type) == structs.end()) {
             text += "\n" + struct_text(*blocks.struct_named(block->type));
             structs.push_back(block->type);

@@ -11,11 +11,8 @@
 namespace twinlight::webgpu {
 namespace {
 
-std::string wgsl_comment(const std::string& comment) { return comment.empty() ? "" : "  // " + comment; }
-
 std::string wgsl_member(const std::string& attribute, const Variable& one) {
-    return fmt::format("    {}{}: {},{}\n", attribute, one.name, wgsl_type(one.type, one.length),
-                       wgsl_comment(one.comment));
+    return fmt::format("    {}{}: {},{}\n", attribute, one.name, wgsl_type(one.type, one.length), comment_behind(one));
 }
 
 std::string wgsl_struct(const std::string& above, const std::string& name, const std::vector<Variable>& members) {
@@ -33,7 +30,7 @@ std::string headings(const Kind& kind) { return kind.vertex.heading + kind.fragm
 
 class Module {
   public:
-    Module(const Kind& kind, const Blocks& blocks) : kind_(kind), blocks_(blocks) {
+    Module(const Kind& kind, const Blocks& blocks) : kind_(kind), blocks_(blocks), uniforms_(uniforms_of(kind)) {
         merge();
         name_functions();
         name_globals();
@@ -62,10 +59,6 @@ class Module {
                                          [&](const Definition& other) { return text_of(other) == text_of(one); }))
                     definitions_.push_back(one);
             }
-        for (const Shader* shader : {&kind_.vertex, &kind_.fragment})
-            for (const Variable& uniform : shader->uniforms)
-                if (std::ranges::find(uniforms_, uniform.name, &Variable::name) == uniforms_.end())
-                    uniforms_.push_back(uniform);
     }
 
     void name_functions() {
@@ -102,26 +95,20 @@ class Module {
         names_.globals["gl_FrontFacing"] = {"front_facing", "bool"};
     }
 
-    bool uses(const Block& block) const {
-        return std::ranges::any_of(uniforms_,
-                                   [&](const Variable& one) { return blocks_.block_of(one.name) == &block; });
-    }
-
     std::string blocks_text() const {
         std::string text;
         std::vector<std::string> structs;
-        for (const Block& block : blocks_.all()) {
-            if (!uses(block)) continue;
-            const bool is_new = std::ranges::find(structs, block.type) == structs.end();
-            structs.push_back(block.type);
-            const Struct* structure = blocks_.struct_named(block.type);
+        for (const Block* block : blocks_.of(uniforms_)) {
+            const bool is_new = std::ranges::find(structs, block->type) == structs.end();
+            structs.push_back(block->type);
+            const Struct* structure = blocks_.struct_named(block->type);
             if (is_new)
-                text += "\n" + (block.is_one ? wgsl_struct(structure->above, block.type, structure->members)
-                                             : wgsl_struct("", block.type, block.members));
-            const int length = block.is_one ? block.members.front().length : 0;
-            text += fmt::format("@group(0) @binding({}) var<uniform> {}: {};{}\n", block.binding, block.variable,
-                                wgsl_type(block.type, length),
-                                block.is_one ? wgsl_comment(block.members.front().comment) : "");
+                text += "\n" + (block->is_one ? wgsl_struct(structure->above, block->type, structure->members)
+                                              : wgsl_struct("", block->type, block->members));
+            const int length = block->is_one ? block->members.front().length : 0;
+            text += fmt::format("@group(0) @binding({}) var<uniform> {}: {};{}\n", block->binding, block->variable,
+                                wgsl_type(block->type, length),
+                                block->is_one ? comment_behind(block->members.front()) : "");
         }
         return text;
     }
@@ -133,8 +120,8 @@ class Module {
                 text += fmt::format(
                     "\n@group(0) @binding({0}) var {1}: texture_{2}<f32>;{3}\n@group(0) @binding({4}) var {1}Sampler: "
                     "sampler;\n",
-                    binding_of_texture(uniform), uniform.name, dimension_of(uniform.type),
-                    wgsl_comment(uniform.comment), binding_of_texture(uniform) + 1);
+                    binding_of_texture(uniform), uniform.name, dimension_of(uniform.type), comment_behind(uniform),
+                    binding_of_texture(uniform) + 1);
         return text;
     }
 
@@ -184,8 +171,8 @@ class Module {
 
     const Kind& kind_;
     const Blocks& blocks_;
+    const std::vector<Variable> uniforms_;
     std::vector<Definition> definitions_;  // without main()
-    std::vector<Variable> uniforms_;
     WgslNames names_;
     bool has_private_side_ = false;  // functions ask which side is seen
 };

@@ -373,7 +373,7 @@ class State {
     double work_ = 0;  // work for this picture so far
     std::vector<Unsupported> unsupported_;
     std::vector<Unsupported> outside_;
-    std::map<SharedObject, std::pair<std::string, Place>> elsewhere_;  // what made_elsewhere() is told last
+    std::map<SharedObject, std::pair<std::string, Place>> elsewhere_;  // the last call of made_elsewhere() for each
     std::vector<GlError> errors_;
     std::size_t error_count_ = 0;
     std::optional<GlError> exhausted_;

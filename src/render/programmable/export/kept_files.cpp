@@ -194,7 +194,7 @@ class Writer {
         for (const TextureImage& level : texture.levels) {
             if (level.texels.empty() || count == kMostLevels) break;
             levels += fmt::format("{}{{{}, {}, {}, {}}}", count++ == 0 ? "" : ", ", level.width, level.height,
-                                  level.depth, data_.place_of(texels_of(level)));
+                                  level.depth, data_.place_of(texels_of(level)).first);
         }
         std::string load = fmt::format(
             "    load_texture(@, (struct texture){{\n        .target = {}, .min_filter = {}, .mag_filter = {}, "
@@ -292,7 +292,7 @@ class Writer {
     const Glsl version_;
     int width_ = 0, height_ = 0;
     std::vector<Kind> kinds_;
-    SceneData data_;
+    ExportWords data_;
     std::optional<SceneSteps> scene_;                                        // from the first frame on
     std::vector<std::string> textures_;                                      // texture_text()
     std::map<std::shared_ptr<const Texture>, std::size_t> texture_numbers_;  // of the frame being added

@@ -38,7 +38,7 @@ struct frame {
 
 // ---- window.c ----
 
-// Of the frame that is being drawn: the numbers that its function takes, and its index.
+// For the frame that is being drawn: its numbers, and its place among the frames of one function.
 extern const float* frame_values;
 extern int frame_index;
 

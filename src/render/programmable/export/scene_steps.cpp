@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <set>
 #include <utility>
 
@@ -21,22 +20,9 @@ std::vector<std::shared_ptr<const ListCall>> lists_of(const Draw& draw) {
 
 bool has_line(const Place& place) { return place.column != Place::kCallNumber && place.line > 0; }
 
-// ---- scene.bin ----
-
-std::size_t SceneData::place_of(std::vector<std::uint32_t> words) {
-    const auto [at, is_new] = places_.try_emplace(std::move(words), words_.size());
-    if (is_new) words_.insert(words_.end(), at->first.begin(), at->first.end());
-    return at->second;
-}
-std::size_t SceneData::place_of(const std::vector<float>& values) {
-    std::vector<std::uint32_t> words(values.size());
-    if (!values.empty()) std::memcpy(words.data(), values.data(), 4 * values.size());
-    return place_of(std::move(words));
-}
-
 // ---- Steps ----
 
-SceneSteps::SceneSteps(SceneData& data) : data_(data) {
+SceneSteps::SceneSteps(ExportWords& data) : data_(data) {
     for (const Setting& setting : initial_settings()) initial_[key_of(setting)] = call_of(setting.call);
 }
 
@@ -105,9 +91,10 @@ void SceneSteps::end_mesh() {
     if (open_.vertex_count == 0) return;
     auto layout = std::ranges::find(layouts_, open_.layout);
     if (layout == layouts_.end()) layout = layouts_.insert(layout, open_.layout);
-    const std::size_t index_count = open_.indices.size();
-    const MeshPlace mesh{open_.mode, static_cast<std::size_t>(layout - layouts_.begin()) + 1,
-                         data_.place_of(open_.vertices), data_.place_of(std::move(open_.indices)), index_count};
+    const std::size_t first_vertex = data_.place_of(open_.vertices).first;
+    const auto [first_index, index_count] = data_.place_of(open_.indices);
+    const MeshPlace mesh{open_.mode, static_cast<std::size_t>(layout - layouts_.begin()) + 1, first_vertex, first_index,
+                         index_count};
     const auto [at, is_new] = mesh_numbers_.try_emplace(mesh, meshes_.size());
     if (is_new) meshes_.push_back(mesh);
     frames_.back().steps.back().mesh = at->second;

@@ -8,28 +8,13 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "render/programmable/export/export_words.h"
 #include "render/programmable/export/state_calls.h"
 #include "scene/frame/frame.h"
 
 namespace twinlight::programmable {
-
-// scene.bin.
-class SceneData {
-  public:
-    // Appends 4-byte words, unless they were appended before; returns their place.
-    std::size_t place_of(std::vector<std::uint32_t> words);
-    std::size_t place_of(const std::vector<float>& values);
-    std::string_view bytes() const {
-        return {reinterpret_cast<const char*>(words_.data()), 4 * words_.size()};  // NOLINT
-    }
-
-  private:
-    std::vector<std::uint32_t> words_;
-    std::map<std::vector<std::uint32_t>, std::size_t> places_;
-};
 
 // Points, lines or triangles, one by one, so that meshes with one state are joined.
 struct SceneMesh {
@@ -39,7 +24,7 @@ struct SceneMesh {
     std::size_t vertex_count = 0;
     std::vector<std::uint32_t> indices;
 };
-// The same in SceneData.
+// The same in scene.bin.
 struct MeshPlace {
     Enum mode = 0;
     std::size_t layout = 0, first_vertex = 0, first_index = 0, index_count = 0;  // the layout counts from 1
@@ -76,7 +61,7 @@ bool has_line(const Place& place);
 
 class SceneSteps {
   public:
-    explicit SceneSteps(SceneData& data);
+    explicit SceneSteps(ExportWords& data);
 
     // In order: the items of a frame.
     void begin_frame(int number);
@@ -104,7 +89,7 @@ class SceneSteps {
     void take_constants();
     std::vector<int> shape_of(const SceneFrame& frame);
 
-    SceneData& data_;
+    ExportWords& data_;
     std::map<std::string, int> keys_;
     std::vector<CallScope> scopes_;  // of keys
     std::map<CallText, int> call_numbers_;

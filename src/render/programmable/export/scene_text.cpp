@@ -389,7 +389,7 @@ class FunctionText {
 
 }  // namespace
 
-SceneParts scene_parts(const SceneSteps& steps, SceneData& data) {
+SceneParts scene_parts(const SceneSteps& steps, ExportWords& data) {
     SceneParts parts;
     std::vector<CallRow> constants;
     for (const CallText& call : steps.constants()) constants.push_back({call});
@@ -407,7 +407,7 @@ SceneParts scene_parts(const SceneSteps& steps, SceneData& data) {
             fmt::format("{}static void {}(void) {{\n{}}}\n", parts.frames.empty() ? "" : "\n", name, function.text());
         for (const SceneFrame* frame : frames)
             rows[frame] = fmt::format("    {{{}, {}, {}, {}}},\n", frame->number, name, frame->index,
-                                      data.place_of(function.numbers()[frame->index]));
+                                      data.place_of(function.numbers()[frame->index]).first);
     }
     for (const SceneFrame& frame : steps.frames()) parts.table += rows[&frame];
     for (std::size_t i = 0; i < steps.layouts().size(); ++i)

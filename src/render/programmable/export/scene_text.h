@@ -15,6 +15,6 @@ struct SceneParts {
 };
 
 // The numbers in which frames differ go to `data`.
-SceneParts scene_parts(const SceneSteps& steps, SceneData& data);
+SceneParts scene_parts(const SceneSteps& steps, ExportWords& data);
 
 }  // namespace twinlight::programmable

@@ -1,7 +1,8 @@
-// The words of frames: vertices, indices and texels. Frames of one page share them.
+// The words of exported frames: vertices, indices and texels. Frames of one export share them.
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string_view>
@@ -9,15 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "base/text/json.h"
+namespace twinlight::programmable {
 
-namespace twinlight::webgl {
-
-class Words {
+class ExportWords {
   public:
-    // Appends words, unless they are there already; returns their place, [first, count].
+    // Appends words, unless they were appended before; returns their place: the first one's, and their count.
     template <class Word>
-    Json place_of(const std::vector<Word>& words) {
+    std::pair<std::size_t, std::size_t> place_of(const std::vector<Word>& words) {
         static_assert(sizeof(Word) == 4);
         const auto bytes = [&](const void* at) {
             return std::string_view(static_cast<const char*>(at), 4 * words.size());
@@ -33,6 +32,8 @@ class Words {
         return {first, words.size()};
     }
 
+    std::string_view bytes() const { return {reinterpret_cast<const char*>(all.data()), 4 * all.size()}; }  // NOLINT
+
     std::vector<std::uint32_t> all{};
 
   private:
@@ -40,4 +41,4 @@ class Words {
         places_{};  // by the hash of what is there
 };
 
-}  // namespace twinlight::webgl
+}  // namespace twinlight::programmable
