@@ -184,11 +184,17 @@ Causes causes_of(const Comparison& comparison, const Scene& scene, const std::ve
                  const AllowedDifference& allowed, const PixelMask& differing, const CompareOptions& options,
                  const Renderers& renderers) {
     const Render &fixed = comparison.renders.front(), &right = comparison.renders[kReference];
-    const auto is_right = [&](const Image& image) {
-        return is_within(difference(image, nearest_cut(image, right, comparison.allowed), allowed),
-                         comparison.tolerance);
-    };
     const Look look = look_of(false, options);
+    const auto is_near = [&](const Image& image, const Image& counterpart) {
+        return is_within(difference(image, counterpart, allowed), comparison.tolerance);
+    };
+    const auto is_right = [&](const Image& image) {
+        const Image nearest = nearest_cut(image, right, comparison.allowed);
+        if (is_near(image, nearest)) return true;
+        if (!right.other_cut) return false;
+        const auto mix = nearest_mix(image, nearest, scene.frame, look, comparison.allowed, renderers);
+        return mix && is_near(image, *mix);
+    };
     return find_causes(scene, known,
                        {.draw_fixed = [&](const Scene& less) { return renderers.fixed(less, {look.shading}); },
                         .is_right = is_right,

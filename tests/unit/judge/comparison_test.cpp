@@ -783,15 +783,16 @@ TEST(Comparison, TakesTheBoundOfThePlansForAllowed) {
 
 // Two quadrilaterals whose alpha is 1 at two corners that face each other, blended over each other. Between the diagonals either cut has
 // a colour of its own, so each Draw must have its own choice.
-Scene two_quadrilaterals() {
+std::string two_quadrilaterals_text() {
     const std::string quad =
         "glBegin(GL_QUADS); glColor4f(1, 0, 0, 1); glVertex2f(-1, -1); glColor4f(0, 0, 1, 0); "
         "glVertex2f(1, -1); glColor4f(1, 0, 0, 1); glVertex2f(1, 1); glColor4f(0, 0, 1, 0); "
         "glVertex2f(-1, 1); glEnd(); ";
-    return make_scene(std::make_shared<CommandList>(
-                          read_scene("glEnable(GL_BLEND); glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA); " + quad +
-                                         "glRotatef(20, 0, 0, 1); " + quad,
-                                     "scene.gl", "scene")),
+    return "glEnable(GL_BLEND); glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA); " + quad +
+           "glRotatef(20, 0, 0, 1); " + quad;
+}
+Scene two_quadrilaterals() {
+    return make_scene(std::make_shared<CommandList>(read_scene(two_quadrilaterals_text(), "scene.gl", "scene")),
                       {.width = 32, .height = 32});
 }
 
@@ -818,6 +819,30 @@ TEST(Comparison, ADriverMayCutEachDrawsQuadrilateralsItsOwnWay) {
             EXPECT_EQ(comparison.verdict(), Verdict::kWithin) << first << second;
             EXPECT_EQ(comparison.pairs[1].counterpart.has_value(), first != second);
         }
+}
+
+// A driver that cuts one Draw each way, and whose bug does not show in the rewritten scene.
+TEST(Comparison, ProvesACauseInAnyMixOfCuts) {
+    const auto commands = std::make_shared<CommandList>(
+        read_scene("glEnable(GL_LIGHTING); glMaterialfv(GL_FRONT, GL_DIFFUSE, (GLfloat[]){1, 0, 0, 1});\n"
+                   "glEnable(GL_COLOR_MATERIAL); glDisable(GL_COLOR_MATERIAL); glDisable(GL_LIGHTING);\n" +
+                       two_quadrilaterals_text() + "glEnable(GL_LIGHTING); glRectf(-0.1, -0.1, 0.1, 0.1);",
+                   "scene.gl", "scene"));
+    const Scene scene = make_scene(commands, {.width = 32, .height = 32});
+    reference::Options options{{.lecture_variants = false}};
+    options.cut_otherwise = {true, false};
+    const Image right = reference::render(scene.frame, options);
+    Image wrong = right;
+    for (int y = 15; y < 18; ++y)
+        for (int x = 15; x < 18; ++x) wrong.at(x, y)[1] = 0.9F;
+    Renderers renderers = renderers_of(right);
+    renderers.fixed = [&](const Scene& drawn, const fixed::Options&) {
+        return drawn.recording == scene.recording ? wrong : right;
+    };
+    const Comparison comparison =
+        compare_scene(scene, {.driver = "llvmpipe, 4.5 (Compatibility Profile) Mesa 22.3.6"}, renderers);
+    EXPECT_EQ(comparison.verdict(), Verdict::kBeyond);
+    EXPECT_EQ(comparison.proved_causes.size(), 1u);
 }
 
 TEST(Comparison, OtherColoursAreNoCut) {
