@@ -60,6 +60,7 @@ class Truth {
         for (const auto& [x, y] : {std::pair(0.0, 0.0), {kStep, 0.0}, {-kStep, 0.0}, {0.0, kStep}, {0.0, -kStep}})
             pictures_.push_back(reference::render(shifted(frame, x, y), {{.shading = Shading::kExact}}));
     }
+    const std::vector<Image>& pictures() const { return pictures_; }
     const Image& picture() const { return pictures_.front(); }
     bool is_edge(std::size_t pixel) const {
         return std::ranges::any_of(

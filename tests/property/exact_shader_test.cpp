@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <optional>
+#include <vector>
 
+#include "../unit/effort.h"
 #include "exact_shader_cases.h"
 #include "render/context/context.h"
 #include "render/programmable/programmable.h"
@@ -93,6 +97,81 @@ TEST_F(ExactShader, DrawsEveryShapeInEveryStateAsTheReferenceDoes) {
                edges_off_, interiors_off_, worst_ / kCode);
     EXPECT_EQ(interiors_off_, 0);
     EXPECT_EQ(edges_off_, 0);
+}
+
+// How far a colour is from what the reference allows at a pixel; nothing: it is not checked.
+std::optional<double> beyond_allowed(const AllowedDifference& allowed, std::size_t pixel, const Rgba& color,
+                                     const Rgba& reference) {
+    if (!allowed.is_judged(pixel)) return std::nullopt;
+    const Rgba channels = allowed.channels(pixel);
+    std::vector<AllowedRange> ranges{{reference, reference}};
+    if (allowed.edge[pixel]) ranges = allowed.ranges.at(pixel);
+    double least = 1;
+    for (const AllowedRange& range : ranges) {
+        double most = 0;
+        for (std::size_t c = 0; c < 3; ++c)
+            most = std::max({most, static_cast<double>(range.low[c] - channels[c] - color[c]),
+                             static_cast<double>(color[c] - range.high[c] - channels[c])});
+        least = std::min(least, most);
+    }
+    return least;
+}
+
+// The frame, moved so that a silhouette passes as near by a pixel's centre as halving can tell: the pixels of the row in the middle
+// whose colours differ most lie on its two sides.
+Frame at_silhouette(const Frame& frame) {
+    const auto rendered = [&](double x) {
+        return reference::render(shifted(frame, x, 0), {{.shading = Shading::kExact}});
+    };
+    const Image picture = rendered(0);
+    std::size_t at = 0;
+    const auto change = [&](std::size_t pixel) { return apart(picture.pixels[pixel], picture.pixels[pixel + 1]); };
+    for (std::size_t pixel = picture.index(0, picture.height / 2); pixel + 1 < picture.index(0, picture.height / 2 + 1);
+         ++pixel)
+        if (change(pixel) > change(at)) at = pixel;
+    double low = 0, high = 1;  // to the right: the pixel on the right sees what the left one saw
+    for (int i = 0; i < 16; ++i) {
+        const double middle = (low + high) / 2;
+        const Rgba color = rendered(middle).pixels[at + 1];
+        const bool is_right = apart(color, picture.pixels[at + 1]) < apart(color, picture.pixels[at]);
+        (is_right ? low : high) = middle;
+    }
+    return shifted(frame, low, 0);
+}
+
+// At a silhouette, too, a pixel has one of few colours: those of the surfaces there, and of what is beneath them. Tried with the
+// shaders' pictures, and with the reference's for rays beside the centres.
+TEST_F(ExactShader, IsHeldToTheColorsOfItsEdges) {
+    int edges = 0, open = 0, off = 0, refused = 0;
+    int number = 0;
+    for (const StateCase& state : kStates)
+        for (const std::string& shape : shapes()) {
+            if (!is_tried(number++)) continue;
+            const Frame frame = at_silhouette(frame_of(kCamera + kLit + state.commands + shape));
+            const Truth truth(frame);
+            std::vector<Image> pictures = truth.pictures();
+            pictures.push_back(renderer_.render(frame, exact(programmable::Tier::kUniform)));
+            const AllowedDifference allowed = reference::allowed_difference(frame, {{.shading = Shading::kExact}});
+            for (std::size_t pixel = 0; pixel < allowed.edge.size(); ++pixel) {
+                edges += allowed.edge[pixel] ? 1 : 0;
+                open += allowed.is_judged(pixel) ? 0 : 1;
+                const Rgba& here = truth.picture().pixels[pixel];
+                if (allowed.edge[pixel])
+                    refused += beyond_allowed(allowed, pixel, {1, 0, 1, 1}, here) > 32 * kCode ? 1 : 0;
+                for (const Image& picture : pictures) {
+                    const auto beyond = beyond_allowed(allowed, pixel, picture.pixels[pixel], here);
+                    if (!beyond || *beyond <= kCode) continue;
+                    ++off;
+                    fmt::print("{}: {}: {:.2f} codes at {},{}\n", state.name, shape, *beyond / kCode,
+                               pixel % kExactSide, pixel / kExactSide);
+                }
+            }
+        }
+    fmt::print("{} edges, {} not judged; {} refuse another colour\n", edges, open, refused);
+    EXPECT_GT(edges, 60);
+    EXPECT_EQ(open, 0);
+    EXPECT_EQ(off, 0);
+    EXPECT_GE(refused, edges * 9 / 10);
 }
 
 TEST_F(ExactShader, OfMatricesWithoutInverseIsEmpty) {

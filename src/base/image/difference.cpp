@@ -124,6 +124,7 @@ std::string_view words_of(Why why) {
         case Why::kCopies: return "copied pixels";
         case Why::kFog: return "fog behind the eye";
         case Why::kCone: return "the border of a spot's cone";
+        case Why::kCurve: return "a surface that turns much within the pixel";
         case Why::kTie: return "a value halfway between two 8-bit values";
         case Why::kPositions: return "positions that the driver rounds";
         case Why::kConversion: return "how the driver rounds to 8 bits";

@@ -51,6 +51,7 @@ enum class Why : std::uint8_t {
     kCopies,      // pixels that were copied from pictures that may differ
     kFog,         // linear fog of a primitive that reaches behind the eye
     kCone,        // the border of a spot's cone, lit per pixel
+    kCurve,       // an exact surface turns much within a thousandth of a pixel
     kTie,         // the right value is halfway between two 8-bit values
     kPositions,   // the driver interpolates between rounded positions
     kConversion,  // the driver rounds to 8 bits less exactly

@@ -11,13 +11,13 @@
 #include <climits>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/ext/matrix_transform.hpp>
 #include <limits>
 #include <mutex>
 #include <optional>
 #include <utility>
 
 #include "render/reference/fragment_loop.h"
+#include "render/reference/geometry/points_around.h"
 #include "render/reference/geometry/texture_place.h"
 #include "render/reference/reference.h"
 #include "render/reference/undefined_colors.h"
@@ -134,7 +134,7 @@ void for_each_around(double half, const Visit& visit) {
         for (const double y : {-half, half}) visit(glm::dvec2(x, y));
 }
 
-// The state of a pixel besides its colour: an interval of depths, a stencil value, and whether it is open. Only for meshes.
+// The state of a pixel besides its colour: an interval of depths, a stencil value, and whether it is open.
 class OpenPixels {
   public:
     using Real = Interval;
@@ -170,6 +170,11 @@ class OpenPixels {
     }
     // Whether any piece certainly or perhaps covers the pixel.
     bool is_drawn(std::size_t at) const { return drawn_[at] != 0; }
+
+    // The points of a surface that may be seen as this piece's fragment at the pixel.
+    std::span<const RayPoint> points(const Piece& piece, int x, int y) const {
+        return around(piece, x, y).lit(piece.point);
+    }
 
     // A facet smaller than a pixel has the colours between its own vertices, not those of its plane beyond them.
     Nearby nearby(const Piece& piece, int x, int y) const {
@@ -209,6 +214,7 @@ class OpenPixels {
             visit_drawn(step, x, y, how, point);
         };
         if (piece.shape == Shape::kTriangle) return polygon(id, within, visit);
+        if (piece.rays) return surface(id, within, visit);
         if (!stages_.draw_of(piece).pixels) return thin(id, within, visit);
         const Outcome how = piece.is_perhaps_clipped ? Outcome::kOpen : Outcome::kPasses;
         for_each_pixel(piece, within, [&](int x, int y) { visit(id, x, y, how, nullptr); });
@@ -217,6 +223,7 @@ class OpenPixels {
     // The depths beside the pixel's centre. For lines and points the slope widens the interval.
     Interval depth(const Fragment& fragment) const {
         const Piece& piece = *fragment.piece;
+        if (piece.rays) return depth_of_surface(fragment);
         if (piece.shape == Shape::kPoint)
             if (const auto* copied = CopyRanges::of(stages_.ranges, stages_.draw_of(piece).pixels);
                 copied && !copied->depths.empty()) {
@@ -368,6 +375,36 @@ class OpenPixels {
         });
     }
 
+    // All points of a surface are drawn with its first piece.
+    template <class Visit>
+    void surface(StepId id, const PixelRect& within, const Visit& visit) const {
+        const Piece& piece = stages_.piece(id);
+        if (piece.point > 0) return;
+        for_each(bounds(*piece.rays, within), [&](int x, int y) {
+            const PointsAround& points = around(piece, x, y);
+            const Outcome how = points.is_certain() ? Outcome::kPasses : Outcome::kOpen;
+            for (int i = 0; i < points.count(); ++i) visit(id + i, x, y, how, &points.points(i).front());
+        });
+    }
+    const PointsAround& around(const Piece& piece, int x, int y) const {
+        if (around_rays_ != piece.rays.get() || around_x_ != x || around_y_ != y) {
+            around_ = PointsAround(*piece.rays, pixel_centre(x, y));
+            around_rays_ = piece.rays.get();
+            around_x_ = x;
+            around_y_ = y;
+        }
+        return around_;
+    }
+    Interval depth_of_surface(const Fragment& fragment) const {
+        constexpr double kRoundings = 8 * 0x1p-24;  // where the ray meets it, and its depth
+        const Piece& piece = *fragment.piece;
+        const glm::ivec2 pixel(glm::floor(fragment.position_window));
+        const std::span<const RayPoint> all = around(piece, pixel.x, pixel.y).points(piece.point);
+        Interval depth(all.front().depth);
+        for (const RayPoint& point : all) depth = hull(depth, point.depth);
+        return widened(depth, kRoundings);
+    }
+
     static bool covers_nothing(const Piece& piece) {
         constexpr int kFar = 1 << 24;
         bool covers = false;
@@ -437,6 +474,10 @@ class OpenPixels {
     std::vector<StepId> depth_of_;  // the piece with that depth, if certain
     std::vector<int> stencil_;      // the stencil value, or kAnyValue; empty until it is used
     std::vector<StepId> thin_;      // the last line or point at the pixel
+    // The last points around a pixel, which are asked for several times.
+    mutable PointsAround around_;
+    mutable const SurfaceRays* around_rays_ = nullptr;
+    mutable int around_x_ = 0, around_y_ = 0;
 };
 
 class IntervalBuffer : public FragmentLoop<OpenPixels> {
@@ -532,35 +573,6 @@ class DepthIntervals : public FragmentLoop<OpenDepths> {
 
     const Interval& depth(int x, int y) const { return kept_.depth(window_.index(x, y)); }
 };
-
-// ---- Exact surfaces: their silhouettes differ from their meshes' ----
-
-// The frame with every Draw moved in the window by this fraction of a pixel.
-Frame moved(Frame frame, const glm::dvec2& pixels) {
-    for (Draw* draw : frame.editable_draws()) {
-        if (draw->raster.viewport.width <= 0 || draw->raster.viewport.height <= 0) continue;
-        const glm::dvec2 ndc = 2.0 * pixels / glm::dvec2(draw->raster.viewport.width, draw->raster.viewport.height);
-        draw->clip_from_eye = glm::translate(glm::dmat4(1), glm::dvec3(ndc, 0)) * draw->clip_from_eye;
-    }
-    return frame;
-}
-
-}  // namespace
-
-// Away from edges colours change by less than 0.5/255.
-void add_surface_edges(const Frame& frame, const Options& options, PixelMask& edge) {
-    constexpr double kBeside = 1e-3;  // of a pixel
-    constexpr float kHalfCode = 0.5F / 255;
-    const Image here = render(frame, options);
-    for (const glm::dvec2& beside : {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)}) {
-        const Image there = render(moved(frame, kBeside * beside), options);
-        for (std::size_t i = 0; i < edge.size(); ++i)
-            for (std::size_t c = 0; c < 3; ++c)
-                edge[i] = edge[i] || std::abs(here.pixels[i][c] - there.pixels[i][c]) > kHalfCode;
-    }
-}
-
-namespace {
 
 // Adds the colours of the other cut of quadrilaterals. Where the pixel is no edge in one cut, its colour is that of the picture.
 void join_ranges(OpenDifference& difference, std::size_t at, std::vector<AllowedRange> more, bool is_edge,

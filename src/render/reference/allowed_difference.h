@@ -18,12 +18,8 @@ enum class Joining : std::uint8_t {
 void find_differences(StagedFrame stages, const Options& options, const PixelRect& within, OpenDifference& difference,
                       Joining joining);
 
-// For exact surfaces, whose silhouettes differ from their meshes': adds the pixels whose colour changes if the picture moves by a
-// thousandth of a pixel.
-void add_surface_edges(const Frame& frame, const Options& options, PixelMask& edge);
-
 // What correct renderers may leave in the depth buffer, or in the stencil buffer in 1/255, as red, green and blue, with one cut of
-// quadrilaterals. Of meshes. A stencil value is certain, or may be any.
+// quadrilaterals. A stencil value is certain, or may be any.
 struct BufferBounds {
     Image low, high;
 };

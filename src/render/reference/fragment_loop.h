@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -48,6 +49,7 @@ struct Nearby {
 //   leave_undefined(at)                       the specification leaves it undefined, until it is settled
 // and over intervals
 //   nearby(piece, x, y)                       the places from which the piece's fragment at the pixel may have its colour (Nearby)
+//   points(piece, x, y)                       the same for a surface: the points that may be seen as its fragment
 //
 // Over intervals an open pixel has several colours, of which correct pictures show one: that of the last step which may be seen
 // there, and those beneath it (others_). Where they are mixed with a fragment (blending), each of them is.
@@ -247,6 +249,8 @@ class FragmentLoop {
     Shaded<Real> color_of(const Fragment& fragment, int x, int y, Outcome covers) {
         const Piece& piece = *fragment.piece;
         const Shader& shader = shaders_[piece.draw];
+        if constexpr (kFindsRanges)
+            if (piece.rays) return color_of_surface(piece, x, y);
         Shaded<Real> result = shader.template shade<Real>(fragment);
         Real coverage(piece.is_smooth ? coverage_of(piece, x, y) : 1);
         if constexpr (kFindsRanges) {
@@ -262,6 +266,20 @@ class FragmentLoop {
             }
         }
         if (piece.is_smooth) result.color[3] = result.color[3] * coverage;
+        return result;
+    }
+
+    Shaded<Real> color_of_surface(const Piece& piece, int x, int y) {
+        const auto shade = [&](const RayPoint& point) {
+            return shaders_[piece.draw].template shade<Real>({&piece, pixel_centre(x, y), &point});
+        };
+        const std::span<const RayPoint> points = kept_.points(piece, x, y);
+        Shaded<Real> result = shade(points.front());
+        for (const RayPoint& point : points.subspan(1)) {
+            const Shaded<Real> there = shade(point);
+            result.color = hull(result.color, there.color);
+            result.has_choice |= there.has_choice;
+        }
         return result;
     }
 

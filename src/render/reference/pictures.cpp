@@ -19,6 +19,11 @@ Shading shading_in(const Draw& draw, const Look& look) {
     return shading == Shading::kPhong && !draw.lighting.enabled ? Shading::kGouraud : shading;
 }
 
+// Whether a cut of quadrilaterals may show: an exact surface has none.
+bool has_cut(const Draw& draw, const Options& options) {
+    return is_quadrilaterals(draw) && !(options.shading == Shading::kExact && draw.has_exact_surfaces());
+}
+
 // Whether the Draw may look different with other options, which differ only in the look and the cut.
 bool depends_on(const Draw& draw, const Options& a, const Options& b) {
     if (a.quad_cut != b.quad_cut && is_quadrilaterals(draw)) return true;
@@ -65,7 +70,8 @@ Image Pictures::render(const Options& options) {
     const PixelRect window = whole_window(frame);
     StagedFrame stages = run_stages(frame, options);
     // Quadrilaterals that are not flat, or are clipped, may reach other pixels if they are cut the other way.
-    const PixelRect of_quadrilaterals = reach_of(stages, window, is_quadrilaterals);
+    const auto has_cut = [&](const Draw& draw) { return reference::has_cut(draw, options); };
+    const PixelRect of_quadrilaterals = reach_of(stages, window, has_cut);
     Image image(frame.width, frame.height);
     PixelRect within = window;
     for (const Drawn& drawn : drawn_) {
@@ -84,13 +90,6 @@ Image Pictures::render(const Options& options) {
 }
 
 AllowedDifference Pictures::allowed_difference(const Options& given) {
-    if (given.shading == Shading::kExact) {
-        Options of_mesh = given;
-        of_mesh.shading = Shading::kPhong;
-        AllowedDifference result = allowed_difference(of_mesh);
-        add_surface_edges(*frame_, given, result.edge);
-        return result;
-    }
     if (frame_->copies_pixels) {
         CopyRanges ranges;
         const DrawableFrame whole = drawable_with_ranges(*frame_, given, ranges);
@@ -103,10 +102,11 @@ AllowedDifference Pictures::allowed_difference(const Options& given) {
     options.in_clip_plane = InClipPlane::kPerhaps;
     options.quad_cut = QuadCut::kFirstToThird;
     StagedFrame stages = run_stages(frame, options, &ranges_);
+    const auto has_cut = [&](const Draw& draw) { return reference::has_cut(draw, given); };
     PixelRect within = window;
     const bool is_first = !found_ || !differ_in_look_or_cut_only(found_->options, options);
     if (is_first) {
-        found_ = Found{options, OpenDifference(frame.width, frame.height), reach_of(stages, window, is_quadrilaterals)};
+        found_ = Found{options, OpenDifference(frame.width, frame.height), reach_of(stages, window, has_cut)};
     } else {
         bool of_quadrilaterals = false;
         within = reach_of(stages, window, [&](const Draw& draw) {
@@ -119,9 +119,9 @@ AllowedDifference Pictures::allowed_difference(const Options& given) {
     }
     find_differences(std::move(stages), options, within, found_->difference, Joining::kReplaces);
     options.quad_cut = QuadCut::kSecondToFourth;
-    if (is_first && has_quadrilaterals(frame)) {
+    if (is_first && std::ranges::any_of(frame.draws(), [&](const Draw* draw) { return has_cut(*draw); })) {
         stages = run_stages(frame, options, &ranges_);
-        found_->of_quadrilaterals = joined(found_->of_quadrilaterals, reach_of(stages, window, is_quadrilaterals));
+        found_->of_quadrilaterals = joined(found_->of_quadrilaterals, reach_of(stages, window, has_cut));
         find_differences(std::move(stages), options, found_->of_quadrilaterals, found_->difference, Joining::kAdds);
     } else if (const PixelRect again = common(within, found_->of_quadrilaterals); !again.is_empty()) {
         find_differences(run_stages(frame, options, &ranges_), options, again, found_->difference, Joining::kAdds);

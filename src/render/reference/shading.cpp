@@ -204,14 +204,15 @@ bool Shader::has_linear_fog_behind_eye(const Piece& piece) const {
 }
 
 bool Shader::has_several_colors(const Piece& piece) const {
-    return !units_.empty() || has_linear_fog_behind_eye(piece) || copies_colors() ||
+    return piece.rays || !units_.empty() || has_linear_fog_behind_eye(piece) || copies_colors() ||
            (lights_pixels(piece) && lighting_.has_cones());
 }
 
 Why Shader::why_several_colors(const Piece& piece) const {
     if (copies_colors()) return Why::kCopies;
     if (has_linear_fog_behind_eye(piece)) return Why::kFog;
-    return units_.empty() ? Why::kCone : Why::kTextures;
+    if (!units_.empty()) return Why::kTextures;
+    return piece.rays && !lighting_.has_cones() ? Why::kCurve : Why::kCone;
 }
 
 // Where it is in doubt which pixel is copied, it may have any colour.
@@ -272,7 +273,7 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<dou
 // `has_choice` stays true if it is.
 void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<Interval>& texel, bool& has_choice) const {
     PlaceErrors errors = place_errors_;
-    if (!unit.state->generated.empty())
+    if (!unit.state->generated.empty())  // then the Draw has no exact surfaces
         for (const std::uint32_t i : fragment.piece->primitive.vertices)
             errors.vertex =
                 std::max(errors.vertex, generated_error(draw_, *unit.state, draw_.vertices[i], vertices_[i]));
@@ -288,8 +289,10 @@ void Shader::find_texel(const Fragment& fragment, const Unit& unit, Channels<Int
         has_choice |= all->has_choice;
         return;
     }
-    const TexturePlaceBounds place =
-        texture_place_bounds(unit.tex_coords, *fragment.piece, fragment.position_window, *unit.state->texture, errors);
+    const TexturePlaceBounds place = fragment.point
+                                         ? surface_place_bounds(fragment.point->place, *unit.state->texture)
+                                         : texture_place_bounds(unit.tex_coords, *fragment.piece,
+                                                                fragment.position_window, *unit.state->texture, errors);
     const TexelBounds bounds =
         sample_bounds(*unit.state, place.str, place.str_error, place.rho, 0, place.change, unit.copied);
     texel = bounds.texel;

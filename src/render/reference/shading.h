@@ -61,7 +61,7 @@ class Shader {
     // The points that are lit for the colour; empty without lighting. The sum of the weights is 1.
     std::vector<PointOfFragment> points(const Fragment& fragment) const;
     // Whether correct implementations may find different colours on this piece: textured, in linear fog that reaches behind
-    // the eye, copied from their own pictures, or with pixels that are lit by spots.
+    // the eye, copied from their own pictures, with pixels that are lit by spots, or of a curved surface.
     bool has_several_colors(const Piece& piece) const;
     // The first cause of that.
     Why why_several_colors(const Piece& piece) const;

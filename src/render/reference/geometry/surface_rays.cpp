@@ -81,7 +81,7 @@ int SurfaceRays::most_points() const {
 }
 
 template <class Visit>
-void SurfaceRays::for_each_crossing(const glm::dvec2& position_window, const Visit& visit) const {
+void SurfaceRays::for_each_crossing(const glm::dvec2& position_window, double slack, const Visit& visit) const {
     const Rectangle& viewport = draw_.raster.viewport;
     const glm::dvec2 ndc =
         (position_window - glm::dvec2(viewport.x, viewport.y)) / glm::dvec2(viewport.width, viewport.height) * 2.0 -
@@ -98,7 +98,7 @@ void SurfaceRays::for_each_crossing(const glm::dvec2& position_window, const Vis
     for (int i = all.count - 1; i >= 0; --i) {
         const Vec at = origin + all.s[static_cast<std::size_t>(i)] * direction;
         const glm::dvec4 position_object = place_of(object_from_surface(surface_, at));
-        if (!is_inside(position_object)) continue;
+        if (!is_inside(position_object, slack)) continue;
         const Vec normal_object = object_from_surface(surface_, lighting::unit(outward_normal(surface_, at)));
         const Tangents on = tangents(position_object, normal_object);
         if (culled(draw_.raster, face(on))) continue;
@@ -106,9 +106,9 @@ void SurfaceRays::for_each_crossing(const glm::dvec2& position_window, const Vis
     }
 }
 
-std::vector<RayPoint> SurfaceRays::points(const glm::dvec2& position_window) const {
+std::vector<RayPoint> SurfaceRays::points(const glm::dvec2& position_window, double slack) const {
     std::vector<RayPoint> points;
-    for_each_crossing(position_window, [&](const auto&... crossing) {
+    for_each_crossing(position_window, slack, [&](const auto&... crossing) {
         points.push_back(seen(crossing...));
         return true;
     });
@@ -117,7 +117,7 @@ std::vector<RayPoint> SurfaceRays::points(const glm::dvec2& position_window) con
 
 std::optional<RayPoint> SurfaceRays::point(const glm::dvec2& position_window, int number) const {
     std::optional<RayPoint> point;
-    for_each_crossing(position_window, [&](const auto&... crossing) {
+    for_each_crossing(position_window, 0, [&](const auto&... crossing) {
         if (number-- == 0) point = seen(crossing...);
         return !point;
     });
@@ -125,12 +125,14 @@ std::optional<RayPoint> SurfaceRays::point(const glm::dvec2& position_window, in
 }
 
 // 2.12: the view volume and the clip planes.
-bool SurfaceRays::is_inside(const glm::dvec4& position_object) const {
+bool SurfaceRays::is_inside(const glm::dvec4& position_object, double slack) const {
     const glm::dvec4 c = clip(position_object);
-    if (!(c.w > 0) || std::abs(c.x) > c.w || std::abs(c.y) > c.w || std::abs(c.z) > c.w) return false;
+    const double border = c.w * (1 + slack);
+    if (!(c.w > 0) || std::abs(c.x) > border || std::abs(c.y) > border || std::abs(c.z) > border) return false;
     const glm::dvec4 position_eye = draw_.eye_from_object * position_object;
-    return std::ranges::all_of(draw_.raster.clip_planes_eye,
-                               [&](const auto& plane) { return !plane || glm::dot(*plane, position_eye) >= 0; });
+    return std::ranges::all_of(draw_.raster.clip_planes_eye, [&](const auto& plane) {
+        return !plane || glm::dot(*plane, position_eye) >= -slack * glm::dot(glm::abs(*plane), glm::abs(position_eye));
+    });
 }
 
 SurfaceRays::Tangents SurfaceRays::tangents(const glm::dvec4& position_object, const Vec& normal_object) const {

@@ -30,8 +30,9 @@ class SurfaceRays {
     // The Draw must outlive it. RULING: if a matrix has no inverse, the surface is not visible.
     SurfaceRays(const Draw& draw, const Surface& surface);
 
-    // points(): the points along the ray, from far to near. point(): the one with this number.
-    std::vector<RayPoint> points(const glm::dvec2& position_window) const;
+    // points(): the points along the ray, from far to near. point(): the one with this number. slack: by which part of what is added
+    // up for its distance a point may lie outside of a clipping plane; if negative, must lie inside.
+    std::vector<RayPoint> points(const glm::dvec2& position_window, double slack = 0) const;
     std::optional<RayPoint> point(const glm::dvec2& position_window, int number) const;
 
     // The most points where a ray can meet the surface.
@@ -54,9 +55,9 @@ class SurfaceRays {
 
     // Calls visit(position_object, normal_object, tangents) for each point, until it returns false.
     template <class Visit>
-    void for_each_crossing(const glm::dvec2& position_window, const Visit& visit) const;
+    void for_each_crossing(const glm::dvec2& position_window, double slack, const Visit& visit) const;
     glm::dvec4 clip(const glm::dvec4& position_object) const { return clip_from_object_ * position_object; }
-    bool is_inside(const glm::dvec4& position_object) const;
+    bool is_inside(const glm::dvec4& position_object, double slack) const;
     Tangents tangents(const glm::dvec4& position_object, const Vec& normal_object) const;
     Face face(const Tangents& tangents) const;
     double depth(const glm::dvec4& position_object, const Tangents& tangents) const;

@@ -207,6 +207,16 @@ TexturePlace texture_place(const TexCoords& tex_coords, const Piece& piece, cons
     return place;
 }
 
+TexturePlaceBounds surface_place_bounds(const TexturePlace& place, const Texture& texture) {
+    constexpr double kBeside = 1e-3;            // of a pixel, by which a ray in floats may miss the centre
+    constexpr double kRoundings = 8 * 0x1p-24;  // the angle about the axis, and the texture matrix
+    const glm::dvec3 change = glm::abs(place.per_x) + glm::abs(place.per_y);
+    return {.str = place.str,
+            .str_error = kRoundings * (1.0 + glm::abs(place.str)) + kBeside * change,
+            .rho = approximations_of_rho(texture, place),
+            .change = change};
+}
+
 lighting::RulingSet texture_rulings(const TexCoords& tex_coords, const Piece& piece, const glm::dvec2& position_window,
                                     const Texture& texture) {
     using lighting::Marked;

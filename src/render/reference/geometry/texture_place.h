@@ -63,6 +63,10 @@ TexturePlaceBounds texture_place_bounds(const TexCoords& tex_coords, const Piece
                                         const glm::dvec2& position_window, const Texture& texture,
                                         const PlaceErrors& errors);
 
+// The same for a point of an exact surface. The derivatives are those of its tangent plane, and 3.8.8 leaves open how rho follows from
+// them.
+TexturePlaceBounds surface_place_bounds(const TexturePlace& place, const Texture& texture);
+
 // The same for a cube map: a place on each face that the direction may point to. 3.8.8 allows any rho between half and twice
 // the ideal one. That is used here, because drivers find the change of the direction in ways of their own, and what they find by
 // differences between pixels, which is more where the direction bends much within a pixel.
