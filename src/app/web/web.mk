@@ -24,8 +24,10 @@ WITHOUT_web := $(wildcard src/lighting/points_avx*.cpp) $(filter-out %/tolerance
     $(filter-out %/scene_of_choice.cpp,$(wildcard src/judge/study/*.cpp)) \
     $(filter-out $(patsubst %,src/app/session/%.cpp,$(SESSION_web)),$(wildcard src/app/session/*.cpp))
 sources_web = $(sort $(filter-out $(WITHOUT_web),$(wildcard $(1)/*.cpp)))
-# Rooms that no picture waits for are made small. (All of the module with -Oz would make the reference a third slower.)
-SMALL_web := $(addprefix src/,scene/mesh scene/recorded scene/scenes scene/trace judge/explain judge/lesson judge/study app/session)
+# Rooms where it costs nothing are made small. (All of the module with -Oz would make the reference a third slower, and scene/command,
+# scene/shape and scene/state would take twice as long to open a scene.)
+SMALL_web := $(addprefix src/,scene/mesh scene/recorded scene/scenes scene/trace judge/explain judge/lesson judge/lint judge/study \
+    $(addprefix render/programmable/,numbers text export) render/webgl app/session app/web)
 OBJECTS_web := $(ROOMS_web:%=$(WEB)/objects/%.room.o) $(WEB)/objects/stb.o $(WEB)/objects/demangle.o \
     $(patsubst %,$(WEB)/objects/embedded/%.o,scenes scene_assets shaders webgl lessons lessons-zh)
 HEADERS_web := fmt glm nlohmann stb tiny_obj_loader.h
