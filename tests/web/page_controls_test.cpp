@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
+#include <utility>
 
+#include "app/session/tutor.h"
 #include "app/web/page_probe.h"
 #include "app/web/page_scene.h"
 #include "base/text/json.h"
@@ -68,19 +71,77 @@ TEST(WebControls, ChangeTheNumbersOfTheLighting) {
     ASSERT_EQ(before.size(), 3u);
     EXPECT_EQ(before[0]["name"], "GL_LIGHT0 GL_POSITION x");
     EXPECT_EQ(before[1]["value"], 2);
-    EXPECT_LT(before[1]["smallest"], 2);
+    EXPECT_EQ(before[1]["smallest"], nullptr) << "no limit";
     EXPECT_EQ(before[2]["name"], "GL_LIGHT0 GL_SPOT_CUTOFF");
     EXPECT_EQ(before[2]["largest"], 180);
     // A drag is one step of undo; an illegal angle becomes a legal one.
-    scene.controls().set_number(1, 2.25);
-    EXPECT_NE(text_after(scene, scene.controls().set_number(1, 2.5)).find("{1, 2.5, 3, 1}"), std::string::npos);
-    EXPECT_NE(text_after(scene, scene.controls().set_number(2, 88)).find("GL_SPOT_CUTOFF, 88)"), std::string::npos);
-    EXPECT_NE(text_after(scene, scene.controls().set_number(2, 170)).find("GL_SPOT_CUTOFF, 180)"), std::string::npos);
+    const auto set = [&](std::size_t number, double value) {
+        const Json found = numbers()[number];
+        return scene.controls().set_argument(found["command"], found["argument"], value);
+    };
+    set(1, 2.25);
+    EXPECT_NE(text_after(scene, set(1, 2.5)).find("{1, 2.5, 3, 1}"), std::string::npos);
+    EXPECT_NE(text_after(scene, set(2, 88)).find("GL_SPOT_CUTOFF, 88)"), std::string::npos);
+    EXPECT_NE(text_after(scene, set(2, 170)).find("GL_SPOT_CUTOFF, 180)"), std::string::npos);
     EXPECT_NE(text_after(scene, scene.controls().press('z')).find("GL_SPOT_CUTOFF, 60)"), std::string::npos);
     EXPECT_EQ(text_after(scene, scene.controls().press('z')), text);
-    EXPECT_EQ(Json::parse(scene.controls().set_number(3, 1))["text"], text);
+    EXPECT_EQ(Json::parse(scene.controls().set_argument(99, 0, 1))["text"], text);
+    EXPECT_EQ(Json::parse(scene.controls().set_argument(1, 99, 1))["text"], text);
     scene.open("glutSolidSphere(1, 8, 8);\n", "scene", "", {64, 64});
     EXPECT_EQ(numbers(), Json::array());
+}
+
+TEST(WebControls, ShowTheCallsOfATutor) {
+    for (const Json& tutor : Json::parse(page_tutors())) {
+        PageScene scene;
+        scene.open(tutor["text"].get<std::string>(), "tutor", "", {64, 64});
+        const Json calls = Json::parse(scene.controls().calls());
+        EXPECT_EQ(calls.size(), session::kTutorCalls) << tutor["name"];
+        for (const Json& call : calls) {
+            std::string text;
+            for (const Json& part : call) text += part["text"].get<std::string>();
+            EXPECT_NE(tutor["text"].get<std::string>().find(text), std::string::npos) << text;
+        }
+    }
+    PageScene scene;
+    scene.open("glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1);\nglNormal3f(0, 0.6, 0.8);\nglRectf(0, 0, 1, 1);\n",
+               "scene", "", {64, 64});
+    const Json calls = Json::parse(scene.controls().calls()), flag = calls[0][3], normal = calls[1][3];
+    EXPECT_FALSE(calls[0][1].contains("number")) << "a name";
+    EXPECT_NE(flag["help"].get<std::string>().find("1: highlights use the direction to the eye"), std::string::npos);
+    EXPECT_EQ(flag["number"]["name"], "GL_LIGHT_MODEL_LOCAL_VIEWER");
+    EXPECT_EQ(flag["number"]["largest"], 1);
+    EXPECT_EQ(normal["number"]["name"], "glNormal3f y");
+    EXPECT_EQ(normal["text"], "0.6");
+}
+
+TEST(WebControls, DragALightInTheSceneFromOutside) {
+    PageScene scene;
+    const std::string text =
+        "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);\nglMatrixMode(GL_PROJECTION); gluPerspective(40, 1, 1, 10); "
+        "glMatrixMode(GL_MODELVIEW);\n"
+        "gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0);\n"
+        "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){0, 1.5, 1, 1});\nglutSolidSphere(1, 8, 8);\n";
+    scene.open(text, "scene", "", {640, 480});
+    PageControls& controls = scene.controls();
+    const auto place_of_label = [&](std::size_t i, const char* name) {
+        const Json label = controls.world().header["labels"][i];
+        EXPECT_EQ(label["text"], name);
+        return std::pair(label["at"][0].get<double>(), label["at"][1].get<double>());
+    };
+    const auto before = place_of_label(1, "GL_LIGHT0");
+    // Its name is 20 pixels above it.
+    controls.press_world(static_cast<int>(before.first), static_cast<int>(before.second) + 20);
+    EXPECT_EQ(text_after(scene, controls.drag_world(30, 10)).find("{0, 1.5, 1, 1}"), std::string::npos);
+    const auto after = place_of_label(1, "GL_LIGHT0");
+    EXPECT_NEAR(after.first - before.first, 30, 1);
+    EXPECT_NEAR(after.second - before.second, 10, 1);
+    EXPECT_EQ(text_after(scene, controls.press('z')), text);
+    // Beside the light, a drag turns the view.
+    const auto camera = place_of_label(0, "camera");
+    controls.press_world(0, 0);
+    EXPECT_EQ(text_after(scene, controls.drag_world(30, 0)), text);
+    EXPECT_GT(std::abs(place_of_label(0, "camera").first - camera.first), 5);
 }
 
 TEST(WebProbe, HasTheTermsAndTheVectorsOfAPixel) {

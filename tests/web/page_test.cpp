@@ -14,6 +14,7 @@
 #include "../unit/run_program.h"
 #include "../window/browser.h"
 #include "app/session/keys.h"
+#include "app/session/tutor.h"
 #include "app/web/page_scene.h"
 #include "base/image/file.h"
 #include "base/image/png.h"
@@ -390,6 +391,41 @@ TEST(WebPage, WorksAsOneFileInFirefox) {
     const std::string program = firefox();
     if (program.empty()) GTEST_SKIP() << "there is no firefox (apt-get install firefox-esr)";
     works_without_a_server("firefox", program);
+}
+
+TEST(WebPage, ShowsTutors) {
+    if (!is_built()) GTEST_SKIP() << kNotBuilt;
+    const std::string program = browser();
+    if (program.empty()) GTEST_SKIP() << "there is no chromium (apt-get install chromium)";
+    const ProgramResult run = run_shell("", "timeout 200 node tests/web/tutor.mjs " + program + " " + kPage);
+    ASSERT_EQ(run.status, 0) << run.err;
+    const Json told = Json::parse(run.out);
+    const auto position = [](const std::string& values) {
+        return "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){" + values + "});";
+    };
+    ASSERT_EQ(told["calls"].size(), session::kTutorCalls);
+    EXPECT_EQ(told["calls"][0], position("-1.8, 2, 2.2, 1"));
+    EXPECT_EQ(told["visible"],
+              (Json{"scenes", "all-scenes", "undo", "next-tutor", "whole-page", "theme", "world", "shaders"}))
+        << "nothing else";
+    EXPECT_EQ(told["names"][4], "GL_LIGHT0 GL_AMBIENT red");
+    EXPECT_EQ(told["dragged"], position("-1.3, 2, 2.2, 1")) << "by 50 pixels";
+    EXPECT_TRUE(told["meaning"].get<std::string>().starts_with("position, multiplied by")) << told["meaning"];
+    EXPECT_EQ(told["key"], position("-1.25, 2, 2.2, 1"));
+    EXPECT_EQ(told["typed"], (Json{position("-1.25, 2, 7.5, 1"), "7.5"}));
+    EXPECT_EQ(told["undone"], (Json{nullptr, "-1.8"}));
+    EXPECT_TRUE(told["light"][0].get<std::string>().starts_with(position("").substr(0, 40))) << told["light"];
+    EXPECT_NEAR(told["light"][1][0].get<double>(), 40, 2) << "it follows the mouse";
+    EXPECT_NEAR(told["light"][1][1].get<double>(), -20, 2);
+    EXPECT_EQ(told["view"], (Json{nullptr, true, true})) << "turns by the mouse and by a key";
+    EXPECT_EQ(told["tooWide"], 0);
+    ASSERT_EQ(told["all"].size(), std::size(session::kTutors));
+    for (const Json& tutor : told["all"]) EXPECT_EQ(tutor[1], session::kTutorCalls) << tutor;
+    EXPECT_EQ(told["all"].back()[0], "tutor:light") << "the first follows the last";
+    EXPECT_EQ(told["whole"][0], (Json{"", "numbers"})) << "the editor";
+    EXPECT_TRUE(told["whole"][1].get<std::string>().starts_with("Shaders and reference ")) << told["whole"];
+    EXPECT_EQ(told["lesson"], Json::array({"lesson"}));
+    EXPECT_EQ(told["complaints"], Json::array());
 }
 
 // Contrast, names and labels, headings, what the keyboard reaches: of the page, an exported page and a report.

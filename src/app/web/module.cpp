@@ -125,8 +125,32 @@ EXPORT const char* zoom(int steps) {
 EXPORT const char* number_list() {
     return answered([&] { return scene.controls().numbers(); });
 }
-EXPORT const char* set_number(int number, double value) {
-    return answered([&] { return scene.controls().set_number(static_cast<std::size_t>(number), value); });
+EXPORT const char* set_argument(int command, int argument, double value) {
+    return answered([&] {
+        return scene.controls().set_argument(static_cast<std::size_t>(command), static_cast<std::size_t>(argument),
+                                             value);
+    });
+}
+
+EXPORT const char* tutor_list() { return answered(page_tutors); }
+EXPORT const char* call_list() {
+    return answered([&] { return scene.controls().calls(); });
+}
+// As webgl_header(), of the scene from outside.
+EXPORT const char* world_header() {
+    return answered([&] {
+        frame = scene.controls().world();
+        return twinlight::dumped(frame.header);
+    });
+}
+EXPORT void press_world(int x, int y) {
+    if (scene.is_open()) scene.controls().press_world(x, y);
+}
+EXPORT const char* drag_world(int dx, int dy) {
+    return answered([&] { return scene.controls().drag_world(dx, dy); });
+}
+EXPORT const char* zoom_world(int steps) {
+    return answered([&] { return scene.controls().zoom_world(steps); });
 }
 
 EXPORT const char* lesson_list(const char* language) {

@@ -10,7 +10,9 @@
 #include "app/session/arguments.h"
 #include "app/session/edited_text.h"
 #include "app/session/edits.h"
+#include "app/session/tutor.h"
 #include "base/text/json.h"
+#include "scene/command/print_parts.h"
 #include "scene/command/text.h"
 
 namespace twinlight::web {
@@ -21,6 +23,13 @@ std::string page_keys() {
         if (key.in_page)
             keys.push_back({{"first", key.first}, {"last", key.last}, {"label", key.label}, {"what", key.what}});
     return dumped(keys);
+}
+
+std::string page_tutors() {
+    Json tutors = Json::array();
+    for (const session::TutorName& tutor : session::kTutors)
+        tutors.push_back({{"name", tutor.key}, {"text", session::tutor_text(tutor.key)}});
+    return dumped(tutors);
 }
 
 PageControls::PageControls(std::shared_ptr<const CommandList> opened, std::string text, WindowSize size, Read read)
@@ -47,7 +56,10 @@ void PageControls::start_drag(bool may_go_under) {
 }
 
 std::string PageControls::drag(bool looks, int dx, int dy) {
-    (looks ? session::look : session::orbit)(session_, drag_start_, dx, dy);
+    if (looks)
+        session::look(session_, drag_start_, dx, dy);
+    else
+        session::orbit(session_, drag_start_, dx, dy);
     return answer(true);
 }
 
@@ -59,7 +71,6 @@ std::string PageControls::zoom(int steps) {
 namespace {
 
 constexpr std::size_t kNumbers = 3;
-constexpr double kDragPixels = 200;  // from the value, each way
 
 // What a change shows best comes first: where a lamp is, then how its light spreads or how smooth the surface is.
 int rank_of(const Command& command) {
@@ -69,10 +80,11 @@ int rank_of(const Command& command) {
     return set->pname == kGL_SHININESS || set->pname == kGL_SPOT_CUTOFF ? 1 : 2;
 }
 
-// "GL_LIGHT0 GL_POSITION x"
+// "GL_LIGHT0 GL_POSITION x", "glNormal3f x"
 std::string name_of_number(const Command& command, std::size_t argument) {
-    std::string name;
-    for (std::size_t i = 0; i <= *session::pname_argument(command); ++i)
+    const auto pname = session::pname_argument(command);
+    std::string name = pname ? "" : std::string(command.name()) + " ";
+    for (std::size_t i = 0; pname && i <= *pname; ++i)
         name += session::printed_argument(command, i, command.number(i)) + " ";
     const std::string own = session::argument_info(command, argument).name;
     return name.find(own + " ") == std::string::npos ? name + own : name.substr(0, name.size() - 1);
@@ -106,29 +118,71 @@ std::vector<PageControls::Number> PageControls::found_numbers() const {
     return numbers;
 }
 
+namespace {
+
+Json json_of_number(const CommandList& commands, std::size_t index, std::size_t argument) {
+    const Command& command = commands.commands[index];
+    const session::ArgumentInfo info = session::argument_info(command, argument);
+    const bool is_flag = info.editing == session::Editing::kFlag;
+    return {{"command", index},
+            {"argument", argument},
+            {"name", name_of_number(command, argument)},
+            {"value", command.number(argument)},
+            {"smallest", is_flag ? 0 : info.smallest},
+            {"largest", is_flag ? 1 : info.largest},
+            {"step", info.drag_speed}};
+}
+
+}  // namespace
+
 std::string PageControls::numbers() const {
     Json json = Json::array();
-    for (const Number& number : found_numbers()) {
-        const Command& command = commands(session_).commands[number.command];
-        const session::ArgumentInfo info = session::argument_info(command, number.argument);
-        const double value = command.number(number.argument), reach = kDragPixels * info.drag_speed;
-        json.push_back({{"name", name_of_number(command, number.argument)},
-                        {"value", value},
-                        {"smallest", std::isfinite(info.smallest) ? info.smallest : value - reach},
-                        {"largest", std::isfinite(info.largest) ? info.largest : value + reach},
-                        {"step", info.drag_speed}});
+    for (const auto& [command, argument] : found_numbers())
+        json.push_back(json_of_number(commands(session_), command, argument));
+    return dumped(json);
+}
+
+std::string PageControls::calls() const {
+    Json json = Json::array();
+    for (const std::size_t index : session::tutor_calls(commands(session_))) {
+        const Command& command = commands(session_).commands[index];
+        Json parts = Json::array();
+        for (const PrintedPart& printed : print_parts(command)) {
+            Json& part = parts.emplace_back(Json{{"text", printed.text}});
+            if (!printed.argument) continue;
+            const session::ArgumentInfo info = session::argument_info(command, *printed.argument);
+            part["help"] = session::argument_help(command, *printed.argument);
+            part["is_color"] = info.is_color;
+            if (info.editing == session::Editing::kNumber || info.editing == session::Editing::kFlag)
+                part["number"] = json_of_number(commands(session_), index, *printed.argument);
+        }
+        json.push_back(std::move(parts));
     }
     return dumped(json);
 }
 
-std::string PageControls::set_number(std::size_t number, double value) {
-    const auto numbers = found_numbers();
-    if (number < numbers.size()) {
-        const auto [command, argument] = numbers[number];
-        const double legal = session::nearest_legal(commands(session_).commands[command], argument, value);
+std::string PageControls::set_argument(std::size_t command, std::size_t argument, double value) {
+    const std::vector<Command>& all = commands(session_).commands;
+    if (command < all.size() && argument < all[command].arguments.size()) {
+        const double legal = session::nearest_legal(all[command], argument, value);
         edit(session_, session::with_argument(commands(session_), command, argument, legal),
-             name_of_number(commands(session_).commands[command], argument), fmt::format("number {}", number));
+             name_of_number(all[command], argument), fmt::format("argument {} {}", command, argument));
     }
+    return answer(true);
+}
+
+void PageControls::press_world(int x, int y) {
+    session_.history.end_group();
+    world_.press(session_, x, y);
+}
+
+std::string PageControls::drag_world(int dx, int dy) {
+    world_.drag(session_, dx, dy);
+    return answer(true);
+}
+
+std::string PageControls::zoom_world(int steps) {
+    world_.zoom(steps);
     return answer(true);
 }
 

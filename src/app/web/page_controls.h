@@ -10,11 +10,14 @@
 
 #include "app/session/keys.h"
 #include "app/session/session.h"
+#include "app/web/page_world.h"
 
 namespace twinlight::web {
 
 // JSON: [{"first", "last", "label", "what"}], the keys that the page has.
 std::string page_keys();
+// JSON: [{"name": "light", "text"}], the tutors' scenes.
+std::string page_tutors();
 
 // All functions return JSON:
 //   {"known", "text", "shown", "message", "scene", "step", "exports", "keys"}
@@ -39,11 +42,20 @@ class PageControls {
     std::string zoom(int steps);  // of the wheel; positive is nearer
 
     // Three numbers of the scene's lighting to change, or fewer. JSON:
-    //   [{"name": "GL_LIGHT0 GL_POSITION x", "value", "smallest", "largest", "step"}]
-    // Without a limit, the range is what a drag of kDragPixels gives.
+    //   [{"command", "argument", "name": "GL_LIGHT0 GL_POSITION x", "value", "smallest", "largest", "step"}]
+    // smallest, largest: null without a limit; step: a sensible change for one pixel of a drag.
     std::string numbers() const;
-    // `number`: its index in numbers(). Changes that follow each other are one step of undo.
-    std::string set_number(std::size_t number, double value);
+    // The calls that the tutor shows (app/session/tutor.h). JSON, the parts of each:
+    //   [[{"text": "glLightfv("}, {"text": "GL_LIGHT0", "help"}, {"text": "1", "help", "number": as in numbers(), "is_color"}]]
+    std::string calls() const;
+    // Changes of one argument that follow each other are one step of undo.
+    std::string set_argument(std::size_t command, std::size_t argument, double value);
+
+    // The scene from outside.
+    webgl::WebglFrame world() { return world_.frame(session_); }
+    void press_world(int x, int y);
+    std::string drag_world(int dx, int dy);
+    std::string zoom_world(int steps);
 
   private:
     struct Number {
@@ -56,6 +68,7 @@ class PageControls {
 
     session::Session session_;
     session::DragStart drag_start_{};
+    PageWorld world_{};
     const std::string opened_text_;
     std::string text_;
     int text_of_ = 0;   // the revision of the session's history that text_ is of

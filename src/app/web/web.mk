@@ -19,7 +19,7 @@ ROOMS_web := $(addprefix src/,base/image base/math base/text base/threads scene/
     judge/explain judge/lesson judge/lint judge/study app/session app/web)
 # The files of app/session that the page needs.
 SESSION_web := alignment argument_places arguments axes camera edited_text edits history initial_values keys lesson_state probe probe_arrows \
-    scaled session world world_handles
+    scaled session tutor world world_handles
 WITHOUT_web := $(wildcard src/lighting/points_avx*.cpp) $(filter-out %/tolerance.cpp,$(wildcard src/judge/compare/*.cpp)) \
     $(filter-out %/scene_of_choice.cpp,$(wildcard src/judge/study/*.cpp)) \
     $(filter-out $(patsubst %,src/app/session/%.cpp,$(SESSION_web)),$(wildcard src/app/session/*.cpp))
@@ -29,7 +29,7 @@ sources_web = $(sort $(filter-out $(WITHOUT_web),$(wildcard $(1)/*.cpp)))
 SMALL_web := $(addprefix src/,scene/mesh scene/recorded scene/scenes scene/trace judge/explain judge/lesson judge/lint judge/study \
     $(addprefix render/programmable/,numbers text export) render/webgl app/session app/web)
 OBJECTS_web := $(ROOMS_web:%=$(WEB)/objects/%.room.o) $(WEB)/objects/stb.o $(WEB)/objects/demangle.o \
-    $(patsubst %,$(WEB)/objects/embedded/%.o,scenes scene_assets shaders webgl lessons lessons-zh)
+    $(patsubst %,$(WEB)/objects/embedded/%.o,scenes scene_assets shaders webgl lessons lessons-zh tutors)
 HEADERS_web := fmt glm nlohmann stb tiny_obj_loader.h
 
 # em++ has a library and a /usr/include of its own, so it sees only these of the system's headers.

@@ -2,6 +2,8 @@
 
 const SPECIAL = 0x100;  // session::kSpecialKey, then GLUT's numbers
 const GLUT = {F1: 1, ArrowLeft: 100, ArrowUp: 101, ArrowRight: 102, ArrowDown: 103};
+// The codes of the arrow keys, and where they point.
+export const ARROWS = new Map(Object.entries({ArrowLeft: [-1, 0], ArrowUp: [0, -1], ArrowRight: [1, 0], ArrowDown: [0, 1]}).map(([key, to]) => [SPECIAL + GLUT[key], to]));
 const CLICK_PIXELS = 4;  // a drag that is shorter is a click
 const WHEEL_STEP = {0: 100, 1: 3, 2: 1};  // by WheelEvent.deltaMode: pixels, lines, pages
 
@@ -17,7 +19,7 @@ function pixelAt(canvas, {clientX, clientY}) {
     return [(clientX - box.left) * canvas.width / box.width, (clientY - box.top) * canvas.height / box.height].map(Math.floor);
 }
 
-// ready(): whether a scene is open, and nothing that was typed is unread; done(answer): after each key and move, with isMoving for the mouse; click(x, y).
+// twinlight: the module's functions, or others for another picture. ready(): whether a scene is open, and nothing that was typed is unread; done(answer): after each key and move, with isMoving for the mouse; click(x, y).
 export function control(canvas, twinlight, {ready, done, click}) {
     canvas.addEventListener("keydown", (event) => {
         const code = codeOf(event);
@@ -33,7 +35,7 @@ export function control(canvas, twinlight, {ready, done, click}) {
         if ((event.button !== 0 && event.button !== 2) || !ready()) return;
         drag = {from: pixelAt(canvas, event), looks: event.button === 2, to: null, isWaiting: false};
         canvas.setPointerCapture(event.pointerId);
-        twinlight.startDrag(event.shiftKey);
+        twinlight.startDrag(event.shiftKey, drag.from);
     });
     canvas.addEventListener("pointermove", (event) => {
         if (!drag) return;

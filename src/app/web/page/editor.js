@@ -62,6 +62,9 @@ export class Editor {
         this.editor.scrollTo(0, 0);
     }
 
+    // After it was hidden.
+    refresh() { this.editor.refresh(); }
+
     select(line, column) {
         this.editor.focus();
         this.editor.setSelection({line: line - 1, ch: column - 1}, {line: line - 1, ch: Infinity});

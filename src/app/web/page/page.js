@@ -14,10 +14,11 @@ import {hideArrows, showProbe} from "./probe.js";
 import {offer, save} from "./saves.js";
 import {loadTwinlight} from "./twinlight.js";
 import {startTheme} from "./theme.js";
+import {Tutor} from "./tutor.js";
 import {Workers} from "./workers.js";
 
 const WINDOW = {width: 640, height: 480};
-const LESSON = "lesson:";  // before a lesson's name in the list of scenes
+const LESSON = "lesson:", TUTOR = "tutor:";  // before names in the list of scenes
 const PAUSE_MS = 150;  // after a key, before the text is read
 
 const at = (id) => document.getElementById(id);
@@ -27,7 +28,7 @@ const wasm = await WebAssembly.compileStreaming(file("module.wasm")).catch((erro
 });
 const twinlight = await loadTwinlight({wasm});
 const workers = new Workers(Math.min(Math.max(navigator.hardwareConcurrency || 2, 2), 8), await workersOf("worker.js"), wasm);
-const builtIn = twinlight.builtIn();
+const builtIn = twinlight.builtIn(), tutors = twinlight.tutors();
 const recorded = await (await file("mesa.json")).json();  // the names of Mesa's pictures
 const language = navigator.language.startsWith("zh") ? "zh" : "en";
 const editor = new Editor(at("text"), () => {
@@ -82,7 +83,7 @@ async function draw() {
     editor.clear();
     for (const {line, column, message: text} of answer.errors) message("error", {line, column, text});
     if (answer.note) message("note", {line: 0, text: answer.note});
-    for (const canvas of document.querySelectorAll("canvas")) canvas.classList.add("stale");
+    for (const canvas of document.querySelectorAll("figure canvas")) canvas.classList.add("stale");
     opened = answer.errors.length === 0 ? answer : null;
     if (!opened) {
         at("verdict").textContent = "The scene has errors; the pictures are the previous ones.";
@@ -105,6 +106,12 @@ async function draw() {
             message("note", {line, column, text: "the shaders' picture lacks a part, because WebGL lacks it: " + text});
     } catch (error) {
         message("error", {line: 0, text: error.message});
+    }
+    if (tutor.isShown) {
+        tutor.show(size);
+        if (probe) explain(...probe);
+        document.body.dataset.drawn = mine;
+        return;
     }
     try {
         const right = showReference("reference", workers, scene, size, {shading}, wanted);
@@ -151,7 +158,8 @@ function setSteps({steps, step}) {
     at("steps").value = step > 0 ? String(step) : "";
 }
 
-function load(scene_name, text, step = "", size = WINDOW) {
+function load(scene_name, text, {step = "", size = WINDOW, isTutor = false} = {}) {
+    setTutor(isTutor);
     name = scene_name;
     window_size = size;
     forgetProbe();
@@ -170,7 +178,7 @@ function openBuiltIn(wanted, step) {
     const scene = builtIn.find((one) => one.name === wanted) ?? builtIn.find((one) => one.name === "report");
     lessons.hide();
     at("scenes").value = scene.name;
-    return load(scene.name, scene.text, step);
+    return load(scene.name, scene.text, {step});
 }
 
 function openLesson(lesson) {
@@ -179,7 +187,21 @@ function openLesson(lesson) {
     return load(lesson.name, lesson.scene);
 }
 
+function openTutor({name, text}) {
+    lessons.hide();
+    at("scenes").value = TUTOR + name;
+    return load("tutor-" + name, text, {isTutor: true});
+}
+
+// The tutor's view, or the whole page.
+function setTutor(isTutor) {
+    document.body.classList.toggle("tutor", isTutor);
+    if (!isTutor) editor.refresh();
+    setSlider();
+}
+
 function openMenu(value) {
+    if (value.startsWith(TUTOR)) return openTutor(tutors.find(({name}) => TUTOR + name === value));
     return value.startsWith(LESSON) ? openLesson(lessons.find(value.slice(LESSON.length))) : openBuiltIn(value);
 }
 
@@ -187,12 +209,14 @@ async function openLink() {
     const link = new URLSearchParams(location.hash.slice(1));
     const lesson = lessons.find(link.get("lesson"));
     if (lesson) return openLesson(lesson);
+    const wanted = tutors.find(({name}) => name === link.get("tutor"));
+    if (wanted) return openTutor(wanted);
     try {
         if (link.has("text")) {
             const text = await textInLink(link.get("text"));
             lessons.hide();
             at("scenes").value = "";  // none of the list
-            return await load("scene", text, link.get("step") ?? "", sizeInLink(link));
+            return await load("scene", text, {step: link.get("step") ?? "", size: sizeInLink(link)});
         }
     } catch {
         message("error", {line: 0, text: "this link holds no scene; copy it again"});
@@ -242,7 +266,11 @@ function explain(x, y) {
     at("explanation").textContent = twinlight.explain(at("shading").value, x, y);
 }
 
-const numbers = new Numbers(at("numbers"), (number, value) => ready() && controlled({...twinlight.setNumber(number, value), isMoving: true}));
+function setNumber(number, value) {
+    if (ready()) controlled({...twinlight.setArgument(number, value), isMoving: true});
+}
+const numbers = new Numbers(at("numbers"), setNumber);
+const tutor = new Tutor(twinlight, {ready, done: controlled, changed: setNumber});
 
 const lessons = new Lessons(twinlight.lessons(language), {
     open: (text) => load(name, text),
@@ -258,6 +286,7 @@ function group(label, options) {
     return made;
 }
 at("scenes").append(group("Scenes", builtIn.map((scene) => new Option(scene.name))),
+                    group("Tutors: one idea at a time", tutors.map(({name}) => new Option(name, TUTOR + name))),
                     group("Lessons", lessons.lessons.map(({name, title}) => new Option(title, LESSON + name))));
 at("scenes").addEventListener("change", () => openMenu(at("scenes").value));
 startGallery(at("all-scenes"), at("gallery"), builtIn, openBuiltIn);
@@ -276,7 +305,13 @@ at("probe").addEventListener("submit", (event) => {
     event.preventDefault();
     explain(at("x").valueAsNumber, at("y").valueAsNumber);
 });
-for (const canvas of document.querySelectorAll("canvas")) control(canvas, twinlight, {ready, done: controlled, click: explain});
+at("undo").addEventListener("click", () => ready() && controlled(twinlight.press("z".charCodeAt(0))));
+at("next-tutor").addEventListener("click", () => openTutor(tutors[(tutors.findIndex(({name}) => TUTOR + name === at("scenes").value) + 1) % tutors.length]));
+at("whole-page").addEventListener("click", () => {
+    setTutor(false);
+    draw();
+});
+for (const canvas of document.querySelectorAll("figure canvas")) control(canvas, twinlight, {ready, done: controlled, click: explain});
 showKeys(at("keys").querySelector("table"), twinlight.keys());
 startSlider();
 startTheme(at("theme"));
@@ -306,7 +341,7 @@ addEventListener("drop", async (event) => {
         }
         lessons.hide();
         at("scenes").value = "";
-        await load(name, text, "", size);
+        await load(name, text, {size});
     } catch (error) {
         message("error", {line: 0, text: error.message});
     }

@@ -85,8 +85,8 @@ export async function showMesa(name, floats, size, wanted) {
 // ---- The slider: two pictures, one on each side of a line ----
 
 export function setSlider() {
-    const is_slider = at("view").value === "slider";
-    at("pictures").className = is_slider ? "slider" : "grid";
+    const is_tutor = document.body.classList.contains("tutor"), is_slider = !is_tutor && at("view").value === "slider";
+    at("pictures").className = is_tutor ? "one" : is_slider ? "slider" : "grid";
     at("slider").hidden = !is_slider;
     for (const figure of at("pictures").querySelectorAll("figure")) figure.classList.remove(...SIDES);
     if (!is_slider) return;

@@ -50,6 +50,12 @@ export async function loadTwinlight(options = {}) {
     }
     const json = (name, ...values) => JSON.parse(textAt(call(name, ...values)));
 
+    function frame(name, ...values) {
+        const header = json(name, ...values);
+        const place = module._webgl_words(), count = module._webgl_word_count();
+        return {header, words: copied(place, 4 * count).buffer};
+    }
+
     return {
         builtIn: () => json("built_in").scenes,
         // Opens a scene; then the functions below are about it. Throws only if memory is short.
@@ -74,11 +80,7 @@ export async function loadTwinlight(options = {}) {
             return {pixels: copied(place, 4 * less(width) * less(height)), width: less(width)};
         },
         // {header, words}: what gl.js draws.
-        webglFrame(shading) {
-            const header = json("webgl_header", SHADINGS[shading]);
-            const place = module._webgl_words(), count = module._webgl_word_count();
-            return {header, words: copied(place, 4 * count).buffer};
-        },
+        webglFrame: (shading) => frame("webgl_header", SHADINGS[shading]),
         // Compares a picture by shaders with the reference's floats. subpixelBits: gl.SUBPIXEL_BITS.
         judge(shading, pixels, floats, subpixelBits) {
             const place = allocated(5 * pixels.length), place_of_floats = place + pixels.length;
@@ -102,7 +104,15 @@ export async function loadTwinlight(options = {}) {
         endDrag: () => module._end_drag(),
         zoom: (steps) => json("zoom", steps),
         numbers: () => json("number_list"),
-        setNumber: (number, value) => json("set_number", number, value),
+        setArgument: ({command, argument}, value) => json("set_argument", command, argument, value),
+
+        // The tutors' scenes; the calls that a tutor shows; the scene from outside, as webglFrame(), and its mouse.
+        tutors: () => json("tutor_list"),
+        calls: () => json("call_list"),
+        worldFrame: () => frame("world_header"),
+        pressWorld: (x, y) => module._press_world(x, y),
+        dragWorld: (dx, dy) => json("drag_world", dx, dy),
+        zoomWorld: (steps) => json("zoom_world", steps),
 
         // Lessons, in the language "en" or "zh": page_lessons.h.
         lessons: (language) => json("lesson_list", language),
