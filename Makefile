@@ -171,7 +171,7 @@ FILES_scenes := $(sort $(filter-out $(SCENES_of_tests),$(wildcard src/scene/scen
 FILES_scene_assets := $(wildcard $(addprefix src/scene/scenes/*.,png obj mtl))
 FILES_recorder := src/scene/record/python_lines.py
 FILES_shaders := $(wildcard $(patsubst %,src/render/programmable/%,shaders/*.glsl export/*.glsl export/*.c export/gl_state.h export/scene.h export/names.sed))
-FILES_webgl := $(addprefix src/render/webgl/,exported_page.html gl.js labels.js theme.css theme.js viewer.js webgpu.html)
+FILES_webgl := $(addprefix src/render/webgl/,exported_page.html gl.js labels.js terms.js theme.css theme.js viewer.js webgpu.html)
 # Chart.js as a browser loads it: version 3 has chart.min.js, version 4 chart.umd.js.
 CHART := $(firstword $(wildcard $(addprefix /usr/share/javascript/chart.js/,chart.umd.min.js chart.umd.js chart.min.js)))
 FILES_cases := $(wildcard golden/hard/*.gl)

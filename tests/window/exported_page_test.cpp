@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <optional>
 #include <regex>
 #include <sstream>
@@ -116,10 +117,13 @@ try {
     canvas.dispatchEvent(new PointerEvent("pointerdown", {buttons: 1}));
     canvas.dispatchEvent(new PointerEvent("pointerup", {clientX: box.left + x, clientY: box.top + y}));
     told.pixel = document.getElementById("state").textContent;
+    told.terms = [...document.querySelectorAll("#terms tbody tr")].map(({innerText}) => innerText.trim().split("\t"));
+    told.bars = [...document.querySelectorAll("#terms .bars .red i")].map((term) => parseFloat(term.style.width));
     press("f");
     told.flat = changed(picture(), first);
     press("f");
     told.smooth = changed(picture(), first);
+    told.terms_after = document.getElementById("terms").childElementCount;
 } catch (error) {
     told.error = String(error.stack);
 }
@@ -205,6 +209,66 @@ TEST_F(ExportedPage, DrawsWhatTheReferenceDrawsAndAnswersKeysAndTheMouse) {
     const Rgba middle = picture_of(told).at(320, 240);
     EXPECT_EQ(told["pixel"], fmt::format("Pixel 320, 240: red {}, green {}, blue {} of 255.", channel_code(middle[0]),
                                          channel_code(middle[1]), channel_code(middle[2])));
+}
+
+// All directions are (0, 0, 1), so that the cosines are 1. GL_LIGHT1's attenuation is 1/5, its colours are above 1. Half of each fragment
+// is added to half of the background.
+TEST_F(ExportedPage, ShowsTheTermsOfAPixel) {
+    const std::string scene = folder_ / "scene.gl";
+    const std::string text = R"(
+glClearColor(0, 0, 0.8, 1); glClear(GL_COLOR_BUFFER_BIT);
+glEnable(GL_LIGHTING); glEnable(GL_LIGHT0); glEnable(GL_LIGHT1);
+glMaterialfv(GL_FRONT, GL_EMISSION, (GLfloat[]){0.2, 0, 0, 1});
+glMaterialfv(GL_FRONT, GL_AMBIENT, (GLfloat[]){0, 0.4, 0, 1});
+glMaterialfv(GL_FRONT, GL_DIFFUSE, (GLfloat[]){0.2, 0.4, 0.6, 0.5});
+glMaterialfv(GL_FRONT, GL_SPECULAR, (GLfloat[]){0, 0, 0.2, 1});
+glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (GLfloat[]){1, 1, 1, 1});
+glLightfv(GL_LIGHT1, GL_POSITION, (GLfloat[]){0, 0, 100000, 1}); glLightf(GL_LIGHT1, GL_CONSTANT_ATTENUATION, 5);
+glLightfv(GL_LIGHT1, GL_DIFFUSE, (GLfloat[]){10, 0, 0, 1});
+BLEND
+glRectf(-0.9, -0.9, 0.9, 0.9);
+)";
+    using Row = std::pair<std::string, std::array<double, 3>>;
+    const auto expect_rows = [](const json& told, const std::vector<Row>& expected) {
+        // GL_LIGHT1 is drawn with a tenth of its colours, in codes of 8 bits.
+        constexpr double kCode = 1.0 / 255, kTenth = 10 * kCode / 2 + kCode, kDigits = 0.0005;
+        ASSERT_EQ(told["terms"].size(), expected.size()) << told["terms"];
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            const json& cells = told["terms"][i];
+            const auto& [name, color] = expected[i];
+            EXPECT_EQ(cells[cells.size() - 4], name);
+            for (std::size_t c = 0; c < 3; ++c)
+                EXPECT_NEAR(std::stod(cells[cells.size() - 3 + c].get<std::string>()), color[c],
+                            (name == "GL_LIGHT1: diffuse" || name == "sum" ? kTenth : 1.5 * kCode) + kDigits)
+                    << cells;
+        }
+    };
+    std::string blended = text, opaque = text;
+    write_file_atomically(scene, opaque.replace(opaque.find("BLEND"), 5, ""));
+    const json told = used(scene);
+    expect_rows(told, {{"ambient light of the scene", {0, 0.4, 0}},
+                       {"emission", {0.2, 0, 0}},
+                       {"GL_LIGHT0: diffuse", {0.2, 0.4, 0.6}},
+                       {"GL_LIGHT0: specular", {0, 0, 0.2}},
+                       {"GL_LIGHT1: diffuse", {0.4, 0, 0}},
+                       {"sum", {0.8, 0.8, 0.8}},
+                       {"the pixel", {0.8, 0.8, 0.8}}});
+    EXPECT_EQ(told["bars"].size(), 5U);
+    EXPECT_NEAR(told["bars"][1].get<double>(), 20, 1) << "percent";
+    EXPECT_EQ(told["terms_after"], 0) << "they were those of another picture";
+    write_file_atomically(scene,
+                          blended.replace(blended.find("BLEND"), 5,
+                                          "glEnable(GL_BLEND); glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);"));
+    expect_rows(used(scene), {{"ambient light of the scene", {0, 0.2, 0}},
+                              {"emission", {0.1, 0, 0}},
+                              {"GL_LIGHT0: diffuse", {0.1, 0.2, 0.3}},
+                              {"GL_LIGHT0: specular", {0, 0, 0.1}},
+                              {"GL_LIGHT1: diffuse", {0.2, 0, 0}},
+                              {"without light fog, texture, background", {0, 0, 0.4}},
+                              {"sum", {0.4, 0.4, 0.8}},
+                              {"the pixel", {0.4, 0.4, 0.8}}});
+    write_file_atomically(scene, "glColor3f(1, 0, 0); glRectf(-1, -1, 1, 1);\n");
+    EXPECT_EQ(used(scene)["terms"], json::array()) << "without lighting";
 }
 
 TEST_F(ExportedPage, HasAllStepsOfTheSceneAndWhatItShows) {

@@ -10,7 +10,7 @@ PAGE := $(WEB)/page
 EDITOR_web := $(addprefix $(PAGE)/codemirror/,codemirror.js codemirror.css copyright)
 
 # What exported pages have, too.
-SHARED_web := $(addprefix $(PAGE)/,gl.js labels.js theme.css theme.js)
+SHARED_web := $(addprefix $(PAGE)/,gl.js labels.js terms.js theme.css theme.js)
 
 # The module has the rooms and files that need neither GL nor processes.
 ROOMS_web := $(addprefix src/,base/image base/math base/text base/threads scene/command scene/mesh scene/scenes scene/shape scene/spectrum \

@@ -122,6 +122,7 @@ std::string exported_page(const std::vector<PageStep>& steps, const Look& look, 
                                                        {"theme.css", text_of_file("theme.css")},
                                                        {"gl.js", text_of_file("gl.js")},
                                                        {"labels.js", text_of_file("labels.js")},
+                                                       {"terms.js", text_of_file("terms.js")},
                                                        {"theme.js", text_of_file("theme.js")},
                                                        {"viewer.js", text_of_file("viewer.js")}});
 }

@@ -98,15 +98,53 @@ function seen(uniforms, eye) {
     return result;
 }
 
+// ---- The terms of the lighting at a pixel (section 2.14.1) ----
+
+// The term that is 0 if this colour is.
+function term_of(name) {
+    if (/^(Front|Back)Material\.emission$/.test(name)) return "emission";
+    if (name === "LightModel.ambient") return "ambient light of the scene";
+    const [, number, property] = /^LightSource\[(\d+)\]\.(ambient|diffuse|specular)$/.exec(name) ?? [];
+    return number && `GL_LIGHT${number}: ${property}`;
+}
+
+// Each term is the difference of two drawings by the scene's own shaders: all other terms are 0 in one, and all terms in the other.
+// `first`: the index of the pixel's red.
+function terms_at(first) {
+    const drawn_color = (change) => [...drawn(change).slice(first, first + 3)].map((code) => code / 255);
+    const black = ([, , , alpha]) => [0, 0, 0, alpha], rest = drawn_color((_, color) => black(color));
+    const most = new Map();  // the largest channel of each term's colours, at least 1: no term is clamped before the sum
+    for (const [name, color] of scene.uniforms.flatMap(Object.entries))
+        if (term_of(name)) most.set(term_of(name), Math.max(1, most.get(term_of(name)) ?? 1, ...color.slice(0, 3)));
+    const names = [...most.keys()].sort((a, b) => a.localeCompare(b, "en", {numeric: true}));
+    const rows = names.map((what) => {
+        const only = (term, [red, green, blue, alpha]) =>
+            term === what ? [...[red, green, blue].map((value) => value / most.get(what)), alpha] : black([red, green, blue, alpha]);
+        return {what, color: drawn_color(only).map((value, i) => most.get(what) * (value - rest[i]))};
+    }).filter(({color}) => color.some((value) => value !== 0));
+    if (rows.length === 0) return [];
+    if (rest.some((value) => value !== 0)) rows.push({what: "without light", how: "fog, texture, background", color: rest});
+    const sum = [0, 1, 2].map((i) => rows.reduce((all, {color}) => all + color[i], 0));
+    return [...rows.map((row, i) => ({...row, sign: i > 0 ? "+" : ""})), {sign: "=", what: "sum", color: sum, is_result: true},
+            {sign: "", what: "the pixel", color: [0, 1, 2].map((i) => pixels[first + i] / 255), is_result: true}];
+}
+
 // ---- The page ----
 
 const lights_of = ({uniforms}) => [...new Set(uniforms.flatMap(Object.keys).map((name) => /^LightSource\[(\d+)\]/.exec(name)?.[1]).filter(Boolean))].sort();
 
-function display() {
+// change(term, color): the colour on which a term depends.
+function drawn(change = (_, color) => color) {
     const eye = camera();
     const programs = scene.programs.map((one) => ({...one, vertex: shaded(one.vertex), fragment: shaded(one.fragment)}));
-    const uniforms = scene.uniforms.map((one) => seen(one, eye));
-    pixels = renderer.draw({header: {...scene, programs, uniforms}, words});
+    const uniforms = scene.uniforms.map((one) => Object.fromEntries(
+        Object.entries(seen(one, eye)).map(([name, values]) => [name, term_of(name) ? change(term_of(name), values) : values])));
+    return renderer.draw({header: {...scene, programs, uniforms}, words});
+}
+
+function display() {
+    pixels = drawn();
+    at("terms").replaceChildren();
     for (let i = 3; i < pixels.length; i += 4) pixels[i] = 255;  // opaque, as a window
     at("picture").getContext("2d").putImageData(new ImageData(pixels, scene.width), 0, 0);
     const is_turned = turn_deg !== 0 || tilt_deg !== 0;
@@ -153,6 +191,9 @@ function showPixel({offsetX, offsetY}) {
     const [x, y] = [offsetX * canvas.width / canvas.clientWidth, offsetY * canvas.height / canvas.clientHeight].map(Math.floor);
     const first = 4 * (y * canvas.width + x);
     at("state").textContent = `Pixel ${x}, ${y}: red ${pixels[first]}, green ${pixels[first + 1]}, blue ${pixels[first + 2]} of 255.`;
+    const rows = terms_at(first);
+    at("terms").replaceChildren(...(rows.length > 0
+        ? [termBars(rows), termTable(rows, 3), element("p", "Each term includes attenuation, the spotlight factor, textures and fog.", "aside")] : []));
 }
 
 let is_click = false;
