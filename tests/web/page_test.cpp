@@ -428,16 +428,38 @@ TEST(WebPage, ShowsTutors) {
     EXPECT_EQ(told["complaints"], Json::array());
 }
 
-// Contrast, names and labels, headings, what the keyboard reaches: of the page, an exported page and a report.
+// For tests/web/views.mjs.
+void write_pages(const TemporaryFolder& folder) {
+    std::filesystem::copy(kPage, folder / "page", std::filesystem::copy_options::recursive);
+    write_file_atomically(folder / "package.json", "{}");
+    EXPECT_EQ(run_program("twinlight", {"export", "terms", "--as", "html", "-o", folder / "export.html"}).status, 0);
+    EXPECT_EQ(run_program("twinlight", {"compare", "lab", "--size", "160x120", "-o", folder / "report"}).status, 0);
+}
+
+// Contrast, names of controls, what the keyboard reaches and shows: of the page, an exported page and a report.
+TEST(WebPage, IsUsableWithoutAMouse) {
+    if (!is_built()) GTEST_SKIP() << kNotBuilt;
+    const std::string program = browser();
+    if (program.empty()) GTEST_SKIP() << "there is no chromium (apt-get install chromium)";
+    const TemporaryFolder folder;
+    write_pages(folder);
+    const ProgramResult run =
+        run_shell("", "timeout 200 node tests/web/usable.mjs " + program + " " + quoted(folder.str()));
+    ASSERT_EQ(run.status, 0) << run.err;
+    const Json told = Json::parse(run.out);
+    EXPECT_EQ(told["faults"], Json::array());
+    EXPECT_EQ(told["planted"], (Json{"contrast 2.85", "without a name", "a click without a key", "no focus is seen",
+                                     "Tab goes another way"}));
+}
+
+// The same and headings, by axe-core.
 TEST(WebPage, KeepsNobodyFromUsingIt) {
     if (!is_built()) GTEST_SKIP() << kNotBuilt;
     const std::string program = browser(), axe = "build/npm/node_modules/axe-core/axe.min.js";
     if (program.empty()) GTEST_SKIP() << "there is no chromium (apt-get install chromium)";
     if (!std::filesystem::exists(axe)) GTEST_SKIP() << "axe-core is not installed (make axe, which needs npm)";
     const TemporaryFolder folder;
-    std::filesystem::copy(kPage, folder / "page", std::filesystem::copy_options::recursive);
-    EXPECT_EQ(run_program("twinlight", {"export", "terms", "--as", "html", "-o", folder / "export.html"}).status, 0);
-    EXPECT_EQ(run_program("twinlight", {"compare", "lab", "--size", "160x120", "-o", folder / "report"}).status, 0);
+    write_pages(folder);
     const ProgramResult run =
         run_shell("", "timeout 200 node tests/web/axe.mjs " + program + " " + axe + " " + quoted(folder.str()));
     ASSERT_EQ(run.status, 0) << run.err;

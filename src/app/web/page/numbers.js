@@ -25,7 +25,7 @@ export class Numbers {
 
     made({name, value, smallest, largest, step}, index) {
         const label = document.createElement("label"), input = document.createElement("input"), output = document.createElement("output");
-        Object.assign(input, {type: "range", min: smallest ?? value - DRAG_STEPS * step, max: largest ?? value + DRAG_STEPS * step, step});
+        Object.assign(input, {type: "range", min: smallest ?? value - DRAG_STEPS * step, max: largest ?? value + DRAG_STEPS * step, step, ariaLabel: name});
         input.addEventListener("input", () => {
             this.shown(index, input.valueAsNumber);
             this.changed(this.numbers[index], input.valueAsNumber);
