@@ -1,5 +1,6 @@
 // one_file.mjs PAGE KIND PROGRAM: opens the page of one file, and the folder's page, by file:, in a browser. KIND: chromium or firefox.
 // Prints a JSON object of what they did.
+import fs from "node:fs";
 import path from "node:path";
 import {pathToFileURL} from "node:url";
 import {Browser} from "./browser.mjs";
@@ -52,6 +53,32 @@ try {
     await until(`location.hash.startsWith("#text=")`);
     await opened(await browser.value("location.hash"));
     told.linked = [await sceneText(), await browser.value(`[...document.getElementById("reference").getContext("2d").getImageData(320, 240, 1, 1).data]`)];
+
+    await opened("#tutor=light");
+    await browser.value(`(delete document.body.dataset.drawn, (([number]) => (number.value = 3, number.dispatchEvent(new Event("input"))))(document.querySelectorAll("#calls input")), 0)`);
+    await until("document.body.dataset.drawn");
+    told.tutor = [await browser.value(`document.querySelectorAll("#calls div").length`), (await sceneText()).includes("GL_POSITION, (GLfloat[]){3, 2, 2.2, 1}")];
+
+    // A program and a scene with its picture, dropped.
+    const dropped = async (files) => {
+        await browser.value(`(() => {
+            delete document.body.dataset.drawn;
+            const transfer = new DataTransfer();
+            for (const [name, bytes] of ${JSON.stringify(files)})
+                transfer.items.add(new File([Uint8Array.from(atob(bytes), (letter) => letter.charCodeAt(0))], name));
+            dispatchEvent(new DragEvent("drop", {dataTransfer: transfer, cancelable: true}));
+        })()`);
+        await until("document.body.dataset.drawn");
+        return [await text("messages"), await browser.value(`[...document.getElementById("reference").getContext("2d").getImageData(40, 30, 1, 1).data]`)];
+    };
+    told.dropped = [await dropped([["main.c", btoa(`#include <GL/glut.h>
+void display(void) { glColor3f(0, 1, 0); glRectf(-1, -1, 1, 1); glutSwapBuffers(); }
+int main(int argc, char** argv) { glutInit(&argc, argv); glutInitWindowSize(80, 60); glutCreateWindow("a"); glutDisplayFunc(display); glutMainLoop(); }
+`)]])];
+    told.dropped.push(await dropped([
+        ["mine.gl", btoa(`glEnable(GL_TEXTURE_2D);\n#pragma twinlight texture("mine.png")\nglTexCoord2f(0.5, 0.5);\nglRectf(-1, -1, 1, 1);\n`)],
+        ["mine.png", fs.readFileSync("src/scene/scenes/crate.png", "base64")]]));
+    told.scene = await sceneText();
 
     // Blobs of its workers are all that it loads.
     told.loads = await browser.value(`performance.getEntriesByType("resource").map(({name}) => name).filter((name) => !name.startsWith("blob:") && !name.startsWith("data:"))`);

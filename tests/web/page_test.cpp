@@ -371,6 +371,12 @@ void works_without_a_server(const std::string& kind, const std::string& program)
     EXPECT_EQ(std::vector<std::uint8_t>(mesa.begin(), mesa.end()), mesas_pixels({"terms", "--step", "3"}));
     EXPECT_TRUE(told["solved"].get<std::string>().starts_with("Right, because: GL_SHININESS is")) << told["solved"];
     EXPECT_EQ(told["linked"], (Json{"glColor3f(1, 0, 0);\nglRectf(-1, -1, 1, 1);\n", {255, 0, 0, 255}}));
+    EXPECT_EQ(told["tutor"], (Json{session::kTutorCalls, true}));
+    EXPECT_EQ(told["dropped"][0], (Json{"", {0, 255, 0, 255}})) << "a program";
+    PageScene textured;
+    textured.keep_file("mine.png", read_file("src/scene/scenes/crate.png"));
+    textured.open(told["scene"].get<std::string>(), "mine", "", {640, 480});
+    EXPECT_EQ(told["dropped"][1], (Json{"", reference_pixel(textured, {}, 40, 30)})) << "a scene with its picture";
     EXPECT_EQ(told["loads"], Json::array());
     EXPECT_EQ(told["complaints"], Json::array());
     EXPECT_TRUE(told["folder"][0].get<std::string>().find("Open twinlight.html instead") != std::string::npos)
