@@ -416,7 +416,10 @@ TEST(WebPage, ShowsTutors) {
         << "nothing else";
     EXPECT_EQ(told["names"][4], "GL_LIGHT0 GL_AMBIENT red");
     EXPECT_EQ(told["dragged"], position("-1.3, 2, 2.2, 1")) << "by 50 pixels";
-    EXPECT_TRUE(told["meaning"].get<std::string>().starts_with("position, multiplied by")) << told["meaning"];
+    const Json& meanings = told["meanings"];
+    EXPECT_TRUE(meanings[0].get<std::string>().starts_with("position, multiplied by")) << meanings;
+    EXPECT_EQ(meanings[1], "which light, GL_LIGHT0 to GL_LIGHT7; 2.14.1") << "under the pointer";
+    EXPECT_EQ(meanings[2], meanings[0]) << "of the number with the focus";
     EXPECT_EQ(told["key"], position("-1.25, 2, 2.2, 1"));
     EXPECT_EQ(told["typed"], (Json{position("-1.25, 2, 7.5, 1"), "7.5"}));
     EXPECT_EQ(told["undone"], (Json{nullptr, "-1.8"}));

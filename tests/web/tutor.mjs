@@ -39,7 +39,11 @@ try {
     await browser.drag("first", 50);
     told.dragged = await changed();
     await browser.value(`${number(0)}.focus()`);
-    told.meaning = await text("meaning");
+    told.meanings = [await text("meaning")];
+    for (const kind of ["enter", "leave"]) {
+        await browser.value(`document.querySelector("#calls .name").dispatchEvent(new PointerEvent("pointer${kind}")), 0`);
+        told.meanings.push(await text("meaning"));
+    }
     await browser.key("ArrowUp");
     told.key = await changed();
     await browser.value(`${number(2)}.focus(), ${number(2)}.select()`);

@@ -18,6 +18,7 @@ using session::OverlayVertex;
 
 constexpr double kLinePixels = 2, kLampPixels = 15, kTipPixels = 9, kCameraPixels = 9;
 constexpr double kAbovePixels = 20;  // from a lamp to its name
+constexpr double kReachPixels = 24;  // of a press: 28 pixels of a phone across, for a finger
 constexpr glm::vec4 kCameraColor{0.94F, 0.7F, 0.28F, 1};
 
 Draw marks(Enum mode, const std::vector<OverlayVertex>& places, const session::WorldProjection& projection) {
@@ -123,7 +124,8 @@ webgl::WebglFrame PageWorld::frame(const session::Session& session) {
 }
 
 void PageWorld::press(const session::Session& session, int x, int y) {
-    drag_ = {camera_, handle_at(world_, projection_, {x, y}), session.history.now(), session.scene.frame, world_};
+    drag_ = {camera_, handle_at(world_, projection_, {x, y}, kReachPixels), session.history.now(), session.scene.frame,
+             world_};
 }
 
 void PageWorld::drag(session::Session& session, int dx, int dy) {

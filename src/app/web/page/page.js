@@ -107,13 +107,13 @@ async function draw() {
     } catch (error) {
         message("error", {line: 0, text: error.message});
     }
-    if (tutor.isShown) {
-        tutor.show(size);
-        if (probe) explain(...probe);
-        document.body.dataset.drawn = mine;
-        return;
-    }
     try {
+        if (tutor.isShown) {
+            tutor.show(size);
+            if (probe) explain(...probe);
+            document.body.dataset.drawn = mine;
+            return;
+        }
         const right = showReference("reference", workers, scene, size, {shading}, wanted);
         const floats = showReference("floats", workers, scene, size, {shading: "scene", asFloats: true}, wanted);
         floats.catch(() => {});  // an error before it is awaited

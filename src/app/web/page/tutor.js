@@ -37,7 +37,6 @@ export class Tutor {
     // Of the scene that is open, whose picture has this size.
     show(size) {
         this.size = size;
-        this.showWorld();
         const calls = this.twinlight.calls(), numbers = calls.flat().filter(({number}) => number);
         const form = JSON.stringify(calls.map((parts) => parts.map(({text, number}) => number?.name ?? text)));
         if (form !== this.form) {
@@ -50,6 +49,7 @@ export class Tutor {
             const color = [0, 1, 2].map((i) => numbers[Number(swatch.dataset.first) + i].number.value);
             swatch.style.background = `rgb(${color.map((value) => 255 * value)})`;
         }
+        this.showWorld();
     }
 
     showWorld() {
@@ -59,7 +59,8 @@ export class Tutor {
         showLabels(at("world"), frame.header.labels ?? [], this.size);
     }
 
-    explain(help = HINT) { at("meaning").textContent = help; }
+    // Without `help`, that of the number with the focus.
+    explain(help = document.activeElement?.dataset.help ?? HINT) { at("meaning").textContent = help; }
 
     madeCall(parts) {
         const made = document.createElement("div");
@@ -75,6 +76,7 @@ export class Tutor {
                 part.className = help ? "name" : made.childElementCount === 0 ? "call" : "";
             }
             if (help) {
+                part.dataset.help = help;
                 part.addEventListener("pointerenter", () => this.explain(help));
                 part.addEventListener("focus", () => this.explain(help));
                 for (const left of ["pointerleave", "blur"]) part.addEventListener(left, () => this.explain());
