@@ -428,6 +428,9 @@ TEST(WebPage, ShowsTutors) {
     EXPECT_NEAR(told["light"][1][1].get<double>(), -20, 2);
     EXPECT_EQ(told["view"], (Json{nullptr, true, true})) << "turns by the mouse and by a key";
     EXPECT_EQ(told["tooWide"], 0);
+    EXPECT_EQ(told["swipes"][0], (Json{position("-1.5, 2, 2.2, 1"), 0}));
+    EXPECT_EQ(told["swipes"][1][0], nullptr);
+    EXPECT_GT(told["swipes"][1][1], 20);
     ASSERT_EQ(told["all"].size(), std::size(session::kTutors));
     for (const Json& tutor : told["all"]) EXPECT_EQ(tutor[1], session::kTutorCalls) << tutor;
     EXPECT_EQ(told["all"].back()[0], "tutor:light") << "the first follows the last";

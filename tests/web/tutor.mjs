@@ -77,6 +77,21 @@ try {
     // On a phone, and out of it.
     await browser.size(360, 800);
     told.tooWide = await browser.value("document.documentElement.scrollWidth - document.documentElement.clientWidth");
+    // A finger drags a number sideways; up and down, it scrolls the page.
+    await browser.send("Emulation.setTouchEmulationEnabled", {enabled: true});
+    await browser.value(`${number(0)}.id = "first", 0`);
+    const swipe = async (dx, dy) => {
+        const [x, y] = await browser.middle("first"), scrolled = await browser.value("scrollY");
+        for (const step of [0, 0.2, 0.4, 0.6, 0.8, 1])
+            await browser.send("Input.dispatchTouchEvent", {type: step === 0 ? "touchStart" : "touchMove", touchPoints: [{x: x + dx * step, y: y + dy * step}]});
+        await wait();
+        await browser.send("Input.dispatchTouchEvent", {type: "touchEnd", touchPoints: []});
+        return [await changed(), await browser.value("scrollY") - scrolled];
+    };
+    told.swipes = [await swipe(30, 0)];
+    await click("undo");
+    told.swipes.push(await swipe(0, -60));
+    await browser.send("Emulation.setTouchEmulationEnabled", {enabled: false});
     told.all = [];
     for (let i = 0; i < 5; ++i) {
         await click("next-tutor");
