@@ -92,6 +92,7 @@ TEST_F(Pages, OfAComparisonOpenOnThePairThatTeachesAndShowOneStepAtATime) {
         told.opens_on = [of("left").value, of("right").value];
         told.says = of("says").textContent;
         told.pixel = of("pixel").textContent;
+        told.labels = document.querySelectorAll(".show-labels").length;
         told.values = [...articles[1].querySelectorAll("output")].map((output) => output.value);
         articles[1].querySelectorAll(".pairs button")[3].click();
         told.difference = [of("left").value, of("right").value, of("right-picture").naturalWidth];
@@ -118,12 +119,33 @@ TEST_F(Pages, OfAComparisonOpenOnThePairThatTeachesAndShowOneStepAtATime) {
     EXPECT_TRUE(told["pixel"].get<std::string>().starts_with("Pixel " + std::to_string(lost.worst_x) + ", " +
                                                              std::to_string(lost.worst_y) + " "))
         << told["pixel"];
+    EXPECT_EQ(told["labels"], 0) << "a switch only where there are labels";
     EXPECT_EQ(told["values"].size(), 5U);
     EXPECT_NE(told["values"][0], told["values"][3]);
     EXPECT_EQ(told["difference"], json({"fixed", "fixed ~ reference", 60}));
     EXPECT_EQ(told["pressed"], json({"false", "false", "false", "true"}));
     EXPECT_TRUE(told["address"].get<std::string>().starts_with("#step=2&left=fixed&right=fixed"));
     EXPECT_EQ(told["wiped"], "inset(0px 0px 0px 25%)");
+}
+
+TEST_F(Pages, OfAComparisonHaveTheScenesLabelsOverTheLargePicture) {
+    const auto scene = std::make_shared<const CommandList>(read_scene(
+        "glRectf(-0.5, -0.5, 0.5, 0.5);\n#pragma twinlight label(0, 0, 0, \"the middle\")\n", "scene.gl", "scene"));
+    const compare::Comparison comparison = compare_three_ways(make_scene(scene, {.width = 200, .height = 100}));
+    const report::EncodedPictures pictures = report::encode_pictures(comparison);
+    const json told = told_by(report::comparison_page({{"", comparison, pictures}}), R"js(
+        const stage = document.querySelector(".stage"), text = stage.querySelector("text");
+        told.text = text.textContent;
+        const place = text.getBoundingClientRect(), all = stage.getBoundingClientRect();
+        told.off = [place.x + place.width / 2 - all.x - all.width / 2, place.y + place.height / 2 - all.y - all.height / 2]
+            .map((off) => Math.round(off / all.width * 20));
+        document.querySelector(".show-labels").click();
+        told.hidden = text.getBoundingClientRect().width;
+    )js");
+    EXPECT_EQ(told["complaints"], json::array());
+    EXPECT_EQ(told["text"], "the middle");
+    EXPECT_EQ(told["off"], json({0, 0})) << "in twentieths of the width";
+    EXPECT_EQ(told["hidden"], 0);
 }
 
 TEST_F(Pages, OfTheHardCasesShowWhatIsChosenAndSearched) {

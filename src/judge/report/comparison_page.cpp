@@ -275,6 +275,10 @@ std::string article(const Compared& compared, std::size_t number) {
          {"state", word_of(comparison.verdict())},
          {"verdict", verdict(comparison)},
          {"shown_pairs", buttons(shown_pairs(comparison))},
+         {"labels", labels(comparison)},
+         {"labels_switch", comparison.labels.empty() ? ""
+                                                     : "<label class=\"check\"><input class=\"show-labels\" "
+                                                       "type=\"checkbox\" checked> Labels</label>\n"},
          {"warnings", warnings(comparison)},
          {"notes", notes(comparison)},
          {"renders", renders},

@@ -79,6 +79,10 @@
             element("edge-picture").hidden = !event.target.checked;
         });
 
+        element("show-labels")?.addEventListener("change", (event) => {
+            element("scene-labels").hidden = !event.target.checked;
+        });
+
         // ---- The magnifiers ----
         const magnifiers = renders.map((picture) => {
             const box = element("magnifiers").appendChild(document.createElement("div"));
