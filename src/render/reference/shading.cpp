@@ -61,37 +61,40 @@ std::vector<Shader::Unit> Shader::units(const StagedDraw& staged, const CopyRang
     const auto sprite_origin = [&](const TextureUnit& unit) {
         return unit.coord_replace ? std::optional(draw_.raster.point_parameters.sprite_coord_origin) : std::nullopt;
     };
-    const auto add = [&](std::size_t number, const TextureUnit& unit, const auto& coords) {
-        units.push_back({number, &unit, CopyRanges::of(ranges, unit.texture), TexCoords(coords, sprite_origin(unit))});
+    const auto add = [&](std::size_t number, const TextureUnit& unit, const std::vector<glm::dvec4>* further) {
+        units.push_back(
+            {number, &unit, CopyRanges::of(ranges, unit.texture), TexCoords(vertices_, sprite_origin(unit), further)});
     };
-    if (draw_.texture.texture) add(0, draw_.texture, vertices_);
+    if (draw_.texture.texture) add(0, draw_.texture, nullptr);
     for (std::size_t i = 0; i < draw_.further_units.size(); ++i) {
         const FurtherUnit& further = draw_.further_units[i];
-        add(further.number, further.unit, staged.further_tex_coords[i]);
+        add(further.number, further.unit, &staged.further_tex_coords[i]);
     }
     return units;
 }
 
 // 2.14.6: colours are clamped before they are interpolated.
 void Shader::light_vertices() {
+    const std::span<const StageVertex> vertices = vertices_.kept();
     const auto light = [&](Face face, std::vector<LitColors>& lit) {
-        lit.reserve(vertices_.size());
+        lit.reserve(vertices.size());
         if (!lighting_.enabled()) {
             const std::vector<glm::dvec4>* secondary_colors = draw_.column(VertexAttribute::kSecondaryColor);
-            for (std::size_t i = 0; i < vertices_.size(); ++i) {
-                lit.push_back(clamped_colors(lighting_.colors(vertices_[i], face)));
+            for (std::size_t i = 0; i < vertices.size(); ++i) {
+                lit.push_back(clamped_colors(lighting_.colors(vertices[i], face)));
                 // 3.9: GL_COLOR_SUM.
                 if (secondary_colors)
-                    lit.back().secondary = glm::dvec4(glm::clamp(glm::dvec3((*secondary_colors)[i]), 0.0, 1.0), 1);
+                    lit.back().secondary =
+                        glm::dvec4(glm::clamp(glm::dvec3((*secondary_colors)[vertices_.number(i)]), 0.0, 1.0), 1);
             }
             return;
         }
         PointBatch batch(lighting_, PointBatch::Normals::kAsTheyAre);
-        for (std::size_t first = 0; first < vertices_.size(); first += PointBatch::kPoints) {
+        for (std::size_t first = 0; first < vertices.size(); first += PointBatch::kPoints) {
             batch.clear();
-            const std::size_t end = std::min(first + PointBatch::kPoints, vertices_.size());
+            const std::size_t end = std::min(first + PointBatch::kPoints, vertices.size());
             for (std::size_t i = first; i < end; ++i)
-                batch.add(vertices_[i], face, [&] { return lighting_.material(vertices_[i], face); });
+                batch.add(vertices[i], face, [&] { return lighting_.material(vertices[i], face); });
             batch.light(arithmetic_, [&](std::size_t, const glm::dvec4& primary, const glm::dvec4& secondary) {
                 lit.push_back({clamped(primary), clamped(secondary)});
             });
@@ -406,7 +409,8 @@ ColorSteps Shader::steps(const Fragment& fragment) const {
 Shader::LitColors Shader::vertex_colors(const Fragment& fragment) const {
     const Piece& piece = *fragment.piece;
     const auto of_vertex = [&](std::uint32_t number) -> const LitColors& {
-        return lit_face(piece.face) == Face::kFront ? lit_front_[number] : lit_back_[number];
+        const std::vector<LitColors>& lit = lit_face(piece.face) == Face::kFront ? lit_front_ : lit_back_;
+        return lit[vertices_.place(number)];
     };
     if (shading_ == Shading::kFlat) return of_vertex(piece.primitive.provoking);
     const glm::dvec3 weights = weights_at(piece, fragment.position_window);

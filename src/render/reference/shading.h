@@ -20,8 +20,8 @@ namespace twinlight::reference {
 // A Draw after its vertex stage.
 struct StagedDraw {
     const Draw* draw = nullptr;
-    std::vector<StageVertex> vertices;
-    std::vector<std::vector<glm::dvec4>> further_tex_coords{};  // of each of Draw::further_units, at the vertices
+    StagedVertices vertices;
+    std::vector<std::vector<glm::dvec4>> further_tex_coords{};  // of each of Draw::further_units, at vertices.kept()
 };
 
 struct Fragment {
@@ -151,7 +151,7 @@ class Shader {
     Channels<Real> finished(const Colors& colors, const Finish<Real>& finish, const See& see) const;
 
     const Draw& draw_;
-    const std::vector<StageVertex>& vertices_;
+    const StagedVertices& vertices_;
     const CopyRanges::OfPixels* copied_;  // by this Draw; null if none
     const std::vector<Unit> units_;
     const bool combines_textures_;
@@ -160,7 +160,7 @@ class Shader {
     const bool srgb_coded_;
     const Arithmetic arithmetic_;
     const PlaceErrors place_errors_;               // of drivers, for texture_bounds.h
-    std::vector<LitColors> lit_front_, lit_back_;  // one per vertex, if vertices are lit; lit_back_ if two-sided
+    std::vector<LitColors> lit_front_, lit_back_;  // of vertices_.kept(), if vertices are lit; lit_back_ if two-sided
 };
 
 }  // namespace twinlight::reference

@@ -66,7 +66,7 @@ class PartMaker {
   public:
     // in_order: a new part begins wherever the kind changes; else each kind has one part.
     PartMaker(const Draw& draw, const PartOptions& options, bool in_order)
-        : draw_(draw), options_(options), in_order_(in_order), vertices_(reference::vertex_stage(draw)) {}
+        : draw_(draw), options_(options), in_order_(in_order), positions_(reference::vertex_positions(draw)) {}
 
     Parts made() {
         const reference::QuadCut cut =
@@ -79,7 +79,8 @@ class PartMaker {
         std::vector<Piece> pieces;
         reference::Options options;
         options.quad_cut = cut;
-        reference::add_pieces(draw_, 0, vertices_, options, pieces);
+        options.border = HUGE_VAL;  // small polygons, too: the page may be larger
+        reference::add_pieces(draw_, 0, positions_, options, pieces);
         for (const Piece& piece : pieces)
             if (!has_too_many()) add(piece);
         return std::move(made_);
@@ -205,14 +206,14 @@ class PartMaker {
         glm::dvec3 ndc(0);
         for (int i = 0; i < 3; ++i)
             ndc += from.weights_over_w[i] *
-                   glm::dvec3(vertices_[piece.primitive.vertices[static_cast<std::size_t>(i)]].position_clip);
+                   glm::dvec3(positions_[piece.primitive.vertices[static_cast<std::size_t>(i)]].position_clip);
         return from.position_window.z - reference::window_from_ndc(draw_.raster, ndc).z;
     }
 
     const Draw& draw_;
     const PartOptions options_;
     const bool in_order_;
-    const std::vector<reference::StageVertex> vertices_;
+    const std::vector<reference::VertexPosition> positions_;
     Parts made_;
     std::vector<Kind> kinds_;  // of made_.parts
 };

@@ -59,6 +59,7 @@ class Table {
     // Once around: vertices of the first and the second ring alternate, and the first pair is repeated.
     void send_strip(const Ring& first, const Ring& second, int slices) {
         open(kGL_TRIANGLE_STRIP);
+        parts.back().vertices.reserve(2 * static_cast<std::size_t>(slices + 1));
         for (int i = 0; i <= slices; ++i) {
             send(first.index(i));
             send(second.index(i));

@@ -114,16 +114,28 @@ int direction_along(const Ends& line, int axis) {
     return line.from.position_window[axis] <= line.to.position_window[axis] ? 1 : -1;
 }
 
+// Whether a pixel's centre lies in the rectangle around the corners, or beside it by at most `border`.
+bool is_near_a_centre(const std::vector<Corner>& corners, double border) {
+    for (const int axis : {0, 1}) {
+        const auto [low, high] =
+            std::ranges::minmax(corners, {}, [&](const Corner& corner) { return corner.position_window[axis]; });
+        if (std::ceil(low.position_window[axis] - border - 0.5) + 0.5 > high.position_window[axis] + border)
+            return false;
+    }
+    return true;
+}
+
 constexpr PixelRect kEverywhere{-(1 << 24), -(1 << 24), 1 << 24, 1 << 24};
 
 class PieceMaker {
   public:
-    PieceMaker(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
-               InClipPlane in_clip_plane, std::vector<Piece>& pieces)
+    PieceMaker(const Draw& draw, std::uint32_t draw_index, std::span<const VertexPosition> positions,
+               const Options& options, std::vector<Piece>& pieces)
         : draw_(draw),
           draw_index_(draw_index),
-          vertices_(vertices),
-          keeps_what_lies_in_planes_(in_clip_plane == InClipPlane::kPerhaps),
+          positions_(positions),
+          border_(options.border),
+          keeps_what_lies_in_planes_(options.in_clip_plane == InClipPlane::kPerhaps),
           whole_volume_(draw.raster),
           volume_(whole_volume_),
           pieces_(pieces) {}
@@ -163,8 +175,8 @@ class PieceMaker {
     }
 
     ClipVertex vertex(const Primitive& primitive, int i) const {
-        const StageVertex& stage = vertices_[primitive.vertices[i]];
-        ClipVertex v{.position_clip = stage.position_clip, .position_eye = stage.position_eye};
+        const VertexPosition& position = positions_[primitive.vertices[i]];
+        ClipVertex v{.position_clip = position.position_clip, .position_eye = position.position_eye};
         v.weights[i] = 1;
         v.edge_to_next = primitive.boundary[i] ? EdgeOrigin::kBoundary : EdgeOrigin::kInner;
         return v;
@@ -258,6 +270,7 @@ class PieceMaker {
         const Face face = (raster.front_face == kGL_CW ? -area : area) > 0 ? Face::kFront : Face::kBack;
         if (culled(raster, face)) return;
         const Enum mode = face == Face::kFront ? raster.polygon_mode_front : raster.polygon_mode_back;
+        if (mode == kGL_FILL && !is_near_a_centre(corners, border_)) return;
         std::optional<Planes> planes =
             planes_of(raster, {whole[0].position_clip, whole[1].position_clip, whole[2].position_clip});
         // RULING: a polygon that is seen edge on has no slope, so its border is not offset.
@@ -282,7 +295,8 @@ class PieceMaker {
 
     const Draw& draw_;
     const std::uint32_t draw_index_;
-    const std::vector<StageVertex>& vertices_;
+    const std::span<const VertexPosition> positions_;
+    const double border_;
     const bool keeps_what_lies_in_planes_;
     const ClipVolume whole_volume_;
     ClipVolume volume_;  // what the primitive is clipped to
@@ -374,11 +388,11 @@ void add_pixels(const Draw& draw, std::uint32_t draw_index, InClipPlane in_clip_
 
 }  // namespace
 
-void add_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
+void add_pieces(const Draw& draw, std::uint32_t draw_index, std::span<const VertexPosition> positions,
                 const Options& options, std::vector<Piece>& pieces, const CopyRanges* ranges) {
     if (draw.pixels) return add_pixels(draw, draw_index, options.in_clip_plane, pieces, ranges);
     if (draw.raster.viewport.width <= 0 || draw.raster.viewport.height <= 0) return;
-    PieceMaker maker(draw, draw_index, vertices, options.in_clip_plane, pieces);
+    PieceMaker maker(draw, draw_index, positions, options, pieces);
     for (const Primitive& primitive : assemble(draw, options.cut_of(draw_index))) maker.add(primitive);
 }
 

@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -112,8 +113,9 @@ int whole_pixels(double width);
 // drawn.
 double polygon_offset(const RasterState& raster, Enum mode, const glm::dvec2& slope);
 
-// Appends the pieces of one Draw, in the order of its primitives.
-void add_pieces(const Draw& draw, std::uint32_t draw_index, const std::vector<StageVertex>& vertices,
+// Appends the pieces of one Draw, in the order of its primitives. A filled polygon that cannot cover a pixel's centre, wherever
+// Options::border moves it, has none.
+void add_pieces(const Draw& draw, std::uint32_t draw_index, std::span<const VertexPosition> positions,
                 const Options& options, std::vector<Piece>& pieces, const CopyRanges* ranges = nullptr);
 
 // 3.4.2: which fragment of its strip or loop a line has at a pixel, counted from 0.

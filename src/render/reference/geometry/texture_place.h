@@ -10,21 +10,20 @@
 #include "render/reference/geometry/piece.h"
 #include "render/reference/textures/interval.h"
 #include "render/reference/textures/texture.h"
+#include "render/reference/vertices/staged_vertices.h"
 
 namespace twinlight::reference {
 
-// The texture coordinates of a texture unit at a Draw's stage vertices, which must outlive it.
+// The texture coordinates of a texture unit at a Draw's staged vertices, which must outlive it.
 class TexCoords {
   public:
-    // sprite_origin: GL_POINT_SPRITE_COORD_ORIGIN, if point sprites have coordinates of their own (3.3.1).
-    TexCoords(const std::vector<StageVertex>& vertices,  // NOLINT: those of unit 0
-              std::optional<Enum> sprite_origin = {})
-        : vertices_(&vertices), sprite_origin_(sprite_origin) {}
-    explicit TexCoords(const std::vector<glm::dvec4>& further, std::optional<Enum> sprite_origin = {})
-        : further_(&further), sprite_origin_(sprite_origin) {}
+    // sprite_origin: GL_POINT_SPRITE_COORD_ORIGIN, if point sprites have coordinates of their own (3.3.1). further: those of a unit above
+    // 0 at the kept vertices; null for unit 0.
+    TexCoords(const StagedVertices& vertices, std::optional<Enum> sprite_origin, const std::vector<glm::dvec4>* further)
+        : vertices_(&vertices), further_(further), sprite_origin_(sprite_origin) {}
 
     const glm::dvec4& operator[](std::size_t vertex) const {
-        return further_ ? (*further_)[vertex] : (*vertices_)[vertex].tex_coord;
+        return further_ ? (*further_)[vertices_->place(vertex)] : (*vertices_)[vertex].tex_coord;
     }
 
     // Whether the piece has the coordinates of a sprite in place of its vertices'.
@@ -37,8 +36,8 @@ class TexCoords {
     OfSprite of_sprite(const Piece& piece, const glm::dvec2& position_window) const;
 
   private:
-    const std::vector<StageVertex>* vertices_ = nullptr;
-    const std::vector<glm::dvec4>* further_ = nullptr;
+    const StagedVertices* vertices_;
+    const std::vector<glm::dvec4>* further_;
     std::optional<Enum> sprite_origin_;
 };
 

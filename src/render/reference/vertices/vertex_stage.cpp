@@ -28,33 +28,38 @@ double rescale_factor(const glm::dmat3& normal_eye_from_object) {
 std::vector<StageVertex> vertex_stage(const Draw& draw) { return vertex_stage(draw, draw.vertices); }
 
 std::vector<StageVertex> vertex_stage(const Draw& draw, std::span<const Vertex> vertices) {
-    const glm::dmat3 normal_eye_from_object = normal_matrix(glm::dmat3(draw.eye_from_object));
-    const double rescale = draw.lighting.rescale_normal ? rescale_factor(normal_eye_from_object) : 1;
+    const VertexStage stage(draw);
     std::vector<StageVertex> result;
     result.reserve(vertices.size());
-    for (const Vertex& vertex : vertices) {
-        StageVertex v;
-        v.position_eye = draw.eye_from_object * vertex.position_object;
-        v.position_clip = draw.clip_from_eye * v.position_eye;
-        v.normal_eye = normal_eye_from_object * vertex.normal_object;
-        v.normal_eye = draw.lighting.normalize ? unit(v.normal_eye) : v.normal_eye * rescale;
-        v.color = vertex.color;
-        v.tex_coord = draw.texture.texture_matrix *
-                      generated_tex_coord(draw.texture, vertex, vertex.tex_coord, v.position_eye, v.normal_eye);
-        v.material = vertex.material;
-        result.push_back(v);
-    }
+    for (const Vertex& vertex : vertices) result.push_back(stage(vertex));
     return result;
 }
 
-std::vector<glm::dvec4> staged_tex_coords(const Draw& draw, const FurtherUnit& further,
-                                          std::span<const StageVertex> staged) {
-    std::vector<glm::dvec4> result;
-    result.reserve(staged.size());
-    for (std::size_t i = 0; i < staged.size(); ++i)
-        result.push_back(further.unit.texture_matrix *
-                         generated_tex_coord(further.unit, draw.vertices[i], draw.tex_coord(further.number, i),
-                                             staged[i].position_eye, staged[i].normal_eye));
+VertexStage::VertexStage(const Draw& draw)
+    : draw_(draw), normal_eye_from_object_(normal_matrix(glm::dmat3(draw.eye_from_object))) {
+    if (draw.lighting.rescale_normal) rescale_ = rescale_factor(normal_eye_from_object_);
+}
+
+StageVertex VertexStage::operator()(const Vertex& vertex) const {
+    StageVertex v;
+    v.position_eye = draw_.eye_from_object * vertex.position_object;
+    v.position_clip = draw_.clip_from_eye * v.position_eye;
+    v.normal_eye = normal_eye_from_object_ * vertex.normal_object;
+    v.normal_eye = draw_.lighting.normalize ? unit(v.normal_eye) : v.normal_eye * rescale_;
+    v.color = vertex.color;
+    v.tex_coord = draw_.texture.texture_matrix *
+                  generated_tex_coord(draw_.texture, vertex, vertex.tex_coord, v.position_eye, v.normal_eye);
+    v.material = vertex.material;
+    return v;
+}
+
+std::vector<VertexPosition> vertex_positions(const Draw& draw) {
+    std::vector<VertexPosition> result;
+    result.reserve(draw.vertices.size());
+    for (const Vertex& vertex : draw.vertices) {
+        const glm::dvec4 position_eye = draw.eye_from_object * vertex.position_object;
+        result.push_back({position_eye, draw.clip_from_eye * position_eye});
+    }
     return result;
 }
 

@@ -20,14 +20,26 @@ struct StageVertex {
     std::uint32_t material = 0;
 };
 
+// The Draw, which must outlive it, for one vertex after the other.
+class VertexStage {
+  public:
+    explicit VertexStage(const Draw& draw);
+    StageVertex operator()(const Vertex& vertex) const;
+
+  private:
+    const Draw& draw_;
+    glm::dmat3 normal_eye_from_object_{1};
+    double rescale_ = 1;
+};
 std::vector<StageVertex> vertex_stage(const Draw& draw);
 // The same for vertices that the Draw need not have.
 std::vector<StageVertex> vertex_stage(const Draw& draw, std::span<const Vertex> vertices);
 
-// The texture coordinates of a further unit at the Draw's vertices, as StageVertex has them for unit 0. `staged`: the
-// Draw's vertex_stage().
-std::vector<glm::dvec4> staged_tex_coords(const Draw& draw, const FurtherUnit& further,
-                                          std::span<const StageVertex> staged);
+// What clipping and rasterisation need of a StageVertex.
+struct VertexPosition {
+    glm::dvec4 position_eye{0}, position_clip{0};
+};
+std::vector<VertexPosition> vertex_positions(const Draw& draw);
 
 // The rulings that a vertex or a surface's point depends on. `normalize`: whether its normal is scaled to length 1.
 struct VertexRulings {
