@@ -8,6 +8,7 @@
 
 #include "app/session/arguments.h"
 #include "app/session/edits.h"
+#include "base/text/translation.h"
 #include "scene/command/print_parts.h"
 
 namespace twinlight::demo {
@@ -123,7 +124,7 @@ void move_call(Session& session, std::size_t index, bool down) {
     const CommandList& list = commands(session);
     const std::size_t count = session::end_of_group(list, index) - index + 1;
     const std::size_t to = down ? session::index_below(list, index) : session::index_above(list, index);
-    edit(session, session::with_moved(list, index, to, count), fmt::format("move {}", list.commands[index].name()));
+    edit(session, session::with_moved(list, index, to, count), tr("move {}", list.commands[index].name()));
     session.selected_command = to;
 }
 

@@ -14,6 +14,7 @@
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
 #include "app/session/keys.h"
+#include "app/session/language.h"
 #include "app/session/lesson_state.h"
 #include "app/session/saving.h"
 #include "app/session/scenes.h"
@@ -21,6 +22,7 @@
 #include "app/session/typed_calls.h"
 #include "base/image/file.h"
 #include "base/text/reason.h"
+#include "base/text/translation.h"
 #include "scene/command/names.h"
 #include "scene/scenes/caption.h"
 #include "scene/scenes/load.h"
@@ -48,7 +50,7 @@ static_assert(std::size(kDialogTitles) == static_cast<std::size_t>(Dialog::kReco
 bool is_popup(Dialog dialog) { return dialog == Dialog::kMenu || dialog == Dialog::kFind; }
 
 bool begin_dialog(Dialog dialog) {
-    const char* const title = kDialogTitles[static_cast<std::size_t>(dialog)];
+    const char* const title = tr(kDialogTitles[static_cast<std::size_t>(dialog)]);
     constexpr ImGuiWindowFlags kFlags =
         ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
     return is_popup(dialog) ? ImGui::BeginPopup(title, kFlags) : ImGui::BeginPopupModal(title, nullptr, kFlags);
@@ -91,7 +93,7 @@ void Dialogs::show(Session& session, Panes& panes) {
         shown_ = session.dialog;
         if (shown_ != Dialog::kNone) {
             begin(session);
-            ImGui::OpenPopup(kDialogTitles[static_cast<std::size_t>(shown_)]);
+            ImGui::OpenPopup(tr(kDialogTitles[static_cast<std::size_t>(shown_)]));
         }
     }
     if (shown_ == Dialog::kNone) return;
@@ -152,7 +154,7 @@ void Dialogs::menu(Session& session) {
         for (const session::Key& row : session::keys()) {
             if (row.label.empty() || row.menu != menu) continue;
             if (row.first == row.last)
-                item(std::string(row.what), std::string(row.label), row.first);
+                item(tr(row.what), tr(row.label), row.first);
             else
                 for (int i = 0; i < kMaxLights; ++i) item(light_name(i), std::to_string(i + 1), row.first + i);
         }
@@ -164,7 +166,7 @@ void Dialogs::menu(Session& session) {
                                                                 {session::Menu::kScene, "Scene"},
                                                                 {session::Menu::kWindow, "Window"}};
     for (const auto& [menu, title] : kMenus) {
-        if (!ImGui::BeginMenu(title)) continue;
+        if (!ImGui::BeginMenu(tr(title))) continue;
         items(menu);
         ImGui::EndMenu();
     }
@@ -176,25 +178,25 @@ void Dialogs::list_openable(const Session& session) {
     for (const std::string& file : recent_files(session)) {
         const fs::path path(file);
         openable_.push_back(
-            {Group::kFiles, "Recent files", file, path.parent_path().string(), path.filename().string()});
+            {Group::kFiles, tr("Recent files"), file, path.parent_path().string(), path.filename().string()});
     }
     for (const SceneGroup& group : scene_groups())
         for (const std::string_view name : group.scenes)
-            openable_.push_back({Group::kScenes, std::string(group.heading), std::string(name),
-                                 caption_of(find_built_in(name)->text).title});
+            openable_.push_back({Group::kScenes, tr(group.heading), std::string(name),
+                                 session::translated(caption_of(find_built_in(name)->text)).title});
     for (const std::string_view name : lesson::names())
         openable_.push_back(
-            {Group::kLessons, "Lessons", std::string(name), lesson::load_lesson(name, lessons_language()).title});
+            {Group::kLessons, tr("Lessons"), std::string(name), lesson::load_lesson(name, lessons_language()).title});
     for (const session::TutorName& tutor : session::kTutors)
-        openable_.push_back(
-            {Group::kTutors, "Tutors", std::string(tutor.key), caption_of(session::tutor_text(tutor.key)).title});
+        openable_.push_back({Group::kTutors, tr("Tutors"), std::string(tutor.key),
+                             session::translated(caption_of(session::tutor_text(tutor.key))).title});
     std::error_code error;
     std::vector<std::string> files;
     for (const auto& entry : fs::directory_iterator(".", error))
         if (entry.path().extension() == ".gl" || entry.path().extension() == ".c")
             files.push_back(entry.path().filename().string());
     std::ranges::sort(files);
-    for (std::string& name : files) openable_.push_back({Group::kFiles, "Files in this folder", std::move(name)});
+    for (std::string& name : files) openable_.push_back({Group::kFiles, tr("Files in this folder"), std::move(name)});
 }
 
 void Dialogs::open_entry(Session& session, const Openable& entry) {
@@ -216,8 +218,7 @@ bool Dialogs::show_row(const Session& session, const Openable& entry, float widt
     ImGui::SameLine(name_at);
     ImGui::TextUnformatted(fitting({entry.label.empty() ? entry.name : entry.label}, title_at - name_at - 8).c_str());
     ImGui::SameLine(title_at);
-    colored_text_line(kDim,
-                      fitting({entry.title, entry.title.substr(0, entry.title.find(':'))}, width - title_at - 24));
+    colored_text_line(kDim, fitting({entry.title, session::before_colon(entry.title)}, width - title_at - 24));
     return is_chosen;
 }
 
@@ -244,7 +245,7 @@ void Dialogs::open_scene(Session& session, Panes& panes) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float width = std::min(at_scale(800), 0.9F * window.x), gap = at_scale(10);
     ImGui::SetNextItemWidth(width);
-    const bool is_typed = text_field("##file", "a file, or a word to look for in the list", text_, takes_focus_);
+    const bool is_typed = text_field("##file", tr("a file, or a word to look for in the list"), text_, takes_focus_);
     std::optional<Openable> chosen;
     if (is_typed) {
         // Of those with one name, the scene.
@@ -280,13 +281,13 @@ void Dialogs::open_scene(Session& session, Panes& panes) {
 
 void Dialogs::save_as(Session& session) {
     ImGui::SetNextItemWidth(at_scale(460));
-    bool saves = text_field("##file", "a file: NAME.gl", text_, takes_focus_);
+    bool saves = text_field("##file", tr("a file: NAME.gl"), text_, takes_focus_);
     const std::string path = text_.data();
     const bool is_asked = !replaced_.empty() && replaced_ == path;
-    if (is_asked) colored_text(kAccent, "This file exists. Enter replaces it.");
-    saves |= ImGui::Button(is_asked ? "Replace" : "Save");
+    if (is_asked) colored_text(kAccent, tr("This file exists. Enter replaces it."));
+    saves |= ImGui::Button(tr(is_asked ? "Replace" : "Save"));
     ImGui::SameLine();
-    if (ImGui::Button("Cancel")) session.dialog = Dialog::kNone;
+    if (ImGui::Button(tr("Cancel"))) session.dialog = Dialog::kNone;
     if (!saves) return;
     error_.clear();
     std::error_code ignored;
@@ -297,20 +298,20 @@ void Dialogs::save_as(Session& session) {
     }
     attempt(session, [&] {
         session::save_as(session, path);
-        say(session, "saved " + path);
+        say(session, tr("saved {}", path));
     });
 }
 
 void Dialogs::find(Session& session) {
     ImGui::SetNextItemWidth(at_scale(300));
     const std::string before = text_.data();
-    const bool next = text_field("##find", "find a call, such as GL_POSITION", text_, takes_focus_);
+    const bool next = text_field("##find", tr("find a call, such as GL_POSITION"), text_, takes_focus_);
     const std::string pattern = text_.data();
     if (pattern.empty() || (pattern == before && !next)) return;
     takes_focus_ |= next;
     const std::size_t start = session.selected_command.value_or(0) + (next ? 1 : 0);
     const auto found = session::find_call(session, pattern, start);
-    error_ = found ? "" : "no call has this text";
+    error_ = found ? "" : tr("no call has this text");
     if (!found) return;
     session.panel_shown = true;
     session.panel = session::Panel::kCommands;
@@ -318,39 +319,38 @@ void Dialogs::find(Session& session) {
 }
 
 void Dialogs::end(Session& session) {
-    ImGui::TextUnformatted(fmt::format("Unsaved changes: {}.", names_of(edited_scenes(session))).c_str());
-    if (first_button("Save"))
+    ImGui::TextUnformatted(tr("Unsaved changes: {}.", names_of(edited_scenes(session))).c_str());
+    if (first_button(tr("Save")))
         attempt(session, [&] {
             session::save_all(session, "");
             session.quit_requested = true;
         });
-    if (ImGui::Button("Discard")) session.quit_requested = true;
+    if (ImGui::Button(tr("Discard"))) session.quit_requested = true;
     ImGui::SameLine();
-    if (ImGui::Button("Stay")) session.dialog = Dialog::kNone;
+    if (ImGui::Button(tr("Stay"))) session.dialog = Dialog::kNone;
 }
 
 void Dialogs::file_changed(Session& session) {
     ImGui::TextUnformatted(
-        fmt::format("{} was saved by another program, which changed a line that you changed here.", *session.file)
-            .c_str());
-    dim_text("Undo and redo switch between the two versions; Ctrl+S writes the one shown.");
-    if (first_button("Keep mine")) session.dialog = Dialog::kNone;
-    if (ImGui::Button("Use the file's")) {
+        tr("{} was saved by another program, which changed a line that you changed here.", *session.file).c_str());
+    dim_text(tr("Undo and redo switch between the two versions; Ctrl+S writes the one shown."));
+    if (first_button(tr("Keep mine"))) session.dialog = Dialog::kNone;
+    if (ImGui::Button(tr("Use the file's"))) {
         session.history.undo();
         session.dialog = Dialog::kNone;
-        say(session, "this is the file's version; y brings yours back");
+        say(session, tr("this is the file's version; y brings yours back"));
     }
 }
 
 void Dialogs::recovered(Session& session) {
-    ImGui::TextUnformatted(fmt::format("A window closed with unsaved changes: {}.", lost_->summary).c_str());
-    if (first_button("Restore the changes")) attempt(session, [&] { session::restore(session, *lost_); });
-    if (ImGui::Button("Discard them")) {
+    ImGui::TextUnformatted(tr("A window closed with unsaved changes: {}.", lost_->summary).c_str());
+    if (first_button(tr("Restore the changes"))) attempt(session, [&] { session::restore(session, *lost_); });
+    if (ImGui::Button(tr("Discard them"))) {
         session::forget(*lost_);
         session.dialog = Dialog::kNone;
     }
     ImGui::SameLine();
-    if (ImGui::Button("Ask again later")) session.dialog = Dialog::kNone;
+    if (ImGui::Button(tr("Ask again later"))) session.dialog = Dialog::kNone;
 }
 
 }  // namespace twinlight::demo

@@ -12,6 +12,7 @@
 #include "app/memory.h"
 #include "app/program.h"
 #include "app/session/keys.h"
+#include "app/session/language.h"
 #include "app/session/tutor.h"
 #include "judge/lesson/lesson.h"
 #include "scene/command/names.h"
@@ -47,17 +48,13 @@ session::Probe probe_at(const std::string& text) {
     return probe;
 }
 
-// In Chinese only if a font has its letters.
-lesson::Lesson lesson_named(const std::string& name, lesson::Language& language) {
-    lesson::Lesson page = load_lesson(name, language);
-    if (language == lesson::Language::kChinese && demo::chinese_font().empty()) {
-        print_message(
-            "twinlight-demo: no font with Chinese letters was found, so the lesson is in English; install "
-            "fonts-noto-cjk\n");
-        language = lesson::Language::kEnglish;
-        page = load_lesson(name, language);
-    }
-    return page;
+// Chinese needs a font with its letters.
+lesson::Language shown_language(lesson::Language wanted) {
+    if (wanted == lesson::Language::kEnglish || !demo::chinese_font().empty()) return wanted;
+    print_message(
+        "twinlight-demo: no font with Chinese letters was found, so the window is in English; install "
+        "fonts-noto-cjk\n");
+    return lesson::Language::kEnglish;
 }
 
 int run(int argc, char** argv) {
@@ -89,7 +86,7 @@ int run(int argc, char** argv) {
                if (!language) throw CLI::ValidationError("--language", "'" + name + "' is not one of en, zh");
                options.language = *language;
            },
-           "language of the lessons: English or Chinese (default: the environment's language)")
+           "language of the window: English or Chinese (default: the environment's language)")
         ->option_text("en|zh");
     std::string step;
     app.add_option("--step", step, "the step of a scene with steps to show first: its number, from 1, or its title")
@@ -130,13 +127,15 @@ int run(int argc, char** argv) {
 
     if (!parse_command_line(app, argc, argv)) return kFine;
     if (size) options.size = {size->width, size->height};
+    options.language = shown_language(options.language);
+    session::set_language(options.language);
     constexpr std::size_t kBytesOfPixel = 60;  // measured: 52, in all views
     if (size)
         check_fits({.has_option = false}, size->width, size->height,
                    pixels_of(size->width, size->height) * kBytesOfPixel);
     if (!lesson_name.empty()) {
         if (app.count("SCENE") > 0) throw UsageError("give either SCENE or --lesson");
-        options.lesson = lesson_named(lesson_name, options.language);
+        options.lesson = load_lesson(lesson_name, options.language);
         return demo::show(lesson::commands_of(*options.lesson, options.lesson->scene), options);
     }
     if (!options.tutor.empty()) {

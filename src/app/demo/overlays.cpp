@@ -11,6 +11,7 @@
 
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
+#include "base/text/translation.h"
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
 
@@ -143,9 +144,9 @@ bool checkbox(const char* label, bool& value, const char* help, ImU32 color = 0)
         ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + size, y + size}, color, 2);
     }
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFontSize() * 1.1F);
-    const bool changed = ImGui::Checkbox(label, &value);
+    const bool changed = ImGui::Checkbox(tr(label), &value);
     ImGui::Indent(ImGui::GetFontSize() * 1.1F + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
-    dim_text(help);
+    dim_text(tr(help));
     ImGui::Unindent(ImGui::GetFontSize() * 1.1F + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
     ImGui::Spacing();
     return changed;
@@ -222,7 +223,8 @@ void show_scene_labels(const std::vector<SceneLabel>& labels, const Rectangle& p
     const float margin = at_scale(4);
     std::vector<ImVec4> taken;  // left, top, right, bottom
     for (const SceneLabel& label : labels) {
-        const ImVec2 size = ImGui::CalcTextSize(label.text.c_str());
+        const std::string text = tr(std::string_view(label.text));
+        const ImVec2 size = ImGui::CalcTextSize(text.c_str());
         // Centred at its point, but inside the picture.
         const auto start = [&](double at, int from, int length, float text_length) {
             const float first = static_cast<float>(from) + margin,
@@ -241,8 +243,8 @@ void show_scene_labels(const std::vector<SceneLabel>& labels, const Rectangle& p
         constexpr std::array<std::array<float, 2>, 8> kAround = {
             {{-1, -1}, {0, -1.5F}, {1, -1}, {-1.5F, 0}, {1.5F, 0}, {-1, 1}, {0, 1.5F}, {1, 1}}};
         for (const auto& [x, y] : kAround)
-            draw.AddText({at.x + at_scale(x), at.y + at_scale(y)}, IM_COL32(0, 0, 0, 150), label.text.c_str());
-        draw.AddText(at, IM_COL32_WHITE, label.text.c_str());
+            draw.AddText({at.x + at_scale(x), at.y + at_scale(y)}, IM_COL32(0, 0, 0, 150), text.c_str());
+        draw.AddText(at, IM_COL32_WHITE, text.c_str());
     }
 }
 
@@ -278,17 +280,18 @@ void OverlaidPicture::update(const session::Session& session, const Look& look, 
 
 void overlays_panel(session::Session& session) {
     session::Overlays& overlays = session.overlays;
-    bold_text("Wireframe");
+    bold_text(tr("Wireframe"));
     constexpr std::array<const char*, 3> kWireframes = {"Off", "Over the picture", "Lines only"};
     for (std::size_t i = 0; i < kWireframes.size(); ++i) {
-        if (i > 0) same_line_for(kWireframes[i]);
-        if (ImGui::RadioButton(kWireframes[i], overlays.wireframe == static_cast<Wireframe>(i)))
+        const char* const label = tr(kWireframes[i]);
+        if (i > 0) same_line_for(label);
+        if (ImGui::RadioButton(label, overlays.wireframe == static_cast<Wireframe>(i)))
             overlays.wireframe = static_cast<Wireframe>(i);
     }
-    dim_text("The borders of all primitives, unlit. Key m.");
+    dim_text(tr("The borders of all primitives, unlit. Key m."));
     ImGui::Spacing();
     ImGui::Spacing();
-    bold_text("Marks");
+    bold_text(tr("Marks"));
     checkbox(
         "Normals", overlays.normals,
         "Green: the length is 1, as lighting needs. Red: it is not, so the surface is too dark or too bright. Key n.",

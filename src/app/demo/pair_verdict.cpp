@@ -6,6 +6,7 @@
 #include <exception>
 #include <future>
 
+#include "base/text/translation.h"
 #include "judge/compare/allowances.h"
 #include "judge/report/words.h"
 #include "render/context/drawing_precision.h"
@@ -85,14 +86,14 @@ PairVerdict verdict_on_pair(const Session& session, const ImageDifference& numbe
     switch (pair.verdict) {
         case compare::Verdict::kWithin:
             if (most > 0)
-                add(fmt::format("Both agree: at most {}{}", report::in_255ths(most),
-                                most > comparison.tolerance.max * (1 + 1e-9) ? ", which OpenGL leaves open" : ""));
-            add("Both agree");
+                add(tr("Both agree: at most {}{}", report::in_255ths(most),
+                       most > comparison.tolerance.max * (1 + 1e-9) ? tr(", which OpenGL leaves open") : ""));
+            add(tr("Both agree"));
             break;
-        case compare::Verdict::kUnjudged: add("No difference found"); break;
-        case compare::Verdict::kPartial: add("Partial"); break;
+        case compare::Verdict::kUnjudged: add(tr("No difference found")); break;
+        case compare::Verdict::kPartial: add(tr("Partial")); break;
         case compare::Verdict::kBeyond:
-            add("They differ by up to " + report::in_255ths(numbers.beyond_allowed.max));
+            add(tr("They differ by up to {}", report::in_255ths(numbers.beyond_allowed.max)));
             break;
         case compare::Verdict::kInformative: break;
     }
@@ -101,13 +102,12 @@ PairVerdict verdict_on_pair(const Session& session, const ImageDifference& numbe
 
 PairVerdict meant_to_differ(const ImageDifference& numbers) {
     const RegionDifference& region = numbers.interior;
-    const std::string where = region.differing == 0
-                                  ? " No pixel does here."
-                                  : fmt::format(" {} of the pixels do, by up to {}.", report::share_of(region),
-                                                report::in_255ths(region.max));
+    const std::string where = region.differing == 0 ? tr(" No pixel does here.")
+                                                    : tr(" {} of the pixels do, by up to {}.", report::share_of(region),
+                                                         report::in_255ths(region.max));
     return {compare::Verdict::kInformative,
-            {"Meant to differ." + where, "Meant to differ"},
-            {"Meant to differ: the two pictures are lit differently, so there is no verdict." + where}};
+            {tr("Meant to differ.") + where, tr("Meant to differ")},
+            {tr("Meant to differ: the two pictures are lit differently, so there is no verdict.") + where}};
 }
 
 }  // namespace twinlight::demo

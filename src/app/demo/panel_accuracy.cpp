@@ -15,6 +15,7 @@
 #include "app/demo/widgets.h"
 #include "app/study_renderers.h"
 #include "base/text/reason.h"
+#include "base/text/translation.h"
 #include "base/threads/threads.h"
 #include "judge/study/scene_of_choice.h"
 #include "scene/state/state.h"
@@ -43,7 +44,7 @@ struct AccuracyPanel::Measurement {
     Measurement(std::shared_ptr<const CommandList> list, int list_revision)
         : revision(list_revision), commands(std::move(list)), thread(try_start_thread([this] { run(); })) {
         if (thread.joinable()) return;
-        trouble = "the system gives no thread for this; close other programs and try again";
+        trouble = tr("the system gives no thread for this; close other programs and try again");
         is_finished = true;
     }
     ~Measurement() {
@@ -107,13 +108,13 @@ void AccuracyPanel::show_rows(double target) const {
     ImGui::TableNextRow();
     for (const char* head : {"shading", "slices", "error", "time"}) {
         ImGui::TableNextColumn();
-        ImGui::TextDisabled("%s", head);
+        ImGui::TextDisabled("%s", tr(head));
     }
     for (const session::AccuracyRow& row : rows) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::PushStyleColor(ImGuiCol_Text, row.is_enough ? kGood : kDim);
-        ImGui::TextUnformatted(row.shading.c_str());
+        ImGui::TextUnformatted(tr(row.shading).c_str());
         ImGui::PushFont(fonts().code);
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(row.slices > 0 ? fmt::format("{:4}", row.slices).c_str() : "   -");
@@ -129,9 +130,9 @@ void AccuracyPanel::show_rows(double target) const {
 
 void AccuracyPanel::show(session::Session& session) {
     dim_text(
-        "How fine must the mesh be? This draws the scene with coarse and fine meshes, lit at the vertices (Gouraud) "
-        "and at every pixel (Phong), and with exact surfaces. It measures the time and the error of each: the "
-        "difference from the exact picture, as rms over all pixels.");
+        tr("How fine must the mesh be? This draws the scene with coarse and fine meshes, lit at the vertices (Gouraud) "
+           "and at every pixel (Phong), and with exact surfaces. It measures the time and the error of each: the "
+           "difference from the exact picture, as rms over all pixels."));
     if (measurement_ && measurement_->is_finished) {
         measured_ = measurement_->revision;
         const std::lock_guard lock(measurement_->mutex);
@@ -148,17 +149,17 @@ void AccuracyPanel::show(session::Session& session) {
             step = measurement_->step;
         }
         ImGui::ProgressBar(share, {-1, 0}, step.c_str());
-        if (ImGui::Button(measurement_->is_stopped ? "Stopping ..." : "Stop")) measurement_->is_stopped = true;
+        if (ImGui::Button(tr(measurement_->is_stopped ? "Stopping ..." : "Stop"))) measurement_->is_stopped = true;
         return;
     }
-    if (ImGui::Button(study_.points.empty() ? "Measure" : "Measure again")) start(session);
+    if (ImGui::Button(tr(study_.points.empty() ? "Measure" : "Measure again"))) start(session);
     if (!trouble_.empty()) colored_text(kBad, trouble_);
     if (study_.points.empty()) return;
-    if (measured_ != session.history.revision()) colored_text(kAccent, "The scene has changed since.");
+    if (measured_ != session.history.revision()) colored_text(kAccent, tr("The scene has changed since."));
 
-    heading("The error that you accept");
+    heading(tr("The error that you accept"));
     ImGui::SetNextItemWidth(8 * ImGui::GetFontSize());
-    if (ImGui::BeginCombo("of a channel", kTargets[static_cast<std::size_t>(target_)].words)) {
+    if (ImGui::BeginCombo(tr("of a channel"), kTargets[static_cast<std::size_t>(target_)].words)) {
         for (std::size_t i = 0; i < kTargets.size(); ++i)
             if (ImGui::Selectable(kTargets[i].words, static_cast<int>(i) == target_)) target_ = static_cast<int>(i);
         ImGui::EndCombo();
@@ -166,11 +167,11 @@ void AccuracyPanel::show(session::Session& session) {
     const double target = kTargets[static_cast<std::size_t>(target_)].error;
     const std::string sentence = session::accuracy_sentence(session::accuracy_rows(study_, target), target);
     ImGui::Dummy({0, 2});
-    bold_text(sentence.empty() ? "Nothing was timed; measure again." : sentence);
+    bold_text(sentence.empty() ? tr("Nothing was timed; measure again.") : sentence);
     ImGui::Dummy({0, 2});
     show_rows(target);
-    dim_text(fmt::format("{} x {} pixels, shaders with uniforms, on this machine. For the rest: twinlight study.",
-                         study_.width, study_.height));
+    dim_text(tr("{} x {} pixels, shaders with uniforms, on this machine. For the rest: twinlight study.", study_.width,
+                study_.height));
 }
 
 }  // namespace twinlight::demo

@@ -13,6 +13,7 @@
 #include "app/demo/widgets.h"
 #include "app/session/edits.h"
 #include "app/session/keys.h"
+#include "base/text/translation.h"
 #include "scene/command/text.h"
 
 namespace twinlight::demo {
@@ -127,7 +128,7 @@ void CommandsPanel::show_gutter(const Session& session, const Row& row, const Im
     drag_row(session, row, static_cast<double>(start.y) - row.top);
     is_over_part_ = gutter_hovered;
     if (gutter_hovered) {
-        help_ = row.is_fold ? "click to fold or unfold; drag to move all up to glEnd" : "drag to move this call";
+        help_ = tr(row.is_fold ? "click to fold or unfold; drag to move all up to glEnd" : "drag to move this call");
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
     }
     const ImVec2 middle = plus(start, {gutter / 2, line_height / 2});
@@ -196,7 +197,7 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
             draw_code(at, kSignColor, piece.text, false);
     }
     if (row.is_folded) {
-        const std::string rest = fmt::format("  ... {} calls, glEnd();", row.count - 2);
+        const std::string rest = tr("  ... {} calls, glEnd();", row.count - 2);
         const float used = static_cast<float>(print_command(command).size()) * column_width;
         draw_code(plus(text_start, {used, 0}), kSignColor, rest, false);
     }
@@ -210,8 +211,8 @@ void CommandsPanel::show_row(Session& session, const Row& row, int columns) {
     ImGui::SetCursorScreenPos(start);
     ImGui::InvisibleButton("row", {std::max(width, 1.0f), height});
     if (ImGui::IsItemHovered() && !is_over_part_) {
-        const std::string line = command.place.line > 0 ? fmt::format("line {}: ", command.place.line) : "";
-        if (!is_wrong) help_ = line + command.sig().usage() + "  double click: edit as text; right click: menu";
+        const std::string line = command.place.line > 0 ? tr("line {}: ", command.place.line) : "";
+        if (!is_wrong) help_ = line + command.sig().usage() + tr("  double click: edit as text; right click: menu");
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
             replaced_ = row.command;
             std::snprintf(inserted_text_, sizeof inserted_text_, "%s", print_command(command).c_str());
@@ -254,7 +255,7 @@ void CommandsPanel::show_list(Session& session) {
     }
     if (to_move_) {
         const auto [from, to, count] = *std::exchange(to_move_, std::nullopt);
-        const std::string what = fmt::format("move {}", commands(session).commands[from].name());
+        const std::string what = tr("move {}", commands(session).commands[from].name());
         edit(session, session::with_moved(commands(session), from, to, count), what);
         session.selected_command = last_selected_ = to;
     }
@@ -277,12 +278,12 @@ void CommandsPanel::show_tools(Session& session) {
     const std::size_t index = session.selected_command.value_or(list->commands.size());
     const bool has_selected = index < list->commands.size();
     const auto button = [](const char* label, bool is_enabled, const char* tip) {
-        const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+        const float width = ImGui::CalcTextSize(tr(label)).x + 2 * ImGui::GetStyle().FramePadding.x;
         if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
         ImGui::BeginDisabled(!is_enabled);
-        const bool pressed = ImGui::Button(label);
+        const bool pressed = ImGui::Button(tr(label));
         ImGui::EndDisabled();
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tr(tip));
         ImGui::SameLine();
         return pressed;
     };
@@ -294,7 +295,7 @@ void CommandsPanel::show_tools(Session& session) {
     if (button("Down", has_selected && index + count < list->commands.size(), "move the selected call down"))
         move_call(session, index, true);
     if (button("Delete", has_selected, "delete the selected call"))
-        edit(session, session::without_command(*list, index, count), "delete " + name);
+        edit(session, session::without_command(*list, index, count), tr("delete {}", name));
     if (button("Insert...", true, "insert a call after the selected one")) {
         replaced_.reset();
         inserted_text_[0] = '\0';
@@ -330,7 +331,7 @@ void CommandsPanel::show(Session& session) {
     show_argument_menu(session);
     if (replaced_) show_insert(session);
     ImGui::EndChild();
-    show_help(session, "Drag a number, or click it to type. Click a name to choose. Changed values are bold.");
+    show_help(session, tr("Drag a number, or click it to type. Click a name to choose. Changed values are bold."));
 }
 
 void CommandsPanel::show_calls(Session& session, const std::vector<std::size_t>& calls) {
@@ -360,10 +361,10 @@ void CommandsPanel::show_calls(Session& session, const std::vector<std::size_t>&
     ImGui::PopFont();
     show_argument_menu(session);
     if (replaced_) show_insert(session);
-    show_help(session,
-              "Drag a number, or click it to type. Drag the light on the left. Point at the picture to see why a pixel "
-              "has its "
-              "colour.");
+    show_help(
+        session,
+        tr("Drag a number, or click it to type. Drag the light on the left. Point at the picture to see why a pixel "
+           "has its colour."));
 }
 
 }  // namespace twinlight::demo

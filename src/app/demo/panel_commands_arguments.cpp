@@ -16,6 +16,7 @@
 #include "app/demo/widgets.h"
 #include "app/session/edits.h"
 #include "base/text/reason.h"
+#include "base/text/translation.h"
 #include "scene/command/memory.h"
 #include "scene/command/text.h"
 
@@ -38,7 +39,7 @@ double step_of(const session::ArgumentInfo& info, double value) {
 // The number that the text means: any constant expression of C. Throws SceneError.
 double number_of(const std::string& text) {
     const CommandList read = read_scene("glTranslated(" + text + ", 0, 0);", "the number", "the number");
-    if (read.commands.size() != 1) throw std::invalid_argument("type one number");
+    if (read.commands.size() != 1) throw std::invalid_argument(tr("type one number"));
     return read.commands.front().number(0);
 }
 
@@ -164,7 +165,7 @@ void CommandsPanel::show_swatch(Session& session, ArgumentAt at) {
     list.AddRect(from, to, is_hovered ? kAccent : kSignColor, 2);
     if (is_hovered) {
         is_over_part_ = true;
-        help_ = "click to choose the colour";
+        help_ = tr("click to choose the colour");
     }
     if (clicked) {
         asked_ = at;
@@ -180,8 +181,7 @@ void CommandsPanel::show_swatch(Session& session, ArgumentAt at) {
             const double value = rounded_to_step(static_cast<double>(color[i]), 0.001) * full;
             edited = session::with_argument(edited, at.command, at.argument + i, value);
         }
-        edit(session, std::move(edited), std::string(command.name()) + ", colour",
-             fmt::format("colour of {}", at.command));
+        edit(session, std::move(edited), tr("{}, colour", command.name()), fmt::format("colour of {}", at.command));
     }
     if (ImGui::IsItemDeactivatedAfterEdit()) session.history.end_group();
     ImGui::EndPopup();

@@ -15,6 +15,7 @@
 #include "app/session/edits.h"
 #include "app/session/typed_calls.h"
 #include "base/text/reason.h"
+#include "base/text/translation.h"
 
 namespace twinlight::demo {
 namespace {
@@ -84,30 +85,30 @@ void CommandsPanel::show_argument_menu(Session& session) {
     if (argument < command.arguments.size()) {
         const session::ArgumentInfo info = session::argument_info(command, argument);
         if (info.initial) {
-            const std::string label = "Reset to GL's default: " + printed(*info.initial);
+            const std::string label = tr("Reset to GL's default: {}", printed(*info.initial));
             if (ImGui::MenuItem(label.c_str())) set_argument(session, index, argument, *info.initial);
         }
         if (opened && opened->id == command.id && argument < opened->arguments.size()) {
-            const std::string label = "Reset to the file's value: " + printed(opened->number(argument));
+            const std::string label = tr("Reset to the file's value: {}", printed(opened->number(argument)));
             const bool differs = opened->number(argument) != command.number(argument);
             if (ImGui::MenuItem(label.c_str(), nullptr, false, differs))
                 set_argument(session, index, argument, opened->number(argument));
         }
     }
     const Command defaults = session::with_initial_values(command);
-    if (defaults != command && ImGui::MenuItem("Reset the call to GL's defaults"))
-        edit(session, session::with_command(*list, index, defaults), "reset " + std::string(command.name()));
-    if (opened && *opened != command && ImGui::MenuItem("Reset the call to the file's"))
-        edit(session, session::with_command(*list, index, *opened), "reset " + std::string(command.name()));
+    if (defaults != command && ImGui::MenuItem(tr("Reset the call to GL's defaults")))
+        edit(session, session::with_command(*list, index, defaults), tr("reset {}", command.name()));
+    if (opened && *opened != command && ImGui::MenuItem(tr("Reset the call to the file's")))
+        edit(session, session::with_command(*list, index, *opened), tr("reset {}", command.name()));
     ImGui::Separator();
     const std::size_t count = session::end_of_group(*list, index) - index + 1;
-    if (ImGui::MenuItem("Move up", nullptr, false, index > 0)) move_call(session, index, false);
-    if (ImGui::MenuItem("Move down", nullptr, false, index + count < list->commands.size()))
+    if (ImGui::MenuItem(tr("Move up"), nullptr, false, index > 0)) move_call(session, index, false);
+    if (ImGui::MenuItem(tr("Move down"), nullptr, false, index + count < list->commands.size()))
         move_call(session, index, true);
-    if (ImGui::MenuItem(count > 1 ? "Duplicate all up to glEnd" : "Duplicate"))
-        edit(session, session::with_duplicate(*list, index), "duplicate " + std::string(command.name()));
-    if (ImGui::MenuItem(count > 1 ? "Delete all up to glEnd" : "Delete"))
-        edit(session, session::without_command(*list, index, count), "delete " + std::string(command.name()));
+    if (ImGui::MenuItem(tr(count > 1 ? "Duplicate all up to glEnd" : "Duplicate")))
+        edit(session, session::with_duplicate(*list, index), tr("duplicate {}", command.name()));
+    if (ImGui::MenuItem(tr(count > 1 ? "Delete all up to glEnd" : "Delete")))
+        edit(session, session::without_command(*list, index, count), tr("delete {}", command.name()));
     ImGui::EndPopup();
 }
 
@@ -157,7 +158,7 @@ void CommandsPanel::show_insert(Session& session) {
     if (ImGui::IsWindowAppearing()) insert_takes_focus_ = true;
     ImGui::PushFont(fonts().code);
     ImGui::SetNextItemWidth(-1);
-    bool done = text_field("##call", "type a call, such as glEnable(GL_FOG);", inserted_text_, insert_takes_focus_);
+    bool done = text_field("##call", tr("type a call, such as glEnable(GL_FOG);"), inserted_text_, insert_takes_focus_);
     if (!insert_error_.empty()) colored_text(kBad, insert_error_);
     if (!replaced_) {
         ImGui::BeginChild("templates", {0, at_scale(260)}, false);

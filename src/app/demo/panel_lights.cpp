@@ -8,6 +8,7 @@
 #include "app/demo/theme.h"
 #include "app/demo/value_rows.h"
 #include "app/session/edits.h"
+#include "base/text/translation.h"
 #include "scene/command/text.h"
 
 namespace twinlight::demo {
@@ -21,9 +22,9 @@ std::string text_of(const glm::dvec3& v) { return fmt::format("{:.4g}, {:.4g}, {
 
 // "point light, cone of 14 degrees"
 std::string kind_of(const LightSource& light) {
-    std::string kind = light.is_directional() ? "directional" : "point";
-    if (light.has_cutoff()) kind += fmt::format(", cone of {:.4g} degrees", light.spot_cutoff_deg);
-    if (light.is_attenuated()) kind += ", attenuated";
+    std::string kind = tr(light.is_directional() ? "directional" : "point");
+    if (light.has_cutoff()) kind += tr(", cone of {:.4g} degrees", light.spot_cutoff_deg);
+    if (light.is_attenuated()) kind += tr(", attenuated");
     return kind;
 }
 
@@ -35,7 +36,7 @@ ImVec4 brightest(const LightSource& light) {
 bool header(const char* title, bool is_open = true) {
     ImGui::PushFont(fonts().bold);
     const bool open =
-        ImGui::CollapsingHeader(title, is_open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+        ImGui::CollapsingHeader(tr(title), is_open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
     ImGui::PopFont();
     return open;
 }
@@ -70,16 +71,16 @@ void LightsPanel::refresh(const session::Session& session) {
 
 void LightsPanel::label(session::Session& session, const char* text, const SetBy& by) const {
     ImGui::AlignTextToFramePadding();
-    colored_text_line(kDim, text);
+    colored_text_line(kDim, tr(text));
     if (!ImGui::IsItemHovered()) return;
     const std::vector<Command>& list = commands(session).commands;
     if (!by.command || *by.command >= list.size()) {
-        ImGui::SetTooltip("GL's initial value; a change inserts a call");
+        ImGui::SetTooltip("%s", tr("GL's initial value; a change inserts a call"));
         return;
     }
     const Command& command = list[*by.command];
-    const std::string line = command.place.line > 0 ? fmt::format("line {}: ", command.place.line) : "";
-    ImGui::SetTooltip("%s%s\nclick to show this call", line.c_str(), print_command(command).c_str());
+    const std::string line = command.place.line > 0 ? tr("line {}: ", command.place.line) : "";
+    ImGui::SetTooltip("%s%s\n%s", line.c_str(), print_command(command).c_str(), tr("click to show this call"));
     if (ImGui::IsItemClicked()) session.selected_command = by.command;
 }
 
@@ -99,14 +100,14 @@ void LightsPanel::edit_material(session::Session& session, Enum face, Enum pname
 
 void LightsPanel::show_drawing(session::Session& session) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Object");
+    ImGui::TextUnformatted(tr("Object"));
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     if (!ImGui::BeginCombo("##drawing", fitting_in_combo(drawing_[chosen_].name).c_str(), ImGuiComboFlags_HeightLarge))
         return;
     for (std::size_t i = 0; i < drawing_.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        const std::string name = drawing_[i].name + (drawing_[i].is_lit ? "" : "  (not lit)");
+        const std::string name = drawing_[i].name + (drawing_[i].is_lit ? "" : tr("  (not lit)"));
         if (ImGui::Selectable(name.c_str(), i == chosen_)) session.selected_command = drawing_[i].command;
         if (i == chosen_ && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
         ImGui::PopID();
@@ -121,10 +122,11 @@ void LightsPanel::show_light(session::Session& session, int light) {
     ImGui::PushID(light);
     bool on = source.enabled;
     if (ImGui::Checkbox("##on", &on)) {
-        edit(session, session::toggle_light(commands(session), light), "switch " + light_name(light));
+        edit(session, session::toggle_light(commands(session), light), tr("switch {}", light_name(light)));
         session.selected_light = light;
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("glEnable(%s); key %d", light_name(light).c_str(), light + 1);
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", tr("glEnable({}); key {}", light_name(light), light + 1).c_str());
     ImGui::SameLine();
     const float side = ImGui::GetFrameHeight() * 0.7f;
     const float y = ImGui::GetCursorPosY();
@@ -138,14 +140,16 @@ void LightsPanel::show_light(session::Session& session, int light) {
         ImGui::SetNextItemOpen(true);
         ImGui::SetScrollHereY(0.2f);
     }
-    const std::string kind = !source.enabled ? "off" : session::is_black(source) ? "on, but black" : kind_of(source);
+    const std::string kind = !source.enabled             ? tr("off")
+                             : session::is_black(source) ? tr("on, but black")
+                                                         : kind_of(source);
     const ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_FramePadding |
                                      ImGuiTreeNodeFlags_NoTreePushOnOpen |
                                      (session.selected_light == light ? ImGuiTreeNodeFlags_Selected : 0);
     ImGui::PushStyleColor(ImGuiCol_Text, source.enabled ? kText : kDim);
     const std::string name = light_name(light) + "  ";
     const float room = ImGui::GetContentRegionAvail().x - ImGui::GetTreeNodeToLabelSpacing();
-    const std::string title = fitting({name + kind, name + kind.substr(0, kind.find(','))}, room);
+    const std::string title = fitting({name + kind, name + kind.substr(0, kind.find(tr(", ")))}, room);
     const bool open = ImGui::TreeNodeEx("light", flags, "%s", title.c_str());
     ImGui::PopStyleColor();
     if (ImGui::IsItemClicked()) {
@@ -183,9 +187,10 @@ void LightsPanel::show_light_details(session::Session& session, int light) {
         edit_light(session, light, kGL_POSITION, edited);
     end_group_after_drag(session);
     ImGui::SetCursorPosX(at_scale(kLabelWidth));
-    dim_text(fmt::format("in eye space: {}", text_of(source.position_eye)));
+    dim_text(tr("in eye space: {}", text_of(source.position_eye)));
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("the modelview matrix at the call, times what was typed (2.14.1); w = 0: a direction");
+        ImGui::SetTooltip("%s",
+                          tr("the modelview matrix at the call, times what was typed (2.14.1); w = 0: a direction"));
 
     if (!source.is_directional()) {
         const struct {
@@ -207,7 +212,7 @@ void LightsPanel::show_light_details(session::Session& session, int light) {
                 edit_light(session, light, row.pname, {readable(std::max(factor, 0.0f))});
             end_group_after_drag(session);
             if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
-                ImGui::SetTooltip("%s in 1 / (k0 + k1 d + k2 d d)", enum_name(row.pname).c_str());
+                ImGui::SetTooltip("%s", tr("{} in 1 / (k0 + k1 d + k2 d d)", enum_name(row.pname)).c_str());
         }
     }
     show_spot(session, light);
@@ -229,7 +234,7 @@ void LightsPanel::show_spot(session::Session& session, int light) {
     if (!is_spot || !source.has_cutoff()) return;
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
-    if (number_edit("##cutoff", source.spot_cutoff_deg, 0, 90, "cutoff %.3g degrees", number))
+    if (number_edit("##cutoff", source.spot_cutoff_deg, 0, 90, tr("cutoff %.3g degrees"), number))
         edit_light(session, light, kGL_SPOT_CUTOFF, {number});
     end_group_after_drag(session);
     label(session, "exponent", set_by(light, kGL_SPOT_EXPONENT));
@@ -243,13 +248,13 @@ void LightsPanel::show_spot(session::Session& session, int light) {
         edit_light(session, light, kGL_SPOT_DIRECTION, edited);
     end_group_after_drag(session);
     ImGui::SetCursorPosX(at_scale(kLabelWidth));
-    dim_text(fmt::format("in eye space: {}", text_of(source.spot_direction_eye)));
+    dim_text(tr("in eye space: {}", text_of(source.spot_direction_eye)));
 }
 
 void LightsPanel::show(session::Session& session) {
     refresh(session);
     if (!values_) {
-        dim_text("Nothing is drawn, so nothing is lit.");
+        dim_text(tr("Nothing is drawn, so nothing is lit."));
         return;
     }
     show_drawing(session);

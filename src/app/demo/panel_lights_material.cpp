@@ -11,6 +11,7 @@
 #include "app/demo/value_rows.h"
 #include "app/session/edits.h"
 #include "app/session/presets.h"
+#include "base/text/translation.h"
 #include "judge/study/scene_of_choice.h"
 
 namespace twinlight::demo {
@@ -22,9 +23,9 @@ using session::Source;
 // The badge of a value that no glMaterial rules.
 const char* badge_of(Source source) {
     switch (source) {
-        case Source::kColor: return "from glColor";
-        case Source::kOldColor: return "from an earlier glColor";
-        case Source::kOther: return "from a list or glPopAttrib";
+        case Source::kColor: return tr("from glColor");
+        case Source::kOldColor: return tr("from an earlier glColor");
+        case Source::kOther: return tr("from a list or glPopAttrib");
         case Source::kInitial:
         case Source::kCommand: return nullptr;
     }
@@ -81,9 +82,9 @@ void LightsPanel::show_face(session::Session& session, Enum face) {
 
 void LightsPanel::show_presets(session::Session& session) {
     ImGui::AlignTextToFramePadding();
-    colored_text_line(kDim, "preset");
+    colored_text_line(kDim, tr("preset"));
     begin_value();
-    if (!ImGui::BeginCombo("##preset", "gold, jade, ruby ...", ImGuiComboFlags_HeightLarge)) return;
+    if (!ImGui::BeginCombo("##preset", tr("gold, jade, ruby ..."), ImGuiComboFlags_HeightLarge)) return;
     for (const session::MaterialPreset& preset : session::material_presets()) {
         const auto part = [&](std::size_t i) {
             return static_cast<float>(std::min(1.0, preset.ambient[i] + preset.diffuse[i]));
@@ -92,10 +93,10 @@ void LightsPanel::show_presets(session::Session& session) {
         const float side = ImGui::GetTextLineHeight();
         ImGui::ColorButton("colour", {part(0), part(1), part(2), 1}, ImGuiColorEditFlags_NoTooltip, {side, side});
         ImGui::SameLine();
-        if (ImGui::Selectable(std::string(preset.name).c_str())) {
+        if (ImGui::Selectable(tr(preset.name).c_str())) {
             edit(session, session::with_preset(commands(session), drawing_[chosen_].command, preset),
-                 "material " + std::string(preset.name));
-            say(session, fmt::format("{} is now {}", drawing_[chosen_].name, preset.name));
+                 tr("material {}", tr(preset.name)));
+            say(session, tr("{} is now {}", drawing_[chosen_].name, tr(preset.name)));
         }
         ImGui::PopID();
     }
@@ -108,7 +109,7 @@ void LightsPanel::show_material(session::Session& session) {
     if (!has_two) return show_face(session, kGL_FRONT);
     if (!ImGui::BeginTabBar("faces")) return;
     for (const auto& [name, face] : {std::pair("Front", kGL_FRONT), {"Back", kGL_BACK}}) {
-        if (!ImGui::BeginTabItem(name)) continue;
+        if (!ImGui::BeginTabItem(tr(name))) continue;
         show_face(session, face);
         ImGui::EndTabItem();
     }
@@ -121,13 +122,13 @@ void LightsPanel::show_model(session::Session& session) {
     const LightingState& state = values_->state;
     const LightModel& model = state.light_model;
     const auto capability = [&](const char* text, Enum cap, bool on) {
-        if (ImGui::Checkbox(text, &on))
-            edit(session, session::toggle_capability(commands(session), cap), "switch " + enum_name(cap));
+        if (ImGui::Checkbox(tr(text), &on))
+            edit(session, session::toggle_capability(commands(session), cap), tr("switch {}", enum_name(cap)));
     };
     const auto of_model = [&](const char* text, Enum pname, bool on, const char* tip) {
-        if (ImGui::Checkbox(text, &on))
-            edit(session, session::toggle_light_model(commands(session), pname), "switch " + enum_name(pname));
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+        if (ImGui::Checkbox(tr(text), &on))
+            edit(session, session::toggle_light_model(commands(session), pname), tr("switch {}", enum_name(pname)));
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tr(tip));
     };
     label(session, "ambient", values_->light_model_set_by(kGL_LIGHT_MODEL_AMBIENT));
     begin_value();
@@ -142,7 +143,7 @@ void LightsPanel::show_model(session::Session& session) {
     ImGui::SameLine(half);
     bool is_flat = state.shade_model == kGL_FLAT;
     if (ImGui::Checkbox("GL_FLAT (f)", &is_flat))
-        edit(session, session::toggle_shade_model(commands(session)), "switch glShadeModel");
+        edit(session, session::toggle_shade_model(commands(session)), tr("switch {}", "glShadeModel"));
     of_model("local viewer (v)", kGL_LIGHT_MODEL_LOCAL_VIEWER, model.local_viewer,
              "highlights use the direction to the eye at each vertex, not (0, 0, 1); 2.14.1");
     ImGui::SameLine(half);
@@ -152,7 +153,7 @@ void LightsPanel::show_model(session::Session& session) {
     ImGui::SameLine(half);
     capability("GL_RESCALE_NORMAL", kGL_RESCALE_NORMAL, state.rescale_normal);
     bool separate = model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
-    if (ImGui::Checkbox("highlights after the texture", &separate))
+    if (ImGui::Checkbox(tr("highlights after the texture"), &separate))
         edit(
             session,
             session::with_light_model(commands(session), *values_, kGL_LIGHT_MODEL_COLOR_CONTROL,
@@ -165,7 +166,8 @@ void LightsPanel::show_color_material(session::Session& session) {
     const ColorMaterial& tracking = values_->state.color_material;
     bool on = tracking.enabled;
     if (ImGui::Checkbox("GL_COLOR_MATERIAL", &on))
-        edit(session, session::toggle_capability(commands(session), kGL_COLOR_MATERIAL), "switch GL_COLOR_MATERIAL");
+        edit(session, session::toggle_capability(commands(session), kGL_COLOR_MATERIAL),
+             tr("switch {}", "GL_COLOR_MATERIAL"));
     const bool has_effect = tracking.enabled && values_->state.enabled;
     colored_text(has_effect ? kAccent : kDim, session::color_material_words(*values_));
 
@@ -191,7 +193,7 @@ void LightsPanel::show_mesh(session::Session& session) {
     const Command& command = list->commands[index];
     const study::SliceArguments slices = study::slice_arguments(command);
     if (slices.around == 0) {
-        dim_text("This call has no slices and stacks.");
+        dim_text(tr("This call has no slices and stacks."));
     } else {
         const struct {
             const char* text;
@@ -205,22 +207,23 @@ void LightsPanel::show_mesh(session::Session& session) {
             ImGui::PushID(row.text);
             if (ImGui::DragInt("##count", &count, 0.2f, 3, 500))
                 edit(session, session::with_argument(*list, index, row.argument, std::max(count, 1)),
-                     std::string(command.name()) + ", tessellation", fmt::format("slices {} {}", index, row.argument));
+                     tr("{}, tessellation", command.name()), fmt::format("slices {} {}", index, row.argument));
             end_group_after_drag(session);
             ImGui::PopID();
         }
     }
     if (mesh_error_.has_surfaces)
-        dim_text(fmt::format("The mesh is at most {:.3g} away from the surface: {:.2g} % of its half width.",
-                             mesh_error_.distance, 100 * mesh_error_.of_size));
+        dim_text(tr("The mesh is at most {:.3g} away from the surface: {:.2g} % of its half width.",
+                    mesh_error_.distance, 100 * mesh_error_.of_size));
     const std::string all = session::tessellation(*list);
     if (all.empty()) return;
     ImGui::AlignTextToFramePadding();
-    ImGui::Text("all shapes: %s", all.c_str());
+    ImGui::TextUnformatted(tr("all shapes: {}", all).c_str());
     for (const auto& [text, steps] : {std::pair("coarser (-)", -1), {"finer (+)", 1}}) {
         ImGui::SameLine();
-        if (ImGui::Button(text))
-            edit(session, session::change_tessellation(*list, steps), steps > 0 ? "finer meshes" : "coarser meshes");
+        if (ImGui::Button(tr(text)))
+            edit(session, session::change_tessellation(*list, steps),
+                 tr(steps > 0 ? "finer meshes" : "coarser meshes"));
     }
 }
 

@@ -11,6 +11,7 @@
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
 #include "base/text/reason.h"
+#include "base/text/translation.h"
 #include "base/threads/async.h"
 #include "scene/command/text.h"
 
@@ -60,7 +61,7 @@ void LintPanel::update(const session::Session& session) {
 
 bool LintPanel::show(session::Session& session) {
     if (made_for_ != seen_) {
-        dim_text("Checking the scene ...");
+        dim_text(tr("Checking the scene ..."));
         return false;
     }
     if (!trouble_.empty()) {
@@ -68,13 +69,13 @@ bool LintPanel::show(session::Session& session) {
         return false;
     }
     if (findings_.empty()) {
-        colored_text(kGood, "No mistakes in the lighting.");
+        colored_text(kGood, tr("No mistakes in the lighting."));
         dim_text(
-            "The linter checks what GL accepts without an error: lights that are black, positions set before the "
-            "camera, normals not of length 1, and more.");
+            tr("The linter checks what GL accepts without an error: lights that are black, positions set before the "
+               "camera, normals not of length 1, and more."));
         return false;
     }
-    dim_text("GL accepts these commands, but the picture is probably not what you want.");
+    dim_text(tr("GL accepts these commands, but the picture is probably not what you want."));
     bool selected = false;
     std::optional<std::size_t> to_fix;
     for (std::size_t i = 0; i < findings_.size(); ++i) {
@@ -89,31 +90,29 @@ bool LintPanel::show(session::Session& session) {
         colored_text(kAccent, print_command(commands(session).commands[finding.command]));
         ImGui::PopFont();
         dim_text(fmt::format("{}{}  [{}]", finding.where,
-                             warning.count > 1 ? fmt::format(" and {} more places", warning.count - 1) : "",
-                             warning.rule->name)
+                             warning.count > 1 ? tr(" and {} more places", warning.count - 1) : "", warning.rule->name)
                      .c_str());
         ImGui::TextUnformatted(wrapped(without_marks(warning.rule->why)).c_str());
         ImGui::PushFont(fonts().code);
         colored_text(kGood, warning.fix);
         ImGui::PopFont();
-        if (ImGui::Button("Show me")) {
+        if (ImGui::Button(tr("Show me"))) {
             session.selected_command = finding.command;
             selected = true;
         }
         ImGui::SameLine();
         if (finding.can_fix) {
-            if (ImGui::Button("Fix it")) to_fix = i;
+            if (ImGui::Button(tr("Fix it"))) to_fix = i;
         } else {
             ImGui::AlignTextToFramePadding();
-            ImGui::TextDisabled("This one needs your own change.");
+            ImGui::TextDisabled(tr("This one needs your own change."));
         }
         ImGui::PopID();
     }
     if (to_fix) {
         const session::Finding& finding = findings_[*to_fix];
-        edit(session, session::corrected(commands(session), finding),
-             fmt::format("fix {}", finding.warning.rule->name));
-        say(session, fmt::format("corrected: {}; z undoes it", finding.warning.message));
+        edit(session, session::corrected(commands(session), finding), tr("fix {}", finding.warning.rule->name));
+        say(session, tr("corrected: {}; z undoes it", finding.warning.message));
     }
     return selected;
 }

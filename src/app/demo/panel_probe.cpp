@@ -8,6 +8,7 @@
 
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
+#include "base/text/translation.h"
 #include "scene/command/names.h"
 
 namespace twinlight::demo {
@@ -29,9 +30,9 @@ bool begin_sum(const char* name, const char* red = "red", const char* green = "g
     ImGui::TableNextColumn();
     for (const char* head : {"", red, green, blue}) {
         ImGui::TableNextColumn();
-        const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(head).x;
+        const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(tr(head)).x;
         if (room > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
-        ImGui::TextDisabled("%s", head);
+        ImGui::TextDisabled("%s", tr(head));
     }
     return true;
 }
@@ -163,14 +164,14 @@ bool ProbePanel::update(Session& session) {
 void ProbePanel::show_choice(Session& session) {
     session::Probe& probe = *session.probe;
     int kind = probe.is_vertex ? 1 : 0;
-    ImGui::RadioButton("Pixel", &kind, 0);
+    ImGui::RadioButton(tr("Pixel"), &kind, 0);
     ImGui::SameLine();
-    ImGui::RadioButton("Vertex", &kind, 1);
+    ImGui::RadioButton(tr("Vertex"), &kind, 1);
     probe.is_vertex = kind == 1;
     ImGui::SameLine();
     int numbers[2] = {probe.is_vertex ? static_cast<int>(probe.draw) : probe.x,
                       probe.is_vertex ? static_cast<int>(probe.vertex) : probe.y};
-    const char* const label = probe.is_vertex ? "draw, vertex" : "x, y";
+    const char* const label = tr(probe.is_vertex ? "draw, vertex" : "x, y");
     const float room =
         ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(label).x - ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::SetNextItemWidth(std::min(8 * ImGui::GetFontSize(), room));
@@ -199,7 +200,8 @@ void ProbePanel::show_colors(const Session& session, const std::array<std::optio
         else
             ImGui::TextUnformatted("");
         ImGui::TableNextColumn();
-        const char* const renderer = session::kRendererTitles[static_cast<std::size_t>(session.panes[pane].renderer)];
+        const char* const renderer =
+            tr(session::kRendererTitles[static_cast<std::size_t>(session.panes[pane].renderer)]);
         ImGui::TextUnformatted(
             fitting({title_of(session, session.panes[pane]), renderer}, ImGui::GetContentRegionAvail().x).c_str());
         ImGui::TableNextColumn();
@@ -209,7 +211,7 @@ void ProbePanel::show_colors(const Session& session, const std::array<std::optio
                 fmt::format("{:3} {:3} {:3}", channel_code(color[0]), channel_code(color[1]), channel_code(color[2]))
                     .c_str());
         else
-            ImGui::TextDisabled("not drawn");
+            ImGui::TextDisabled(tr("not drawn"));
         ImGui::PopFont();
     }
     ImGui::EndTable();
@@ -220,16 +222,17 @@ void ProbePanel::show_equation(Session& session, const ProbePoint& point) {
     ImGui::TextUnformatted(wrapped(session::equation_of(point.derivation, session.symbols)).c_str());
     ImGui::PopFont();
     bool is_lecture = session.symbols == session::Symbols::kLecture;
-    if (ImGui::Checkbox("the lecture's symbols", &is_lecture))
+    if (ImGui::Checkbox(tr("the lecture's symbols"), &is_lecture))
         session.symbols = is_lecture ? session::Symbols::kLecture : session::Symbols::kSpecification;
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("k_a, k_d, k_s, n·l as in the lecture, or a_cm, d_cm, s_cm, n.VP as in the specification");
+        ImGui::SetTooltip(
+            "%s", tr("k_a, k_d, k_s, n·l as in the lecture, or a_cm, d_cm, s_cm, n.VP as in the specification"));
     const std::vector<int>& lights = point.derivation.lights;
     session.probe_arrows = session::arrows_of(point.derivation, light_, session.revision);
     if (light_ && std::ranges::find(lights, *light_) == lights.end()) light_.reset();
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::BeginCombo("##light", light_ ? light_name(*light_).c_str() : "all lights")) {
-        if (ImGui::Selectable("all lights", !light_)) light_.reset();
+    if (ImGui::BeginCombo("##light", light_ ? light_name(*light_).c_str() : tr("all lights"))) {
+        if (ImGui::Selectable(tr("all lights"), !light_)) light_.reset();
         for (const int light : lights)
             if (ImGui::Selectable(light_name(light).c_str(), light_ == light)) light_ = light;
         ImGui::EndCombo();
@@ -241,7 +244,7 @@ void ProbePanel::show_equation(Session& session, const ProbePoint& point) {
         show_lines("light", session::lines_of(point.derivation, light_, session.symbols));
         return;
     }
-    if (ImGui::TreeNode("Place and normal")) {
+    if (ImGui::TreeNode(tr("Place and normal"))) {
         show_lines("place", session::lines_of(point.derivation, {}, session.symbols));
         ImGui::TreePop();
     }
@@ -256,7 +259,7 @@ void ProbePanel::show_equation(Session& session, const ProbePoint& point) {
 
 void ProbePanel::show_fragment(Session& session) {
     if (fragments_.empty()) {
-        dim_text("No draw covers this pixel. It shows what glClear left.");
+        dim_text(tr("No draw covers this pixel. It shows what glClear left."));
         return;
     }
     if (fragments_.size() > 1) {
@@ -264,8 +267,8 @@ void ProbePanel::show_fragment(Session& session) {
         const auto label = [this](std::size_t i) {
             return fmt::format("{}: {}##{}", fragments_[i].name, fragments_[i].fate, i);
         };
-        if (ImGui::BeginCombo("##fragment", fitting_in_combo(fmt::format("{} of {}: {}", fragment_ + 1,
-                                                                         fragments_.size(), fragments_[fragment_].name))
+        if (ImGui::BeginCombo("##fragment", fitting_in_combo(tr("{} of {}: {}", fragment_ + 1, fragments_.size(),
+                                                                fragments_[fragment_].name))
                                                 .c_str())) {
             for (std::size_t i = 0; i < fragments_.size(); ++i)
                 if (ImGui::Selectable(label(i).c_str(), i == fragment_)) fragment_ = i;
@@ -277,24 +280,24 @@ void ProbePanel::show_fragment(Session& session) {
     }
     const std::vector<ProbePoint> points = session::points_of(session.scene, *answer_, fragment_);
     if (!fragments_[fragment_].is_lit || points.empty()) {
-        dim_text("GL_LIGHTING is disabled here: the colour is glColor's, and no light matters.");
+        dim_text(tr("GL_LIGHTING is disabled here: the colour is glColor's, and no light matters."));
     } else {
         point_ = std::min(point_, points.size() - 1);
         const std::vector<SumRow> mean = session::mean_rows(points);
         if (!mean.empty()) {
-            heading("The colour of this pixel");
+            heading(tr("The colour of this pixel"));
             sum_table("mean", mean);
             for (std::size_t i = 0; i < points.size(); ++i) {
                 if (i > 0) ImGui::SameLine();
                 if (ImGui::RadioButton(points[i].name.c_str(), i == point_)) point_ = i;
             }
         }
-        heading(fmt::format("The equation at {}: {}", points[point_].name, title_of(session, active_pane(session))));
+        heading(tr("The equation at {}: {}", points[point_].name, title_of(session, active_pane(session))));
         show_equation(session, points[point_]);
     }
     const std::vector<SumRow> after = session::fragment_rows(session.scene, *answer_, fragment_);
     if (!after.empty()) {
-        heading("After lighting");
+        heading(tr("After lighting"));
         show_lines("steps", session::after_lighting(session.scene, *answer_, fragment_));
         sum_table("after", after);
     }
@@ -311,8 +314,8 @@ void ProbePanel::show_under_pointer(Session& session) {
     ImGui::SetNextWindowSize({30 * ImGui::GetFontSize(), 0});
     ImGui::BeginTooltip();
     const std::vector<SumRow> mean = session::mean_rows(points);
-    dim_text(fmt::format("Pixel {}, {}: {}", session.probe->x, session.probe->y,
-                         mean.empty() ? "the lighting equation" : "a mix of its corners; at " + point.name));
+    dim_text(tr("Pixel {}, {}: {}", session.probe->x, session.probe->y,
+                mean.empty() ? tr("the lighting equation") : tr("a mix of its corners; at {}", point.name)));
     sum_table("sum under the pointer", session::sum_rows(point.derivation, {}, session.symbols));
     if (!mean.empty()) sum_table("mean under the pointer", {mean.back()});
     ImGui::EndTooltip();
@@ -321,14 +324,14 @@ void ProbePanel::show_under_pointer(Session& session) {
 void ProbePanel::show(Session& session, const std::array<std::optional<Rgba>, session::kPanes>& colors) {
     if (!session.probe) {
         dim_text(
-            "Click a picture to see why the pixel has its colour: every term of the lighting equation with its "
-            "numbers.");
-        if (ImGui::Button("Explain a vertex")) session.probe = session::Probe{.is_vertex = true};
+            tr("Click a picture to see why the pixel has its colour: every term of the lighting equation with its "
+               "numbers."));
+        if (ImGui::Button(tr("Explain a vertex"))) session.probe = session::Probe{.is_vertex = true};
         if (!session.probe) return;
     }
     show_choice(session);
     if (!update(session)) {
-        dim_text("The numbers follow when nothing moves.");
+        dim_text(tr("The numbers follow when nothing moves."));
         return;
     }
     if (!answer_->trouble.empty()) {
@@ -338,12 +341,12 @@ void ProbePanel::show(Session& session, const std::array<std::optional<Rgba>, se
     if (!session.probe->is_vertex) show_colors(session, colors);
     show_fragment(session);
     ImGui::Spacing();
-    if (ImGui::Button("Copy as text")) {
+    if (ImGui::Button(tr("Copy as text"))) {
         std::vector<explain::Rendered> rendered;
         for (std::size_t pane = 0; pane < session::kPanes; ++pane)
             if (colors[pane]) rendered.push_back({session.panes[pane].renderer, *colors[pane]});
         ImGui::SetClipboardText(session::probe_text(session.scene, *answer_, rendered).c_str());
-        say(session, "the numbers of this probe are copied");
+        say(session, tr("the numbers of this probe are copied"));
     }
 }
 

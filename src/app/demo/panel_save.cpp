@@ -9,6 +9,7 @@
 
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
+#include "base/text/translation.h"
 
 namespace twinlight::demo {
 
@@ -74,33 +75,34 @@ void SavePanel::show(Session& session) {
     const float width = 9 * ImGui::GetFontSize();
     const auto row = [width](const char* name, const std::string& what) {
         ImGui::Dummy({0, 2});
-        const bool pressed = ImGui::Button(name, {width, 0});
+        const bool pressed = ImGui::Button(tr(name), {width, 0});
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
         dim_text(what);
         return pressed;
     };
-    heading("The scene");
-    if (row("Save", session.file ? "to " + *session.file + " (Ctrl+S)" : "to a new file (Ctrl+S)"))
+    heading(tr("The scene"));
+    if (row("Save", session.file ? tr("to {} (Ctrl+S)", *session.file) : tr("to a new file (Ctrl+S)")))
         session.save_requested = true;
-    if (row("Save as ...", "to another file (Ctrl+Shift+S)")) session.dialog = session::Dialog::kSaveAs;
-    heading("New files");
+    if (row("Save as ...", tr("to another file (Ctrl+Shift+S)"))) session.dialog = session::Dialog::kSaveAs;
+    heading(tr("New files"));
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Folder");
+    ImGui::TextUnformatted(tr("Folder"));
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     ImGui::InputText("##folder", folder_.data(), folder_.size());
-    dim_text("No file is overwritten: a name that exists gets a number.");
+    dim_text(tr("No file is overwritten: a name that exists gets a number."));
     for (const session::FormName& form : session::kForms)
-        if (row(form.words, form.what)) save(session, form.value);
-    if (row("Screenshot", "the whole window: NAME.png (key p)")) session.screenshot_requested = true;
+        if (row(form.words, tr(form.what))) save(session, form.value);
+    if (row("Screenshot", tr("the whole window: NAME.png (key p)"))) session.screenshot_requested = true;
     const char* words = !clip_ ? "Record a clip" : clip_->is_ending() ? "Writing ..." : "Stop";
-    if (row(words, "the pictures: NAME-clip/frame-00001.png and so on, 30 a second; with ffmpeg also NAME-clip.mp4"))
+    if (row(words,
+            tr("the pictures: NAME-clip/frame-00001.png and so on, 30 a second; with ffmpeg also NAME-clip.mp4")))
         toggle_clip(session);
     if (clip_)
-        colored_text(kAccent, fmt::format("{:.1f} s recorded, {} frames written",
-                                          static_cast<double>(clip_->frames()) / session::Clip::kFramesPerSecond,
-                                          clip_->frames()));
+        colored_text(kAccent,
+                     tr("{:.1f} s recorded, {} frames written",
+                        static_cast<double>(clip_->frames()) / session::Clip::kFramesPerSecond, clip_->frames()));
     if (!last_.empty()) {
         ImGui::Dummy({0, ImGui::GetFontSize() / 2});
         colored_text(last_failed_ ? kBad : kGood, last_);

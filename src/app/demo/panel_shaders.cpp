@@ -9,6 +9,7 @@
 
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
+#include "base/text/translation.h"
 #include "render/programmable/export/kept_files.h"
 #include "render/programmable/export/shader_text.h"
 
@@ -43,7 +44,7 @@ Look look_of_shaders(const Session& session) {
 
 std::vector<ShownShader> shaders_to_keep(const Scene& scene, const programmable::Options& options) {
     const std::string why = programmable::why_not_in_files(scene.frame);
-    if (!why.empty()) throw std::runtime_error("Shaders to keep cannot draw this scene: " + why + ".");
+    if (!why.empty()) throw std::runtime_error(tr("Shaders to keep cannot draw this scene: {}.", why));
     std::vector<ShownShader> shaders;
     for (NamedFile& file : programmable::kept_files(scene.frame, options, programmable::Glsl::k330, scene.name()))
         if (file.name.ends_with(".vert") || file.name.ends_with(".frag"))
@@ -83,10 +84,10 @@ void ShadersPanel::make_shaders(const Session& session) {
     try {
         if (to_keep_ && options.shading == Shading::kExact)
             throw std::runtime_error(
-                "Exact surfaces are found by rays for one picture. Press g to choose another shading.");
+                tr("Exact surfaces are found by rays for one picture. Press g to choose another shading."));
         shaders_ = to_keep_ ? shaders_to_keep(session.scene, options)
                             : session::shown_shaders(programmable::shader_source(session.scene.frame, options));
-        if (shaders_.empty()) trouble_ = "The scene draws nothing, so it has no shaders.";
+        if (shaders_.empty()) trouble_ = tr("The scene draws nothing, so it has no shaders.");
     } catch (const std::runtime_error& error) {
         trouble_ = error.what();
     }
@@ -104,14 +105,13 @@ void ShadersPanel::show_reasons(const ShownShader& shader) const {
     for (const ExplainedEffect& row : rows) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        colored_text_line(row.in ? kGood : kDim, row.in ? "used" : "skipped");
+        colored_text_line(row.in ? kGood : kDim, tr(row.in ? "used" : "skipped"));
         ImGui::TableNextColumn();
         colored_text(row.in ? kText : kDim, row.what);
         dim_text(row.why);
     }
     ImGui::EndTable();
-    dim_text(
-        fmt::format("All skipped lights together change a channel by at most {}.", in_codes(draw->plan.error_bound)));
+    dim_text(tr("All skipped lights together change a channel by at most {}.", in_codes(draw->plan.error_bound)));
 }
 
 void ShadersPanel::show_glsl(Session& session) {
@@ -120,13 +120,13 @@ void ShadersPanel::show_glsl(Session& session) {
         lines_ = session::inked_lines(session::without_reasons(glsl));
         inked_ = shown_;
     }
-    if (ImGui::Button("Copy")) {
+    if (ImGui::Button(tr("Copy"))) {
         ImGui::SetClipboardText(glsl.c_str());
-        say(session, fmt::format("copied {} lines of GLSL", lines_.size()));
+        say(session, tr("copied {} lines of GLSL", lines_.size()));
     }
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", fmt::format("{} lines; saved from the tab Save", lines_.size()).c_str());
+    ImGui::TextDisabled("%s", tr("{} lines; saved from the tab Save", lines_.size()).c_str());
     // At least twenty lines, also below a long list of reasons.
     const float height = std::max(ImGui::GetContentRegionAvail().y, 20 * ImGui::GetTextLineHeightWithSpacing());
     ImGui::BeginChild("glsl", {0, height}, true, ImGuiWindowFlags_HorizontalScrollbar);
@@ -153,10 +153,10 @@ void ShadersPanel::show_glsl(Session& session) {
 
 void ShadersPanel::show(Session& session) {
     int kind = to_keep_ ? 1 : 0;
-    ImGui::RadioButton("for this picture", &kind, 0);
-    constexpr const char* kToKeep = "to keep (GLSL 3.30)";
-    same_line_for(kToKeep);
-    ImGui::RadioButton(kToKeep, &kind, 1);
+    ImGui::RadioButton(tr("for this picture"), &kind, 0);
+    const char* const to_keep = tr("to keep (GLSL 3.30)");
+    same_line_for(to_keep);
+    ImGui::RadioButton(to_keep, &kind, 1);
     to_keep_ = kind == 1;
     update(session);
     if (!trouble_.empty()) {
@@ -173,10 +173,11 @@ void ShadersPanel::show(Session& session) {
         ImGui::EndCombo();
     }
     if (to_keep_) {
-        dim_text("They stay right when objects, lights and the camera move. The values are uniforms with GL's names.");
+        dim_text(
+            tr("They stay right when objects, lights and the camera move. The values are uniforms with GL's names."));
     } else {
-        heading("What the shaders compute, and why");
-        ImGui::Checkbox("also what the scene turns off", &all_reasons_);
+        heading(tr("What the shaders compute, and why"));
+        ImGui::Checkbox(tr("also what the scene turns off"), &all_reasons_);
         show_reasons(shaders_[shown_]);
         heading("GLSL");
     }

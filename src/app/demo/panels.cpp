@@ -9,6 +9,7 @@
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
 #include "app/session/tutor.h"
+#include "base/text/translation.h"
 
 namespace twinlight::demo {
 namespace {
@@ -51,7 +52,7 @@ void Panels::show(session::Session& session, const Rectangle& box, const Panes& 
     ImGui::Begin("panel", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
     for (const session::PanelName& panel : session::kPanels) {
-        std::string title = panel.title, widest = title;
+        std::string title = tr(panel.title), widest = title;
         if (panel.value == Panel::kLint) {
             widest += " (99)";
             if (lint_.count() > 0) title += fmt::format(" ({})", lint_.count());

@@ -14,6 +14,7 @@
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
 #include "app/session/sides.h"
+#include "base/text/translation.h"
 
 namespace twinlight::demo {
 namespace {
@@ -35,10 +36,10 @@ std::string ms_text(double ms) {
 // "fixed function and reference"; with the shadings where the renderers are the same.
 std::string difference_title(const Session& session) {
     const session::Pane &a = session.panes[session.difference.a], &b = session.panes[session.difference.b];
-    if (a.renderer == b.renderer) return title_of(session, a) + " and " + title_of(session, b);
+    if (a.renderer == b.renderer) return tr("{} and {}", title_of(session, a), title_of(session, b));
     constexpr std::array<const char*, kPaths> kNames = {"fixed function", "shaders", "reference"};
-    return std::string(kNames[static_cast<std::size_t>(a.renderer)]) + " and " +
-           kNames[static_cast<std::size_t>(b.renderer)];
+    return tr("{} and {}", tr(kNames[static_cast<std::size_t>(a.renderer)]),
+              tr(kNames[static_cast<std::size_t>(b.renderer)]));
 }
 
 void begin_bar(const char* name, const Rectangle& bar) {
@@ -69,7 +70,8 @@ void show_color_scale(const Rectangle& picture, int amplification) {
     const float line = from.y - ImGui::GetFontSize() - 2;
     const std::string most = fmt::format("{:.3g}/255", 255.0 / amplification);
     const float most_width = ImGui::CalcTextSize(most.c_str()).x;
-    if (ImGui::CalcTextSize("equal ").x + most_width <= width) draw.AddText({from.x, line}, kDim, "equal");
+    const char* const least = tr("equal");
+    if (ImGui::CalcTextSize(least).x + at_scale(4) + most_width <= width) draw.AddText({from.x, line}, kDim, least);
     draw.AddText({from.x + width - most_width, line}, kDim, most.c_str());
 }
 
@@ -99,21 +101,21 @@ void show_pane_menu(Session& session, std::size_t number) {
     if (!ImGui::BeginPopup("choose")) return;
     session::Pane& pane = session.panes[number];
     for (std::size_t i = 0; i < kPaths; ++i)
-        if (ImGui::MenuItem(session::kRendererTitles[i], nullptr, pane.renderer == kAllPaths[i]))
+        if (ImGui::MenuItem(tr(session::kRendererTitles[i]), nullptr, pane.renderer == kAllPaths[i]))
             pane.renderer = kAllPaths[i];
     ImGui::Separator();
-    if (ImGui::MenuItem("As glShadeModel says", nullptr, !pane.shading)) pane.shading.reset();
+    if (ImGui::MenuItem(tr("As glShadeModel says"), nullptr, !pane.shading)) pane.shading.reset();
     for (const ShadingName& shading : kShadings) {
         constexpr std::array<const char*, 4> kWords = {"Flat", "Gouraud", "Phong", "Exact surfaces"};
         const bool can = pane.renderer != Path::kFixed || !lights_every_pixel(shading.value);
-        if (ImGui::MenuItem(kWords[static_cast<std::size_t>(shading.value)], can ? nullptr : "shaders only",
+        if (ImGui::MenuItem(tr(kWords[static_cast<std::size_t>(shading.value)]), can ? nullptr : tr("shaders only"),
                             pane.shading == shading.value, can))
             pane.shading = shading.value;
     }
     if (pane.renderer != Path::kFixed) {
         ImGui::Separator();
         const bool on = look_of(session, pane).lecture_variants;
-        if (ImGui::MenuItem("The lecture's variants (pragmas)", nullptr, on)) pane.lecture_variants = !on;
+        if (ImGui::MenuItem(tr("The lecture's variants (pragmas)"), nullptr, on)) pane.lecture_variants = !on;
     }
     ImGui::EndPopup();
 }
@@ -124,7 +126,7 @@ void show_pair_menu(Session& session) {
     for (std::size_t a = 0; a < kPanes; ++a) {
         for (std::size_t b = a + 1; b < kPanes; ++b) {
             const std::string title =
-                title_of(session, session.panes[a]) + " and " + title_of(session, session.panes[b]);
+                tr("{} and {}", title_of(session, session.panes[a]), title_of(session, session.panes[b]));
             if (ImGui::MenuItem(title.c_str(), nullptr, session.difference == session::Pair{a, b}))
                 session.difference = {a, b};
         }
@@ -171,16 +173,16 @@ unsigned Panes::shown_texture(const Session& session, std::size_t pane) const {
 std::string Panes::time_of(const Session& session, std::size_t number) const {
     const Drawn& drawn = drawn_[number];
     if (session.panes[number].renderer == Path::kReference) {
-        if (!drawn.reference) return "drawing ...";
+        if (!drawn.reference) return tr("drawing ...");
         if (drawn.revision != session.revision) {
             const double age = std::chrono::duration<double>(Clock::now() - drawn.since).count();
-            return fmt::format("{:.1f} s old, drawing ...", age);
+            return tr("{:.1f} s old, drawing ...", age);
         }
-        if (drawn.reference->divisor > 1) return "coarse, drawing ...";
+        if (drawn.reference->divisor > 1) return tr("coarse, drawing ...");
     }
     const auto ms = drawn.times.median_ms();
     // What is drawn fast is late only if the driver compiles.
-    if (is_late_ && is_behind(drawn)) return ms && *ms > kSlowMs ? "drawing ..." : "compiling ...";
+    if (is_late_ && is_behind(drawn)) return ms && *ms > kSlowMs ? tr("drawing ...") : tr("compiling ...");
     return ms ? ms_text(*ms) : "";
 }
 
@@ -204,15 +206,15 @@ void Panes::show_header(Session& session, const Cell& cell) {
     ImGui::SetCursorPos({10, (static_cast<float>(cell.header.height) - ImGui::GetFontSize()) / 2});
     ImGui::PushFont(fonts().bold);
     if (cell.pane == kDifferencePane) {
-        const std::string title = fitting({"Difference of " + difference_title(session), "Difference"},
+        const std::string title = fitting({tr("Difference of {}", difference_title(session)), tr("Difference")},
                                           static_cast<float>(cell.header.width) - 20);
         if (ImGui::Selectable(title.c_str(), false, 0, {static_cast<float>(cell.header.width) - 20, 0}))
             ImGui::OpenPopup("pair");
     } else {
         const session::Pane& pane = session.panes[cell.pane];
         const float room = static_cast<float>(cell.header.width) - 20;
-        const std::string title =
-            fitting({title_of(session, pane), session::kRendererTitles[static_cast<std::size_t>(pane.renderer)]}, room);
+        const std::string title = fitting(
+            {title_of(session, pane), tr(session::kRendererTitles[static_cast<std::size_t>(pane.renderer)])}, room);
         if (ImGui::Selectable(title.c_str(), false, 0, {room, 0})) {
             session.active = cell.pane;
             ImGui::OpenPopup("choose");
@@ -229,7 +231,8 @@ void Panes::show_header(Session& session, const Cell& cell) {
 // The sentence in a pane's footer.
 std::pair<std::string, unsigned> Panes::footer_of(const Session& session, std::size_t number, float room) const {
     if (number == kDifferencePane) {
-        if (!has_difference(session) || !difference_.verdict) return {"Not known yet: the reference is drawing", kDim};
+        if (!has_difference(session) || !difference_.verdict)
+            return {tr("Not known yet: the reference is drawing"), kDim};
         const PairVerdict& verdict = *difference_.verdict;
         return {fitting(verdict.texts, room), verdict_color(verdict.verdict)};
     }
@@ -238,9 +241,9 @@ std::pair<std::string, unsigned> Panes::footer_of(const Session& session, std::s
     if (!drawn.error.empty()) return {drawn.error.substr(0, drawn.error.find('\n')), kBad};
     const auto lacks_here = [&](const Unsupported& item) { return lacks(pane.renderer, item); };
     const auto missing = std::ranges::find_if(session.scene.frame.unsupported, lacks_here);
-    if (missing != session.scene.frame.unsupported.end()) return {"not drawn: " + missing->name, kAccent};
+    if (missing != session.scene.frame.unsupported.end()) return {tr("not drawn: {}", missing->name), kAccent};
     const auto described = [room](const char* text, const char* short_text) {
-        return std::pair(fitting({text, short_text}, room), kDim);
+        return std::pair(fitting({tr(text), tr(short_text)}, room), kDim);
     };
     if (pane.renderer == Path::kReference) return described("double precision, without a driver", "double precision");
     if (pane.renderer == Path::kFixed) return described("the driver executes glLight, glMaterial, ...", "the driver");
@@ -280,13 +283,15 @@ void Panes::show_amplification(Session& session, const Rectangle& picture) {
     int chosen = static_cast<int>(std::ranges::find(kFactors, session.amplification) - kFactors.begin());
     const std::string factor =
         fmt::format("x {}", session.amplification == 0 ? difference_.amplification : session.amplification);
-    const std::string shown =
-        session.amplification == 0 ? fitting({factor + " (auto)", factor}, static_cast<float>(width) - 12) : factor;
+    const std::string shown = session.amplification == 0
+                                  ? fitting({tr("{} (auto)", factor), factor}, static_cast<float>(width) - 12)
+                                  : factor;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6, 2});
     if (ImGui::SliderInt("##amplification", &chosen, 0, 7, shown.c_str()))
         session.amplification = kFactors[static_cast<std::size_t>(std::clamp(chosen, 0, 7))];
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Differences are multiplied by this. Grey is equal; brighter is a larger difference.");
+        ImGui::SetTooltip("%s",
+                          tr("Differences are multiplied by this. Grey is equal; brighter is a larger difference."));
     ImGui::PopStyleVar();
     end_bar();
 }
@@ -342,8 +347,9 @@ void Panes::show_sides(Session& session, const Rectangle& bar) {
         if (ImGui::Checkbox(fitting({row.text, row.short_text}, room).c_str(), &differs)) switch_side(session, row);
         ImGui::PopStyleColor();
         if (ImGui::IsItemHovered())
-            ImGui::SetTooltip(row.differs ? "The two sides differ in this. Click to make them equal in it."
-                                          : "The two sides are equal in this. Click to make them differ in it.");
+            ImGui::SetTooltip("%s",
+                              tr(row.differs ? "The two sides differ in this. Click to make them equal in it."
+                                             : "The two sides are equal in this. Click to make them differ in it."));
     }
     ImGui::PopStyleVar();
     end_bar();

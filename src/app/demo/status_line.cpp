@@ -7,7 +7,9 @@
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
 #include "app/session/keys.h"
+#include "app/session/language.h"
 #include "app/session/steps.h"
+#include "base/text/translation.h"
 #include "scene/scenes/caption.h"
 
 namespace twinlight::demo {
@@ -30,10 +32,10 @@ void StatusLine::show(session::Session& session, const Rectangle& bar, bool keep
     draw.AddRectFilled(from, to, session.error.empty() ? kBar : IM_COL32(96, 34, 28, 255));
     const float y = text_y(bar);
     std::string scene = title_of(session);
-    if (const std::string step = session::step_caption(commands(session)); !step.empty()) scene += ", " + step;
+    if (const std::string step = session::step_caption(commands(session)); !step.empty()) scene += tr(", ") + step;
     draw.AddText(fonts().bold, height_of(*fonts().bold), {12, y}, kText, scene.c_str());
     const float after_name = 12 + fonts().bold->CalcTextSizeA(height_of(*fonts().bold), 1e4F, 0, scene.c_str()).x + 18;
-    const char* help = "Ctrl+O scenes   ? keys   right click: menu";
+    const char* help = tr("Ctrl+O scenes   ? keys   right click: menu");
     const float help_x = to.x - ImGui::CalcTextSize(help).x - 12;
     if (session.error.empty()) {
         draw.AddText({help_x, y}, kDim, help);
@@ -53,16 +55,15 @@ void StatusLine::show(session::Session& session, const Rectangle& bar, bool keep
 }
 
 void show_caption(const session::Session& session, const Rectangle& box) {
-    const Caption caption = caption_of(*session.opened);
+    const Caption caption = session::translated(caption_of(*session.opened));
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const float left = corner(box).x + 16, room = static_cast<float>(box.width) - 26, line = ImGui::GetFontSize() + 4;
     const float top = corner(box).y + 5;
     ImGui::PushFont(fonts().bold);
-    draw.AddText({left, top}, kText,
-                 fitting({caption.title, caption.title.substr(0, caption.title.find(':'))}, room).c_str());
+    draw.AddText({left, top}, kText, fitting({caption.title, session::before_colon(caption.title)}, room).c_str());
     ImGui::PopFont();
     draw.AddText({left, top + line}, kDim,
-                 fitting({caption.notice, caption.notice.substr(0, caption.notice.find(". ") + 1)}, room).c_str());
+                 fitting({caption.notice, session::first_sentence(caption.notice)}, room).c_str());
     if (!ImGui::IsMouseHoveringRect(corner(box), far_corner(box), false)) return;
     ImGui::BeginTooltip();
     ImGui::TextUnformatted(wrapped(caption.all, 36 * ImGui::GetFontSize()).c_str());
@@ -80,17 +81,17 @@ void show_keys(int width, int height) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs);
     ImGui::SetWindowFocus();
-    bold_text("Keys");
+    bold_text(tr("Keys"));
     if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
         for (const session::Key& row : session::keys()) {
             if (row.label.empty()) continue;
             ImGui::TableNextRow();
             ImGui::TableNextColumn();
             ImGui::PushFont(fonts().code_bold);
-            ImGui::TextUnformatted(row.label.data(), row.label.data() + row.label.size());
+            ImGui::TextUnformatted(tr(row.label).c_str());
             ImGui::PopFont();
             ImGui::TableNextColumn();
-            ImGui::TextUnformatted(row.what.data(), row.what.data() + row.what.size());
+            ImGui::TextUnformatted(tr(row.what).c_str());
         }
         ImGui::EndTable();
     }

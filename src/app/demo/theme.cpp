@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <string>
 
+#include "app/session/language.h"
 #include "app/session/lesson_state.h"
+#include "base/text/translation.h"
 
 namespace twinlight::demo {
 namespace {
@@ -24,7 +26,24 @@ Fonts loaded;
 double used_scale = 1;
 bool chinese_loaded = false;
 
-ImFont* load(const char* name, float size) {
+// Adds the letters of the Chinese window and lessons to the font that was loaded last.
+void add_chinese(float size) {
+    static ImVector<ImWchar> ranges;  // ImGui reads it when it makes the texture
+    if (ranges.empty()) {
+        ImFontGlyphRangesBuilder builder;
+        for (const EmbeddedFile& page : kChineseLessonFiles)
+            builder.AddText(page.text.data(), page.text.data() + page.text.size());
+        for (const Translation& row : session::chinese()) builder.AddText(row.translated);
+        for (const char* words : session::all_words(lesson::Language::kChinese)) builder.AddText(words);
+        builder.BuildRanges(&ranges);
+    }
+    ImFontConfig config;
+    config.MergeMode = true;
+    ImGui::GetIO().Fonts->AddFontFromFileTTF(chinese_font().c_str(), size * static_cast<float>(used_scale), &config,
+                                             ranges.Data);
+}
+
+ImFont* load_latin(const char* name, float size) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     const std::string file = std::string(kFolder) + name;
     std::error_code ignored;
@@ -36,20 +55,10 @@ ImFont* load(const char* name, float size) {
     return atlas.AddFontFromFileTTF(file.c_str(), pixels, nullptr, kRanges);
 }
 
-// Adds the letters of the Chinese lessons to the font that was loaded last.
-void add_chinese(float size) {
-    static ImVector<ImWchar> ranges;  // ImGui reads it when it makes the texture
-    if (ranges.empty()) {
-        ImFontGlyphRangesBuilder builder;
-        for (const EmbeddedFile& page : kChineseLessonFiles)
-            builder.AddText(page.text.data(), page.text.data() + page.text.size());
-        for (const char* word : session::all_words(lesson::Language::kChinese)) builder.AddText(word);
-        builder.BuildRanges(&ranges);
-    }
-    ImFontConfig config;
-    config.MergeMode = true;
-    ImGui::GetIO().Fonts->AddFontFromFileTTF(chinese_font().c_str(), size * static_cast<float>(used_scale), &config,
-                                             ranges.Data);
+ImFont* load(const char* name, float size) {
+    ImFont* const font = load_latin(name, size);
+    if (chinese_loaded) add_chinese(size);
+    return font;
 }
 
 }  // namespace
@@ -69,11 +78,9 @@ void set_theme(double scale, lesson::Language language) {
     used_scale = scale;
     chinese_loaded = language == lesson::Language::kChinese && !chinese_font().empty();
     loaded.text = load("DejaVuSans.ttf", kTextSize);
-    if (chinese_loaded) add_chinese(kTextSize);
     loaded.bold = load("DejaVuSans-Bold.ttf", kTextSize);
-    if (chinese_loaded) add_chinese(kTextSize);
     loaded.code = load("DejaVuSansMono.ttf", kCodeSize);
-    loaded.code_large = load("DejaVuSansMono.ttf", kLargeCodeSize);
+    loaded.code_large = load_latin("DejaVuSansMono.ttf", kLargeCodeSize);
     loaded.code_bold = load("DejaVuSansMono-Bold.ttf", kCodeSize);
 
     ImGui::StyleColorsDark();

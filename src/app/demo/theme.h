@@ -19,7 +19,7 @@ struct Fonts {
 
 // Loads the fonts and sets colours and spacing; `scale` is 1 for 96 dots per inch. Needs an ImGui context. Without the
 // DejaVu fonts, all of them are ImGui's own.
-// The Chinese letters of the lessons are loaded if that is the language and a font has them.
+// Chinese letters are loaded if that is the language and a font has them.
 void set_theme(double scale, lesson::Language language);
 bool has_chinese_letters();
 // The file of a font with Chinese letters; empty if none is installed.

@@ -25,6 +25,7 @@
 #include "base/image/file.h"
 #include "base/image/png.h"
 #include "base/text/json.h"
+#include "base/text/translation.h"
 #include "render/context/context.h"
 #include "render/context/driver_choice.h"
 #include "render/context/gl.h"
@@ -292,7 +293,7 @@ void Window::save_screenshot() {
         Image image = read_pixels(width_, height_);
         for (Rgba& pixel : image.pixels) pixel[3] = 1;
         write_png(file, image);
-        say(session_, fmt::format("wrote {}, {} x {}", file, width_, height_));
+        say(session_, tr("wrote {}, {} x {}", file, width_, height_));
         std::fprintf(stderr, "wrote %s, %d x %d\n", file.c_str(), width_, height_);
     } catch (const FileError& error) {
         say(session_, error.what());

@@ -21,6 +21,7 @@
 #include "app/session/typed_calls.h"
 #include "base/image/file.h"
 #include "base/text/reason.h"
+#include "base/text/translation.h"
 #include "render/context/gl.h"
 #include "scene/command/text.h"
 #include "scene/scenes/load.h"
@@ -203,7 +204,7 @@ void Window::save() {
             return;
         }
         session::save(session_);
-        say(session_, "saved " + *session_.file);
+        say(session_, tr("saved {}", *session_.file));
         keep_for_recovery();
     } catch (const std::exception& problem) {
         say(session_, reason_of(problem));
@@ -213,17 +214,17 @@ void Window::save() {
 void Window::copy() {
     const std::string text = session::selected_calls(session_);
     if (!text.empty()) copy_text(text);
-    say(session_, text.empty()         ? "click a call in the tab Commands first; Ctrl+C copies it"
-                  : shares_clipboard() ? "copied"
-                                       : "copied within this window; other programs get it if xclip is installed");
+    say(session_, tr(text.empty()         ? "click a call in the tab Commands first; Ctrl+C copies it"
+                     : shares_clipboard() ? "copied"
+                                          : "copied within this window; other programs get it if xclip is installed"));
 }
 
 void Window::paste() {
     try {
         const std::string text = copied_text();
-        if (text.empty()) throw std::runtime_error("the clipboard has no text");
+        if (text.empty()) throw std::runtime_error(tr("the clipboard has no text"));
         session::insert_calls(session_, text);
-        say(session_, "inserted what was copied");
+        say(session_, tr("inserted what was copied"));
     } catch (const std::exception& problem) {
         say(session_, reason_of(problem));
     }
@@ -247,7 +248,7 @@ void Window::keep_for_recovery() {
 void Window::open_step(int away) {
     const CommandList& now = commands(session_);
     if (now.steps.empty()) {
-        say(session_, "this scene has no steps; [ and ] show other scenes");
+        say(session_, tr("this scene has no steps; [ and ] show other scenes"));
         return;
     }
     const std::string step = session::neighbour_step(now, away);

@@ -13,6 +13,7 @@
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
 #include "base/text/reason.h"
+#include "base/text/translation.h"
 #include "render/context/gl.h"
 #include "render/fixed/fixed.h"
 
@@ -111,7 +112,8 @@ void WorldView::carry_out_mouse(session::Session& session, const Rectangle& box)
     const ImVec2 by = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, kDragPixels);
     if (ImGui::IsItemActive() && drag_ && dragged_) {
         const LightMarker& light = drag_->world.lights[drag_->handle.light];
-        const std::string what = (drag_->handle.is_spot_direction ? "turn " : "move ") + light_name(light.number);
+        const std::string what = drag_->handle.is_spot_direction ? tr("turn {}", light_name(light.number))
+                                                                 : tr("move {}", light_name(light.number));
         edit(session,
              with_handle_moved(*drag_->commands, drag_->frame, drag_->world, projection_, drag_->handle, {by.x, by.y}),
              what, "light " + std::to_string(light.number));
@@ -147,8 +149,9 @@ void WorldView::show_markers(const session::Session& session, const Rectangle& b
         if (const auto at = place(*world_.camera_world)) {
             draw.AddCircleFilled(*at, 5, kShadow);
             draw.AddCircleFilled(*at, 4, kAccent);
-            const float left = at->x - ImGui::CalcTextSize("camera").x - 16;
-            text({left < corner(box).x ? at->x + 12 : left, at->y - ImGui::GetFontSize() / 2}, kAccent, "camera");
+            const char* const name = tr("camera");
+            const float left = at->x - ImGui::CalcTextSize(name).x - 16;
+            text({left < corner(box).x ? at->x + 12 : left, at->y - ImGui::GetFontSize() / 2}, kAccent, name);
         }
     struct Name {
         ImVec2 at;
@@ -224,16 +227,16 @@ void WorldView::show_inside(const Rectangle& box, unsigned inside) const {
 
 std::string WorldView::described(const session::Session& session, const LightMarker& light) const {
     const std::string name = light_name(light.number);
-    const std::string black = light.is_black ? "; its colours are black" : "";
+    const std::string black = light.is_black ? tr("; its colours are black") : "";
     if (light.typed >= session.scene.frame.typed_lights.size()) return name + black;
     const TypedLight& typed = session.scene.frame.typed_lights[light.typed];
     const std::string position = point_text(glm::dvec3(typed.position.value));
-    if (light.is_directional) return fmt::format("{}: directional, from {}{}", name, position, black);
-    const std::string place = fmt::format(
-        "at {}{}", position, typed.position.value.w == 1 ? "" : fmt::format(", w = {:.3g}", typed.position.value.w));
-    if (!light.cutoff_deg) return fmt::format("{}: point light {}{}", name, place, black);
-    return fmt::format("{}: spotlight {}, toward {}, {:.3g} degrees{}", name, place,
-                       point_text(typed.spot_direction.value), *light.cutoff_deg, black);
+    if (light.is_directional) return tr("{}: directional, from {}{}", name, position, black);
+    const std::string place =
+        tr("at {}{}", position, typed.position.value.w == 1 ? "" : fmt::format(", w = {:.3g}", typed.position.value.w));
+    if (!light.cutoff_deg) return tr("{}: point light {}{}", name, place, black);
+    return tr("{}: spotlight {}, toward {}, {:.3g} degrees{}", name, place, point_text(typed.spot_direction.value),
+              *light.cutoff_deg, black);
 }
 
 void WorldView::show(session::Session& session, const session::Cell& cell, unsigned inside) {
@@ -257,7 +260,7 @@ void WorldView::show(session::Session& session, const session::Cell& cell, unsig
 
     ImGui::PushFont(fonts().bold);
     const std::string title =
-        fitting({"The scene from outside", "From outside"}, static_cast<float>(cell.header.width) - 20);
+        fitting({tr("The scene from outside"), tr("From outside")}, static_cast<float>(cell.header.width) - 20);
     ImGui::PopFont();
     bar(cell.header, ImDrawFlags_RoundCornersTop, kText, title, fonts().bold);
     const auto shown_light = [&]() -> const LightMarker* {
@@ -273,8 +276,8 @@ void WorldView::show(session::Session& session, const session::Cell& cell, unsig
         bar(cell.footer, ImDrawFlags_RoundCornersBottom, kText, described(session, *light), fonts().text);
     else
         bar(cell.footer, ImDrawFlags_RoundCornersBottom, kDim,
-            fitting({"Drag to turn, wheel to zoom; drag a light, or the tip of its cone, to move it",
-                     "Drag to turn; drag a light to move it"},
+            fitting({tr("Drag to turn, wheel to zoom; drag a light, or the tip of its cone, to move it"),
+                     tr("Drag to turn; drag a light to move it")},
                     static_cast<float>(cell.footer.width) - 20),
             fonts().text);
 }

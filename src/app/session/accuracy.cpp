@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/text/translation.h"
+
 namespace twinlight::session {
 namespace {
 
@@ -33,17 +35,16 @@ const AccuracyRow* cheapest(const std::vector<AccuracyRow>& rows, const std::str
 // "Gouraud needs 48 slices (2.10 ms)."
 std::string demand(const std::vector<AccuracyRow>& rows, const std::string& shading) {
     const AccuracyRow* best = cheapest(rows, shading);
-    if (best && best->slices > 0)
-        return fmt::format("{} needs {} slices ({}).", shading, best->slices, in_ms(best->ms));
-    if (best) return fmt::format("{} is enough ({}).", shading, in_ms(best->ms));
+    if (best && best->slices > 0) return tr("{} needs {} slices ({}).", tr(shading), best->slices, in_ms(best->ms));
+    if (best) return tr("{} is enough ({}).", tr(shading), in_ms(best->ms));
     const AccuracyRow* nearest = nullptr;
     for (const AccuracyRow& row : rows)
         if (row.shading == shading && (!nearest || row.error < nearest->error)) nearest = &row;
     if (!nearest) return "";
     return nearest->slices > 0
-               ? fmt::format("{} is not accurate enough: with {} slices its error is {}.", shading, nearest->slices,
-                             in_codes(nearest->error))
-               : fmt::format("{} is not accurate enough: its error is {}.", shading, in_codes(nearest->error));
+               ? tr("{} is not accurate enough: with {} slices its error is {}.", tr(shading), nearest->slices,
+                    in_codes(nearest->error))
+               : tr("{} is not accurate enough: its error is {}.", tr(shading), in_codes(nearest->error));
 }
 
 }  // namespace
@@ -72,24 +73,25 @@ std::vector<AccuracyRow> accuracy_rows(const study::Study& study, double target)
 
 std::string accuracy_sentence(const std::vector<AccuracyRow>& rows, double target) {
     if (rows.empty()) return "";
-    std::string text = fmt::format("For an error of at most {}:", in_codes(target));
+    std::string text = tr("For an error of at most {}:", in_codes(target));
     std::vector<const AccuracyRow*> meshes;
     for (const char* shading : {"Gouraud", "Phong"}) {
         const std::string sentence = demand(rows, shading);
-        if (!sentence.empty()) text += " " + sentence;
+        if (!sentence.empty()) text += tr(" ") + sentence;
         if (const AccuracyRow* best = cheapest(rows, shading)) meshes.push_back(best);
     }
     const auto exact = std::ranges::find(rows, "Exact surfaces", &AccuracyRow::shading);
     if (exact == rows.end()) return text;
     if (!exact->is_enough)
-        return text +
-               fmt::format(" Exact surfaces are not accurate enough: their error is {}.", in_codes(exact->error));
+        return text + tr(" Exact surfaces are not accurate enough: their error is {}.", in_codes(exact->error));
     const auto faster = std::ranges::count_if(meshes, [&](const AccuracyRow* row) { return exact->ms < row->ms; });
-    text += fmt::format(" Exact surfaces take {}", in_ms(exact->ms));
-    if (meshes.empty()) return text + ".";
+    const std::string ms = in_ms(exact->ms);
+    if (meshes.empty()) return text + tr(" Exact surfaces take {}.", ms);
     if (faster == static_cast<std::ptrdiff_t>(meshes.size()))
-        return text + (meshes.size() == 1 ? ", which is faster." : ", which is faster than both.");
-    return text + (faster > 0 ? ", which is between the two." : ", which is slower.");
+        return text + (meshes.size() == 1 ? tr(" Exact surfaces take {}, which is faster.", ms)
+                                          : tr(" Exact surfaces take {}, which is faster than both.", ms));
+    return text + (faster > 0 ? tr(" Exact surfaces take {}, which is between the two.", ms)
+                              : tr(" Exact surfaces take {}, which is slower.", ms));
 }
 
 }  // namespace twinlight::session

@@ -162,6 +162,7 @@ struct HelpRow {
 constexpr HelpRow kHelp[] = {
 #define HELP(effect, parameter, pname, words, section) {effect, parameter, pname, words, section},
 #include "app/session/argument_help.def"
+#include "base/text/translation.h"
 #undef HELP
 };
 
@@ -265,10 +266,10 @@ ArgumentInfo argument_info(const Command& command, std::size_t argument) {
 
 std::string argument_help(const Command& command, std::size_t argument) {
     const HelpRow* const row = help_row(command, argument);
-    std::string text = row ? std::string(row->words) : command.sig().usage();
+    std::string text = row ? tr(row->words) : command.sig().usage();
     if (const auto initial = initial_value(command, argument))
-        text += "; initially " + printed_argument(command, argument, *initial);
-    if (row) text += fmt::format("; {}", row->section);
+        text += tr("; initially {}", printed_argument(command, argument, *initial));
+    if (row) text += tr("; {}", tr(row->section));
     return text;
 }
 

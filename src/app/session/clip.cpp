@@ -16,6 +16,7 @@
 #include "base/image/file.h"
 #include "base/image/png.h"
 #include "base/text/reason.h"
+#include "base/text/translation.h"
 #include "base/threads/threads.h"
 
 namespace twinlight::session {
@@ -157,17 +158,17 @@ void Clip::write_frames(int until) {
 
 std::string Clip::write_video() const {
     const int count = frames();
-    const std::string frames_written = fmt::format("{} frames, {:.1f} s", count, 1.0 * count / kFramesPerSecond);
-    if (count == 0) return "no picture was recorded";
+    const std::string frames_written = tr("{} frames, {:.1f} s", count, 1.0 * count / kFramesPerSecond);
+    if (count == 0) return tr("no picture was recorded");
     const std::string video = folder_ + ".mp4";
     std::error_code ignored;
-    if (std::filesystem::exists(video, ignored)) return fmt::format("wrote {}/: {}", folder_, frames_written);
+    if (std::filesystem::exists(video, ignored)) return tr("wrote {}/: {}", folder_, frames_written);
     // Players want an even width and height, and this format of colours.
     const bool made = runs({"ffmpeg", "-nostdin", "-loglevel", "error", "-framerate", std::to_string(kFramesPerSecond),
                             "-i", (std::filesystem::path(folder_) / "frame-%05d.png").string(), "-vf",
                             "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", video});
-    return made ? fmt::format("wrote {} and {}/: {}", video, folder_, frames_written)
-                : fmt::format("wrote {}/: {}; no video, because ffmpeg is missing or failed", folder_, frames_written);
+    return made ? tr("wrote {} and {}/: {}", video, folder_, frames_written)
+                : tr("wrote {}/: {}; no video, because ffmpeg is missing or failed", folder_, frames_written);
 }
 
 }  // namespace twinlight::session

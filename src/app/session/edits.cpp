@@ -13,6 +13,7 @@
 
 #include "app/session/arguments.h"
 #include "base/math/as_float.h"
+#include "base/text/translation.h"
 #include "judge/study/scene_of_choice.h"
 #include "render/effect/plan.h"
 #include "scene/command/command_set.h"
@@ -208,7 +209,7 @@ std::string tessellation(const CommandList& commands) {
     const auto words = [](const std::pair<int, int>& count) {
         return count.second == 0 ? fmt::format("{}", count.first) : fmt::format("{} x {}", count.first, count.second);
     };
-    return least == most ? words(least) : fmt::format("{} to {}", words(least), words(most));
+    return least == most ? words(least) : tr("{} to {}", words(least), words(most));
 }
 
 // ---- Single commands ----
@@ -325,16 +326,17 @@ std::string what_light_shows(const Frame& frame, int light) {
         const auto bound = std::ranges::find(plan.light_bounds, light, &LightBound::number);
         const bool has_effect = bound == plan.light_bounds.end() || bound->in() ||
                                 bound->fate == LightFate::kAmbientOnly || bound->fate == LightFate::kDisabled;
-        if (has_effect && !is_black(*source)) return name + " is on";
+        if (has_effect && !is_black(*source)) return tr("{} is on", name);
         if (!without_effect && bound != plan.light_bounds.end()) without_effect = *bound;
     }
-    if (!is_on) return name + " is off";
-    if (!is_used) return name + " is on, but GL_LIGHTING is off";
+    if (!is_on) return tr("{} is off", name);
+    if (!is_used) return tr("{} is on, but GL_LIGHTING is off", name);
     if (is_black(*source)) {
-        const char* const start = light == 0 ? "" : " (only GL_LIGHT0 starts white); set its GL_DIFFUSE";
-        return fmt::format("{} is on, but its colours are black{}", name, start);
+        return light == 0
+                   ? tr("{} is on, but its colours are black", name)
+                   : tr("{} is on, but its colours are black (only GL_LIGHT0 starts white); set its GL_DIFFUSE", name);
     }
-    return fmt::format("{} is on, but {}", name, without_effect ? reason(*without_effect) : "it lights nothing");
+    return tr("{} is on, but {}", name, without_effect ? reason(*without_effect) : tr("it lights nothing"));
 }
 
 std::string what_capability_shows(const CommandList& commands, const Frame& frame, Enum cap) {
@@ -344,16 +346,18 @@ std::string what_capability_shows(const CommandList& commands, const Frame& fram
     const bool on = is_on(commands, cap);
     const auto lit = [](const Draw* draw) { return draw->lighting.enabled; };
     if (cap == kGL_LIGHTING)
-        return on ? name + " is on" : name + " is off: every vertex has the colour that glColor gave it";
+        return on ? tr("{} is on", name) : tr("{} is off: every vertex has the colour that glColor gave it", name);
     if (cap == kGL_NORMALIZE) {
         const std::vector<const Draw*> draws = frame.draws();
         if (std::ranges::none_of(draws, lit))
-            return fmt::format("{} is {}, but nothing is lit", name, on ? "on" : "off");
+            return on ? tr("{} is on, but nothing is lit", name) : tr("{} is off, but nothing is lit", name);
         const bool all_unit =
             std::ranges::all_of(draws, [&](const Draw* draw) { return !lit(draw) || has_unit_normals(*draw); });
-        if (all_unit) return fmt::format("{} is {}; all normals have length 1 anyway", name, on ? "on" : "off");
+        if (all_unit)
+            return on ? tr("{} is on; all normals have length 1 anyway", name)
+                      : tr("{} is off; all normals have length 1 anyway", name);
     }
-    return fmt::format("{} is {}", name, on ? "on" : "off");
+    return on ? tr("{} is on", name) : tr("{} is off", name);
 }
 
 std::string what_light_model_shows(const Frame& frame, Enum pname) {
@@ -362,14 +366,14 @@ std::string what_light_model_shows(const Frame& frame, Enum pname) {
     };
     const std::vector<const Draw*> draws = frame.draws();
     const bool on = std::ranges::any_of(draws, is_set);
-    const std::string words = fmt::format("{} is {}", enum_name(pname), on ? "on" : "off");
+    const std::string words = on ? tr("{} is on", enum_name(pname)) : tr("{} is off", enum_name(pname));
     if (std::ranges::none_of(draws, [](const Draw* draw) { return draw->lighting.enabled; }))
-        return words + ", but nothing is lit";
+        return words + tr(", but nothing is lit");
     if (pname == kGL_LIGHT_MODEL_LOCAL_VIEWER &&
         std::ranges::none_of(draws, [](const Draw* draw) { return has_highlights(*draw); }))
-        return words + ", but nothing has a highlight";
+        return words + tr(", but nothing has a highlight");
     if (pname == kGL_LIGHT_MODEL_TWO_SIDE && !can_show_back_faces(frame))
-        return words + ", but all back faces are culled";
+        return words + tr(", but all back faces are culled");
     return words;
 }
 

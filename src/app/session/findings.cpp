@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/session/edits.h"
+#include "base/text/translation.h"
 #include "judge/lint/source.h"
 #include "judge/lint/tried.h"
 #include "scene/command/text.h"
@@ -37,7 +38,7 @@ bool is_silenced(const CommandList& commands, const lint::Allowed& allowed, cons
 
 std::string where(const Command& command) {
     const Place& place = command.place;
-    return place.line > 0 && place.column > 0 ? fmt::format("line {}", place.line) : "inserted here";
+    return place.line > 0 && place.column > 0 ? tr("line {}", place.line) : tr("inserted here");
 }
 
 // The linter saw the numbers of commands as lines. "(line 12)" becomes the line of command 12.

@@ -9,6 +9,7 @@
 #include "app/session/camera.h"
 #include "app/session/edits.h"
 #include "app/session/world.h"
+#include "base/text/translation.h"
 
 namespace twinlight::session {
 namespace {
@@ -20,7 +21,7 @@ constexpr double kCameraZoomPerStep = 1.1;
 constexpr double kDegreesPerSecond = 30;
 
 void move_camera(Session& session, const DragStart& start, const CameraMove& move, const char* what) {
-    edit(session, with_camera_moved(*start.commands, move, start.pivot_eye), what, "camera");
+    edit(session, with_camera_moved(*start.commands, move, start.pivot_eye), tr(what), "camera");
 }
 
 void walk(Session& session, double forward, double right) {
@@ -37,24 +38,24 @@ const Frame& frame_now(Session& session) {
 }
 
 void press_light(Session& session, int light) {
-    edit(session, toggle_light(commands(session), light), "switch " + light_name(light));
+    edit(session, toggle_light(commands(session), light), tr("switch {}", light_name(light)));
     say(session, what_light_shows(frame_now(session), light));
 }
 
 void press_capability(Session& session, Enum cap, const char* name) {
-    edit(session, toggle_capability(commands(session), cap), fmt::format("switch {}", name));
+    edit(session, toggle_capability(commands(session), cap), tr("switch {}", name));
     say(session, what_capability_shows(commands(session), frame_now(session), cap));
 }
 
 void press_light_model(Session& session, Enum pname, const char* name) {
-    edit(session, toggle_light_model(commands(session), pname), fmt::format("switch {}", name));
+    edit(session, toggle_light_model(commands(session), pname), tr("switch {}", name));
     say(session, what_light_model_shows(frame_now(session), pname));
 }
 
 void press_shade_model(Session& session, int) {
-    edit(session, toggle_shade_model(commands(session)), "switch glShadeModel");
-    say(session, is_flat(frame_now(session)) ? "glShadeModel(GL_FLAT): each primitive has the colour of one vertex"
-                                             : "glShadeModel(GL_SMOOTH): colours are interpolated");
+    edit(session, toggle_shade_model(commands(session)), tr("switch {}", "glShadeModel"));
+    say(session, tr(is_flat(frame_now(session)) ? "glShadeModel(GL_FLAT): each primitive has the colour of one vertex"
+                                                : "glShadeModel(GL_SMOOTH): colours are interpolated"));
 }
 
 void next_renderer(Session& session, int) {
@@ -78,7 +79,7 @@ void next_shading(Session& session, int) {
     if (session.active == kDifferencePane) session.active = session.difference.a;
     Pane& pane = session.panes[session.active];
     if (is_flat(session.scene.frame)) {
-        say(session, "glShadeModel(GL_FLAT) makes every picture flat; f switches it");
+        say(session, tr("glShadeModel(GL_FLAT) makes every picture flat; f switches it"));
         return;
     }
     const int first = static_cast<int>(pane.shading.value_or(Shading::kGouraud));
@@ -95,30 +96,30 @@ void next_wireframe(Session& session, int) {
 
 void tessellate(Session& session, int steps) {
     const std::string before = tessellation(commands(session));
-    edit(session, change_tessellation(commands(session), steps), steps > 0 ? "finer meshes" : "coarser meshes",
+    edit(session, change_tessellation(commands(session), steps), tr(steps > 0 ? "finer meshes" : "coarser meshes"),
          "tessellation");
     const std::string now = tessellation(commands(session));
-    say(session, now.empty()     ? "no shape of this scene has slices and stacks"
-                 : now == before ? "slices and stacks stay at " + now
-                                 : "slices and stacks: " + now);
+    say(session, now.empty()     ? tr("no shape of this scene has slices and stacks")
+                 : now == before ? tr("slices and stacks stay at {}", now)
+                                 : tr("slices and stacks: {}", now));
 }
 
 void reset(Session& session, int) {
-    edit(session, *session.opened, "reset");
+    edit(session, *session.opened, tr("reset"));
     session.animating = false;
-    say(session, "the scene is as it was opened; z brings the changes back");
+    say(session, tr("the scene is as it was opened; z brings the changes back"));
 }
 
 void undo(Session& session, int) {
     const std::string what = session.history.undo();
     session.opened = session.opened_steps.at(commands(session).step);
-    say(session, what.empty() ? "nothing to undo" : "undone: " + what);
+    say(session, what.empty() ? tr("nothing to undo") : tr("undone: {}", what));
 }
 
 void redo(Session& session, int) {
     const std::string what = session.history.redo();
     session.opened = session.opened_steps.at(commands(session).step);
-    say(session, what.empty() ? "nothing to redo" : "done again: " + what);
+    say(session, what.empty() ? tr("nothing to redo") : tr("done again: {}", what));
 }
 
 template <Dialog dialog>
@@ -275,12 +276,12 @@ void animate(Session& session, double seconds) {
         if (light != world.lights.end()) {
             const auto index = static_cast<std::size_t>(light - world.lights.begin());
             edit(session, with_light_turned(*animation->from, animation->frame, world, index, degrees),
-                 "animate " + light_name(*session.selected_light), "animation");
+                 tr("animate {}", light_name(*session.selected_light)), "animation");
         }
     } else {
         CameraMove move;
         move.yaw_deg = degrees;
-        edit(session, with_camera_moved(*animation->from, move, middle_of(animation->frame)), "animate the camera",
+        edit(session, with_camera_moved(*animation->from, move, middle_of(animation->frame)), tr("animate the camera"),
              "animation");
     }
     animation->last = session.history.now();

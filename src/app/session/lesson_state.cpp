@@ -5,6 +5,7 @@
 
 #include "app/session/session.h"
 #include "base/text/input_text.h"
+#include "base/text/translation.h"
 
 namespace twinlight::session {
 namespace {
@@ -30,7 +31,7 @@ constexpr LessonWords kChineseWords = {
     "每个练习大约十分钟：一个问题、一次预测，以及一个由程序检查的任务。",
     "预测",
     "任务",
-    "在 Commands 和 Lights 标签里改场景，或者用按键。",
+    "在“命令”和“光源”标签里改场景，或者用按键。",
     "检查答案",
     "正确，因为：",
     "还不对。",
@@ -76,8 +77,8 @@ void show_change(Session& session, bool is_shown) {
     LessonState& state = *session.lesson;
     if (is_shown) state.own = session.history.now();
     edit(session, is_shown ? *state.changed : *(state.own ? state.own : state.start),
-         is_shown ? "the lesson's change" : "your own scene");
-    say(session, is_shown ? "this is the change that you predicted" : "this is your own scene again");
+         tr(is_shown ? "the lesson's change" : "your own scene"));
+    say(session, tr(is_shown ? "this is the change that you predicted" : "this is your own scene again"));
 }
 
 std::shared_ptr<const CommandList> answer_of(Session& session) {

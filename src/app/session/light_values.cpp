@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/session/edits.h"
+#include "base/text/translation.h"
 #include "scene/command/command_set.h"
 #include "scene/state/state.h"
 
@@ -101,8 +102,8 @@ struct Origins : ValueOrigins {
 
 std::string line_of(const Command& command) {
     const Place& place = command.place;
-    if (place.column == Place::kCallNumber) return fmt::format(", call {}", place.line);
-    return place.line > 0 ? fmt::format(", line {}", place.line) : "";
+    if (place.column == Place::kCallNumber) return tr(", call {}", place.line);
+    return place.line > 0 ? tr(", line {}", place.line) : "";
 }
 
 std::string name_of_drawing(const Command& command) {
@@ -227,17 +228,16 @@ std::optional<LightingValues> lighting_values(const CommandList& commands, std::
 std::string color_material_words(const LightingValues& values) {
     const ColorMaterial& tracking = values.state.color_material;
     const bool is_colored = values.color_command.has_value();
-    if (!values.state.enabled) return "not lit: the colour is that of glColor";
+    if (!values.state.enabled) return tr("not lit: the colour is that of glColor");
     if (!tracking.enabled)
-        return is_colored ? "glColor has no effect here, because GL_COLOR_MATERIAL is off" : "off: glMaterial rules";
-    const std::string properties =
-        tracking.mode == kGL_AMBIENT_AND_DIFFUSE ? "GL_AMBIENT and GL_DIFFUSE" : enum_name(tracking.mode);
-    const std::string faces = tracking.face == kGL_FRONT_AND_BACK ? "both faces"
-                              : tracking.face == kGL_FRONT        ? "the front"
-                                                                  : "the back";
-    const char* const follow = tracking.mode == kGL_AMBIENT_AND_DIFFUSE ? "follow" : "follows";
-    return fmt::format("{} of {} {} glColor; glMaterial cannot change {}", properties, faces, follow,
-                       tracking.mode == kGL_AMBIENT_AND_DIFFUSE ? "them" : "it");
+        return tr(is_colored ? "glColor has no effect here, because GL_COLOR_MATERIAL is off"
+                             : "off: glMaterial rules");
+    const char* const faces = tr(tracking.face == kGL_FRONT_AND_BACK ? "both faces"
+                                 : tracking.face == kGL_FRONT        ? "the front"
+                                                                     : "the back");
+    return tracking.mode == kGL_AMBIENT_AND_DIFFUSE
+               ? tr("GL_AMBIENT and GL_DIFFUSE of {} follow glColor; glMaterial cannot change them", faces)
+               : tr("{} of {} follows glColor; glMaterial cannot change it", enum_name(tracking.mode), faces);
 }
 
 // ---- Edits ----

@@ -10,6 +10,7 @@
 #include <set>
 #include <span>
 
+#include "base/text/translation.h"
 #include "render/reference/geometry/primitive_assembly.h"
 #include "render/reference/reference.h"
 #include "render/reference/vertices/lit_vertices.h"
@@ -250,7 +251,7 @@ std::string runs(const std::set<int>& numbers) {
         for (auto next = std::next(last); next != numbers.end() && *next == *last + 1; ++next, ++count) last = next;
         if (count == 2) last = first;
         text += (text.empty() ? "" : ", ") + std::to_string(*first);
-        if (last != first) text += " to " + std::to_string(*last);
+        if (last != first) text += tr(" to {}", *last);
         first = std::next(last);
     }
     return text;
@@ -268,14 +269,14 @@ std::string lights_text(std::span<const Draw* const> shape, const PlanOptions& o
         }
     }
     for (const int number : kept) left_out.erase(number);
-    const std::string others = left_out.empty() ? "" : "; not " + runs(left_out);
-    if (kept.empty()) return left_out.empty() ? "no light" : "no light" + others;
-    return (kept.size() == 1 ? "light " : "lights ") + runs(kept) + others;
+    const std::string others = left_out.empty() ? "" : tr("; not {}", runs(left_out));
+    if (kept.empty()) return tr("no light") + others;
+    return (kept.size() == 1 ? tr("light {}", runs(kept)) : tr("lights {}", runs(kept))) + others;
 }
 
 std::string normals_text(double shortest, double longest) {
     const std::string from = fmt::format("{:.2g}", shortest), to = fmt::format("{:.2g}", longest);
-    return "normals " + from + (from == to ? "" : " to " + to) + " long";
+    return from == to ? tr("normals {} long", from) : tr("normals {} to {} long", from, to);
 }
 
 // In pixels from the top left; outside the picture for a point behind the eye.

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "base/text/translation.h"
 #include "judge/explain/derivation_light.h"
 #include "scene/command/names.h"
 
@@ -20,27 +21,25 @@ using reference::LitPoint;
 using reference::PixelFragment;
 using reference::Vec;
 
-const char* words_of(Face face) { return face == Face::kFront ? "front face" : "back face"; }
+const char* words_of(Face face) { return tr(face == Face::kFront ? "front face" : "back face"); }
 
 std::string trouble_of(const Frame& frame, const Probe& probe) {
     if (!probe.is_vertex) {
         if (probe.x < 0 || probe.y < 0 || probe.x >= frame.width || probe.y >= frame.height)
-            return fmt::format("Pixel {}, {} is outside the picture of {} x {} pixels.", probe.x, probe.y, frame.width,
-                               frame.height);
+            return tr("Pixel {}, {} is outside the picture of {} x {} pixels.", probe.x, probe.y, frame.width,
+                      frame.height);
         return "";
     }
     const std::vector<const Draw*> draws = frame.draws();
-    if (draws.empty()) return "The scene draws nothing.";
+    if (draws.empty()) return tr("The scene draws nothing.");
     if (probe.draw < 1 || probe.draw > draws.size())
-        return fmt::format("There is no draw {}; the scene has draws 1 to {}.", probe.draw, draws.size());
+        return tr("There is no draw {}; the scene has draws 1 to {}.", probe.draw, draws.size());
     const Draw& draw = *draws[probe.draw - 1];
-    if (draw.vertices.empty()) return fmt::format("Draw {} has no vertices.", probe.draw);
+    if (draw.vertices.empty()) return tr("Draw {} has no vertices.", probe.draw);
     if (probe.vertex < 1 || probe.vertex > draw.vertices.size())
-        return fmt::format("Draw {} has no vertex {}; it has vertices 1 to {}.", probe.draw, probe.vertex,
-                           draw.vertices.size());
+        return tr("Draw {} has no vertex {}; it has vertices 1 to {}.", probe.draw, probe.vertex, draw.vertices.size());
     if (!draw.lighting.enabled)
-        return fmt::format("Draw {} is not lit: GL_LIGHTING is disabled, so its vertices keep glColor's colours.",
-                           probe.draw);
+        return tr("Draw {} is not lit: GL_LIGHTING is disabled, so its vertices keep glColor's colours.", probe.draw);
     return "";
 }
 
@@ -104,9 +103,10 @@ void use_in_formula(Symbols symbols, std::string& text) {
 }
 
 void add_total(std::vector<SumRow>& rows, const char* name, const Vec& color) {
-    rows.push_back({"=", name, "before the clamp", color, true});
+    rows.push_back({"=", name, tr("before the clamp"), color, true});
     const Vec clamped = explain::clamped_color(color);
-    rows.push_back({"", "clamped", clamped == color ? "to [0, 1]" : "to [0, 1]: this changes it", clamped, true});
+    rows.push_back(
+        {"", tr("clamped"), clamped == color ? tr("to [0, 1]") : tr("to [0, 1]: this changes it"), clamped, true});
 }
 
 }  // namespace
@@ -128,11 +128,11 @@ std::vector<ProbeFragment> fragments_of(const Scene& scene, const ProbeAnswer& a
     if (!answer.trouble.empty()) return rows;
     const std::vector<const Draw*> draws = scene.frame.draws();
     const auto name = [&](std::size_t draw, Face face) {
-        return fmt::format("draw {}, {}, {}", draw + 1, draws[draw]->place.str(), words_of(face));
+        return tr("draw {}, {}, {}", draw + 1, draws[draw]->place.str(), words_of(face));
     };
     if (answer.probe.is_vertex) {
         for (const explain::FaceExplanation& face : answer.vertex.faces)
-            rows.push_back({name(answer.vertex.vertex.draw, face.history.point.face), "lit as GL lights vertices"});
+            rows.push_back({name(answer.vertex.vertex.draw, face.history.point.face), tr("lit as GL lights vertices")});
         return rows;
     }
     const std::vector<PixelFragment>& fragments = answer.pixel.history.fragments;
@@ -141,9 +141,9 @@ std::vector<ProbeFragment> fragments_of(const Scene& scene, const ProbeAnswer& a
         const PixelFragment& fragment = fragments[i];
         const bool is_seen = fragment.passes && i >= first_seen;
         rows.push_back({name(fragment.draw, fragment.face),
-                        is_seen           ? "seen"
-                        : fragment.passes ? "a later draw covers it"
-                                          : "discarded by a test",
+                        tr(is_seen           ? "seen"
+                           : fragment.passes ? "a later draw covers it"
+                                             : "discarded by a test"),
                         fragment.is_lit, is_seen});
     }
     return rows;
@@ -160,7 +160,7 @@ std::vector<ProbePoint> points_of(const Scene& scene, const ProbeAnswer& answer,
     const std::vector<const Draw*> draws = scene.frame.draws();
     const bool lecture_variants = (answer.probe.is_vertex ? answer.vertex.look : answer.pixel.look).lecture_variants;
     const auto add = [&](std::size_t draw, const std::vector<int>& lights, const LitPoint& point) {
-        points.push_back({point.vertex ? fmt::format("vertex {}", *point.vertex + 1) : "this pixel",
+        points.push_back({point.vertex ? tr("vertex {}", *point.vertex + 1) : tr("this pixel"),
                           point.weight,
                           explain::clamped_color(point.primary),
                           {scene.frame, *draws[draw], draw + 1, lights, point, lecture_variants}});
@@ -187,14 +187,15 @@ std::vector<SumRow> rows_of_sum(const Derivation& at, std::optional<int> light) 
         const auto found = std::ranges::find(at.lights, *light);
         if (found == at.lights.end()) return rows;
         const lighting::LightTerms<double>& terms = point.terms[static_cast<std::size_t>(found - at.lights.begin())];
-        rows.push_back({"", "ambient", explain::formula_text(point.formulas.ambient), terms.ambient});
-        rows.push_back({"+", "diffuse", explain::formula_text(point.formulas.diffuse), terms.diffuse});
-        rows.push_back({"+", "specular", explain::formula_text(point.formulas.specular), terms.specular});
-        rows.push_back({"=", light_name(*light), "its share", terms.ambient + terms.diffuse + terms.specular, true});
+        rows.push_back({"", tr("ambient"), explain::formula_text(point.formulas.ambient), terms.ambient});
+        rows.push_back({"+", tr("diffuse"), explain::formula_text(point.formulas.diffuse), terms.diffuse});
+        rows.push_back({"+", tr("specular"), explain::formula_text(point.formulas.specular), terms.specular});
+        rows.push_back(
+            {"=", light_name(*light), tr("its share"), terms.ambient + terms.diffuse + terms.specular, true});
         return rows;
     }
-    rows.push_back({"", "emission", "e_cm", point.material.emission});
-    rows.push_back({"+", "ambient", "a_cm a_cs", point.scene_ambient});
+    rows.push_back({"", tr("emission"), "e_cm", point.material.emission});
+    rows.push_back({"+", tr("ambient"), "a_cm a_cs", point.scene_ambient});
     for (std::size_t i = 0; i < at.lights.size(); ++i) {
         const lighting::LightTerms<double>& terms = point.terms[i];
         Vec sum = terms.ambient + terms.diffuse;
@@ -204,7 +205,7 @@ std::vector<SumRow> rows_of_sum(const Derivation& at, std::optional<int> light) 
     add_total(rows, "c_pri", point.primary);
     if (!separate) return rows;
     for (std::size_t i = 0; i < at.lights.size(); ++i)
-        rows.push_back({i == 0 ? "" : "+", light_name(at.lights[i]), "specular", point.terms[i].specular});
+        rows.push_back({i == 0 ? "" : "+", light_name(at.lights[i]), tr("specular"), point.terms[i].specular});
     add_total(rows, "c_sec", point.secondary);
     return rows;
 }
@@ -228,17 +229,17 @@ std::vector<SumRow> mean_rows(const std::vector<ProbePoint>& points) {
         rows.push_back({rows.empty() ? "" : "+", point.name, fmt::format("{:.4f} x", point.weight), point.color});
         sum += point.weight * point.color;
     }
-    rows.push_back({"=", "mean", "of the vertices", sum, true});
+    rows.push_back({"=", tr("mean"), tr("of the vertices"), sum, true});
     return rows;
 }
 
 std::vector<SumRow> fragment_rows(const Scene& scene, const ProbeAnswer& answer, std::size_t fragment) {
     if (answer.probe.is_vertex || fragment >= answer.pixel.history.fragments.size()) return {};
     const PixelFragment& at = answer.pixel.history.fragments[fragment];
-    return {{"", "fragment",
+    return {{"", tr("fragment"),
              explain::steps_after_lighting(at, *scene.frame.draws()[at.draw], answer.pixel.look.lecture_variants),
              vec3_cast<Vec>(at.color), true},
-            {"", "picture", "after it", vec3_cast<Vec>(at.after), true}};
+            {"", tr("picture"), tr("after it"), vec3_cast<Vec>(at.after), true}};
 }
 
 std::vector<Line> after_lighting(const Scene& scene, const ProbeAnswer& answer, std::size_t fragment) {

@@ -15,6 +15,7 @@
 #include "app/session/saving.h"
 #include "base/image/file.h"
 #include "base/text/json.h"
+#include "base/text/translation.h"
 #include "scene/scenes/load.h"
 
 namespace twinlight::session {
@@ -43,12 +44,12 @@ std::string time_text(std::filesystem::file_time_type::duration since_now) {
     std::tm local{};
     ::localtime_r(&at, &local);
     char text[64];
-    return {text, std::strftime(text, sizeof text, "on %e %B at %H:%M", &local)};
+    return {text, std::strftime(text, sizeof text, tr("on %e %B at %H:%M"), &local)};
 }
 
 Json read_recovery(const std::string& path) {
     Json scenes = Json::parse(read_file(path), nullptr, /*allow_exceptions=*/false);
-    if (!scenes.is_array()) throw FileError(path + ": is not a recovery file; remove it");
+    if (!scenes.is_array()) throw FileError(tr("{}: is not a recovery file; remove it", path));
     return scenes;
 }
 
@@ -117,11 +118,11 @@ void restore(Session& session, const LostScenes& lost) {
         const std::string step = json.at("step") == 0 ? "" : json.at("step").dump();
         const auto opened = std::make_shared<const CommandList>(read_text_of(file, name, json.at("opened"), step));
         OpenScene scene(opened, file.empty() ? std::nullopt : std::optional(file));
-        scene.history.edit(with_places_of(*opened, read_text_of(file, name, text, step)), "the recovered changes");
+        scene.history.edit(with_places_of(*opened, read_text_of(file, name, text, step)), tr("the recovered changes"));
         open(session, std::move(scene));
     }
     forget(lost);
-    say(session, "recovered: " + lost.summary);
+    say(session, tr("recovered: {}", lost.summary));
 }
 
 void forget(const LostScenes& lost) {

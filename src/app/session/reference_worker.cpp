@@ -7,6 +7,7 @@
 
 #include "app/session/session.h"
 #include "base/text/reason.h"
+#include "base/text/translation.h"
 #include "base/threads/threads.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
@@ -86,7 +87,7 @@ std::string ReferenceWorker::take_failure() {
     try {
         std::rethrow_exception(failure);
     } catch (const std::exception& error) {
-        return "the reference's picture cannot be drawn: " + reason_of(error);
+        return tr("the reference's picture cannot be drawn: {}", reason_of(error));
     }
 }
 

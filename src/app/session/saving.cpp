@@ -12,6 +12,7 @@
 #include "app/session/merge.h"
 #include "base/image/file.h"
 #include "base/image/named_file.h"
+#include "base/text/translation.h"
 #include "render/programmable/export/kept_code.h"
 #include "render/programmable/export/kept_files.h"
 #include "render/webgl/exported_page.h"
@@ -55,8 +56,8 @@ std::string or_printed(const std::optional<std::string>& text, const OpenScene& 
 void check_can_be_kept(const std::string& why_not, const Look& look) {
     if (look.shading == Shading::kExact)
         throw std::runtime_error(
-            "exact surfaces are found by rays for one picture; choose another shading (key g) for shaders to keep");
-    if (!why_not.empty()) throw std::runtime_error("shaders to keep cannot draw this scene: " + why_not);
+            tr("exact surfaces are found by rays for one picture; choose another shading (key g) for shaders to keep"));
+    if (!why_not.empty()) throw std::runtime_error(tr("shaders to keep cannot draw this scene: {}", why_not));
 }
 
 }  // namespace
@@ -89,14 +90,14 @@ void save(OpenScene& scene) {
     const std::optional<std::string> text = text_now(scene);
     if (!text)
         throw std::runtime_error(
-            fmt::format("the changes do not fit into the text of {}, for example because they are in a loop; save the "
-                        "scene as another file (Ctrl+Shift+S)",
-                        *scene.file));
+            tr("the changes do not fit into the text of {}, for example because they are in a loop; save the "
+               "scene as another file (Ctrl+Shift+S)",
+               *scene.file));
     write(scene, *text);
 }
 
 void save_as(Session& session, const std::string& path) {
-    if (path.empty()) throw std::runtime_error("type a file's name");
+    if (path.empty()) throw std::runtime_error(tr("type a file's name"));
     const std::optional<std::string> fitting = text_now(session);
     const std::string text = or_printed(fitting, session);
     // Its pictures and meshes must be there, too.
@@ -127,11 +128,11 @@ std::string save_all(Session& session, const std::string& folder) {
             write_file_atomically(path, or_printed(fitting, scene));
             scene.saved = scene.history.now();
         }
-        said += (said.empty() ? "saved " : ", ") + path;
+        said += (said.empty() ? "" : tr(", ")) + path;
     };
     save_one(session);
     for (auto& [key, scene] : session.others) save_one(scene);
-    return said;
+    return said.empty() ? "" : tr("saved {}", said);
 }
 
 void take_file_text(Session& session, const std::string& theirs) {
@@ -143,7 +144,7 @@ void take_file_text(Session& session, const std::string& theirs) {
     OpenScene changed(list, session.file);
     if (!is_edited(session)) {
         open(session, std::move(changed));
-        say(session, "read again: " + *session.file);
+        say(session, tr("read again: {}", *session.file));
         return;
     }
     CommandList mine = commands(session);
@@ -157,10 +158,10 @@ void take_file_text(Session& session, const std::string& theirs) {
             }
         }
     }
-    changed.history.edit(with_places_of(*list, std::move(mine)), "your changes");
+    changed.history.edit(with_places_of(*list, std::move(mine)), tr("your changes"));
     open(session, std::move(changed));
     if (is_merged)
-        say(session, "read again: " + *session.file + "; your changes are kept, z shows the file without them");
+        say(session, tr("read again: {}; your changes are kept, z shows the file without them", *session.file));
     else
         session.dialog = Dialog::kFileChanged;
 }
@@ -182,10 +183,10 @@ std::string save(const Session& session, Form form, const Look& look, const std:
             check_can_be_kept(programmable::why_not_in_files(frame), look);
             const auto files = programmable::kept_files(frame, {{look}}, programmable::Glsl::k330, list.name);
             write_folder_atomically(path, files);
-            return fmt::format("wrote {}/ with {} files; README.md explains them", path, files.size());
+            return tr("wrote {}/ with {} files; README.md explains them", path, files.size());
         }
     }
-    return fmt::format("wrote {}, {} bytes", path, fs::file_size(path));
+    return tr("wrote {}, {} bytes", path, fs::file_size(path));
 }
 
 }  // namespace twinlight::session

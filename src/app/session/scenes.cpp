@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text/translation.h"
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
 
@@ -21,7 +22,7 @@ void show_scene(Session& session, const std::string& name) {
         const bool is_file = std::filesystem::is_regular_file(name, ignored);
         open(session, std::move(scene), is_file ? std::optional(name) : std::nullopt);
     }
-    say(session, "scene " + name);
+    say(session, tr("scene {}", name));
 }
 
 std::string neighbour_scene(const Session& session, int away) {

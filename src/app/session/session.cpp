@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "base/text/translation.h"
 #include "scene/command/text.h"
 #include "scene/state/state.h"
 
@@ -125,11 +126,11 @@ std::string lights_summary(const Frame& frame) {
         for (std::size_t i = 0; i < draw->lighting.lights.size(); ++i)
             if (draw->lighting.enabled && draw->lighting.lights[i].enabled) lights.insert(static_cast<int>(i));
     }
-    std::string text = fmt::format("{}", fmt::join(shade_models, " and "));
-    if (lights.empty()) return text + ", no light is on";
-    if (lights.size() > kMaxLights) return text + fmt::format(", {} lights on", lights.size());
-    for (const int light : lights) text += ", " + light_name(light);
-    return text + " on";
+    std::string text = fmt::format("{}", fmt::join(shade_models, tr(" and ")));
+    if (lights.empty()) return text + tr(", no light is on");
+    if (lights.size() > kMaxLights) return text + tr(", {} lights on", lights.size());
+    for (const int light : lights) text += tr(", ") + light_name(light);
+    return text + tr(" on");
 }
 
 std::optional<Shading> shading_of(const Session& session, const Pane& pane) {
@@ -147,16 +148,15 @@ Look look_of(const Session& session, const Pane& pane) {
 const Pane& active_pane(const Session& session) { return session.panes[std::min(session.active, kPanes - 1)]; }
 
 std::string title_of(const Session& session, const Pane& pane) {
-    std::string title = kRendererTitles[static_cast<std::size_t>(pane.renderer)];
-    const std::optional<Shading> shading = shading_of(session, pane);
-    if (!shading) return title + (is_flat(session.scene.frame) ? ", flat" : ", Gouraud");
-    switch (*shading) {
-        case Shading::kFlat: return title + ", flat";
-        case Shading::kGouraud: return title + ", Gouraud";
-        case Shading::kPhong: return title + ", Phong";
-        case Shading::kExact: return title + ", exact surfaces";
+    const char* const renderer = tr(kRendererTitles[static_cast<std::size_t>(pane.renderer)]);
+    const Shading first = is_flat(session.scene.frame) ? Shading::kFlat : Shading::kGouraud;
+    switch (shading_of(session, pane).value_or(first)) {
+        case Shading::kFlat: return tr("{}, flat", renderer);
+        case Shading::kGouraud: return tr("{}, Gouraud", renderer);
+        case Shading::kPhong: return tr("{}, Phong", renderer);
+        case Shading::kExact: return tr("{}, exact surfaces", renderer);
     }
-    return title;
+    return renderer;
 }
 
 }  // namespace twinlight::session

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/text/translation.h"
 #include "scene/frame/lecture_variants.h"
 
 namespace twinlight::session {
@@ -32,10 +33,10 @@ bool shows_variants(const Session& session, std::size_t pane) {
 
 const char* place_of_lighting(Shading shading) {
     switch (shading) {
-        case Shading::kFlat: return "at one vertex of each face";
-        case Shading::kGouraud: return "at vertices";
-        case Shading::kPhong: return "at pixels";
-        case Shading::kExact: return "at pixels of the exact surface";
+        case Shading::kFlat: return tr("at one vertex of each face");
+        case Shading::kGouraud: return tr("at vertices");
+        case Shading::kPhong: return tr("at pixels");
+        case Shading::kExact: return tr("at pixels of the exact surface");
     }
     return "";
 }
@@ -45,7 +46,7 @@ std::vector<std::string> variants_of(const Frame& frame) {
     std::vector<std::string> names;
     const std::vector<const Draw*> draws = frame.draws();
     const auto add = [&](const char* name, const auto& uses) {
-        if (std::ranges::any_of(draws, [&](const Draw* draw) { return uses(*draw); })) names.emplace_back(name);
+        if (std::ranges::any_of(draws, [&](const Draw* draw) { return uses(*draw); })) names.emplace_back(tr(name));
     };
     const LightModel gl;
     add("reflected ray", [&](const Draw& draw) { return draw.lighting.light_model.specular != gl.specular; });
@@ -72,17 +73,21 @@ std::vector<SideRow> side_rows(const Session& session) {
     if (switched_pane(session) == kPanes) return {};
     const Shading left = shown_shading(session, session.slider.a), right = shown_shading(session, session.slider.b);
     SideRow shading{SideRow::Kind::kShading, left != right};
-    shading.short_text = shading.differs
-                             ? fmt::format("Light: {} | {}", place_of_lighting(left), place_of_lighting(right))
-                             : fmt::format("Light: {} on both sides", place_of_lighting(left));
-    shading.text = "Where light is computed" + shading.short_text.substr(5);
+    const char *const at_left = place_of_lighting(left), *const at_right = place_of_lighting(right);
+    if (shading.differs) {
+        shading.text = tr("Where light is computed: {} | {}", at_left, at_right);
+        shading.short_text = tr("Light: {} | {}", at_left, at_right);
+    } else {
+        shading.text = tr("Where light is computed: {} on both sides", at_left);
+        shading.short_text = tr("Light: {} on both sides", at_left);
+    }
     std::vector<SideRow> rows = {shading};
     if (has_variants(session.scene.frame)) {
         SideRow variants{SideRow::Kind::kVariants,
                          shows_variants(session, session.slider.a) != shows_variants(session, session.slider.b)};
-        const std::string names = fmt::format("{}", fmt::join(variants_of(session.scene.frame), ", "));
-        variants.text = "The lecture's variants: " + names;
-        variants.short_text = "Variants: " + names;
+        const std::string names = fmt::format("{}", fmt::join(variants_of(session.scene.frame), tr(", ")));
+        variants.text = tr("The lecture's variants: {}", names);
+        variants.short_text = tr("Variants: {}", names);
         rows.push_back(variants);
     }
     return rows;
@@ -98,7 +103,8 @@ void switch_side(Session& session, const SideRow& row) {
         pane.lecture_variants = look_of(session, pane).lecture_variants;
         const std::optional<Shading> same = shading_of(session, session.panes[other]);
         pane.shading = row.differs ? same : lights_every_pixel(same) ? std::nullopt : std::optional(Shading::kPhong);
-        if (is_flat(session.scene.frame)) say(session, "glShadeModel(GL_FLAT) makes every picture flat; f switches it");
+        if (is_flat(session.scene.frame))
+            say(session, tr("glShadeModel(GL_FLAT) makes every picture flat; f switches it"));
     } else {
         pane.lecture_variants = row.differs == shows_variants(session, other);
     }

@@ -5,12 +5,13 @@
 #include <utility>
 
 #include "app/session/camera.h"
+#include "base/text/translation.h"
 
 namespace twinlight::session {
 
 std::string step_caption(const CommandList& commands) {
     if (commands.step == 0) return "";
-    return fmt::format("step {} of {}: {}", commands.step, commands.steps.size(), commands.steps[commands.step - 1]);
+    return tr("step {} of {}: {}", commands.step, commands.steps.size(), tr(commands.steps[commands.step - 1]));
 }
 
 std::string neighbour_step(const CommandList& commands, int away) {
@@ -29,7 +30,7 @@ void show_step(Session& session, std::shared_ptr<const CommandList> step) {
     session.selected_command.reset();
     edit(session, std::move(shown), std::move(caption));
     session.history.end_group();
-    say(session, is_edited ? "the step as the file has it; z brings your changes back" : "");
+    say(session, is_edited ? tr("the step as the file has it; z brings your changes back") : "");
 }
 
 }  // namespace twinlight::session

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/session/argument_places.h"
+#include "base/text/translation.h"
 #include "scene/scenes/load.h"
 
 namespace twinlight::session {
@@ -35,7 +36,7 @@ void open_tutor(Session& session, std::string_view tutor) {
     session.panes[0] = Pane{Path::kFixed};
     session.active = 0;
     session.overlays.normals = tutor == "normals";
-    say(session, "drag a number; u: the next tutor; Shift+Tab: the other views");
+    say(session, tr("drag a number; u: the next tutor; Shift+Tab: the other views"));
 }
 
 void next_tutor(Session& session) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/session/edits.h"
+#include "base/text/translation.h"
 #include "scene/command/text.h"
 
 namespace twinlight::session {
@@ -25,7 +26,7 @@ void insert_calls(Session& session, std::string_view text, std::optional<std::si
         command.place = replaced && i == 0 ? commands(session).commands[*replaced].place : Place{};
         edited = with_inserted(edited, at + i, std::move(command));
     }
-    edit(session, std::move(edited), replaced ? "change a call" : "insert a call");
+    edit(session, std::move(edited), tr(replaced ? "change a call" : "insert a call"));
     session.selected_command = at;
 }
 

@@ -1,0 +1,27 @@
+#include "base/text/translation.h"
+
+#include <unordered_map>
+
+namespace twinlight {
+namespace {
+
+std::unordered_map<std::string_view, const char*> translations;
+
+}  // namespace
+
+void set_translations(std::span<const Translation> rows) {
+    translations.clear();
+    for (const Translation& row : rows) translations.emplace(row.english, row.translated);
+}
+
+const char* tr(const char* english) {
+    const auto found = translations.find(english);
+    return found == translations.end() ? english : found->second;
+}
+
+std::string tr(std::string_view english) {
+    const auto found = translations.find(english);
+    return found == translations.end() ? std::string(english) : found->second;
+}
+
+}  // namespace twinlight
