@@ -52,6 +52,7 @@ libboost-dev        ls /usr/include/boost/multiprecision/cpp_bin_float.hpp
 libtinyobjloader-dev pkg-config --exists tinyobjloader
 libimgui-dev        pkg-config --exists imgui
 fonts-dejavu-core   ls /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
+fonts-droid-fallback ls /usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf
 libjs-chart.js      ls /usr/share/javascript/chart.js
 libgtest-dev        pkg-config --exists gtest_main
 xvfb                command -v Xvfb

@@ -72,6 +72,7 @@ class RunningDemo {
         for (const int signal : {SIGINT, SIGHUP})
             ::signal(signal, SIG_DFL);  // ignored if the tests run in the background
         ::setenv("DISPLAY", display.c_str(), 1);
+        ::setenv("LC_ALL", "C", 1);                 // in English
         ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);  // Xvfb has no GPU; the host may
         ::setenv("ASAN_OPTIONS", kSanitizer, 1);
         ::setenv("XDG_STATE_HOME", (folder() / "state").c_str(), 1);    // where it keeps unsaved changes

@@ -134,6 +134,7 @@ class Window {
     std::vector<double> frame_ms_;  // for options_.times
     std::array<std::vector<double>, session::kPanes> pane_ms_;
     std::vector<std::array<int, 2>> cut_letters_;  // in the last frame, for options_.times
+    std::vector<std::string> texts_;               // the same
     Dialogs dialogs_;
     session::RecoveryFile recovery_;
     int recovery_revision_ = 0;  // of the history, that the recovery file has

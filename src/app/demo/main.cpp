@@ -121,7 +121,8 @@ int run(int argc, char** argv) {
         ->check(number_from(1, kMaxFrames))
         ->option_text("FRAMES");
     app.add_option("--times", options.times,
-                   "write the milliseconds of each frame to this JSON file, and where letters are cut in the last one")
+                   "write the milliseconds of each frame to this JSON file, and the texts of the last one and where "
+                   "they are cut")
         ->option_text("FILE")
         ->check(not_empty());
 

@@ -15,7 +15,7 @@
 #include <cstdlib>
 
 #include "app/demo/clipboard.h"
-#include "app/demo/cut_texts.h"
+#include "app/demo/drawn_texts.h"
 #include "app/demo/glut_window.h"
 #include "app/demo/theme.h"
 #include "app/demo/x_drawing_context.h"
@@ -227,7 +227,10 @@ void Window::draw() {
         }
         frame();
         if (!options_.screenshot.empty()) save_screenshot();
-        cut_letters_ = cut_letters(*ImGui::GetDrawData());
+        if (!options_.times.empty()) {
+            cut_letters_ = cut_letters(*ImGui::GetDrawData());
+            texts_ = drawn_texts(*ImGui::GetDrawData());
+        }
     }
     if (session_.screenshot_requested) save_screenshot();
     if (panels_->saving().is_recording()) {
@@ -305,7 +308,8 @@ void Window::save_screenshot() {
 
 void Window::write_times() const {
     if (options_.times.empty()) return;
-    const nlohmann::json json = {{"frame_ms", frame_ms_}, {"pane_ms", pane_ms_}, {"cut_letters", cut_letters_}};
+    const nlohmann::json json = {
+        {"frame_ms", frame_ms_}, {"pane_ms", pane_ms_}, {"cut_letters", cut_letters_}, {"texts", texts_}};
     write_file_atomically(options_.times, json.dump() + "\n");
 }
 

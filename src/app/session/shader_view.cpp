@@ -5,6 +5,8 @@
 #include <cctype>
 #include <charconv>
 
+#include "base/text/translation.h"
+
 namespace twinlight::session {
 namespace {
 
@@ -132,7 +134,7 @@ std::vector<ShownShader> shown_shaders(std::string_view source) {
         const std::size_t title = at + kMark.size(), line_end = std::min(source.find('\n', at), source.size());
         const std::size_t next = source.find(kMark, line_end);
         ShownShader shader;
-        shader.title = "draw " + std::string(source.substr(title, line_end - title));
+        shader.title = tr("draw {}", source.substr(title, line_end - title));
         std::from_chars(source.data() + title, source.data() + line_end, shader.draw);
         const std::size_t start = std::min(line_end + 1, source.size());
         std::string_view text = source.substr(start, next == source.npos ? next : next - start);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/text/translation.h"
 #include "judge/explain/derivation_light.h"
 #include "render/reference/textures/texture_environment.h"
 #include "scene/command/names.h"
@@ -36,10 +37,10 @@ EnvironmentFormulas environment_formulas(Enum env_mode, Enum base_format) {
             if (base_format == kGL_RGBA) f.color = "C_f (1 - A_s) + C_s A_s";
             break;
         case kGL_BLEND: f = {"C_f (1 - C_s) + C_c C_s", is_intensity ? "A_f (1 - A_s) + A_c A_s" : "A_f A_s"}; break;
-        case kGL_ADD: f = {"C_f + C_s, at most 1", is_intensity ? "A_f + A_s, at most 1" : "A_f A_s"}; break;
+        case kGL_ADD: f = {tr("C_f + C_s, at most 1"), is_intensity ? tr("A_f + A_s, at most 1") : "A_f A_s"}; break;
     }
-    if (!reference::has_color(base_format)) f.color = "C_f: the texture has no colour";
-    if (!reference::has_alpha(base_format)) f.alpha = "A_f: the texture has no alpha";
+    if (!reference::has_color(base_format)) f.color = tr("C_f: the texture has no colour");
+    if (!reference::has_alpha(base_format)) f.alpha = tr("A_f: the texture has no alpha");
     return f;
 }
 
@@ -47,32 +48,32 @@ Lines coordinates_lines(const TextureSteps& steps, const TextureUnit& unit, bool
     Lines lines;
     for (const GeneratedCoordinate& one : unit.generated) {
         const bool is_linear = !one.needs_normal();
-        lines +=
-            line(fmt::format("{}", "strq"[one.coordinate]), enum_name(one.mode),
-                 is_linear ? fmt::format("generated at each vertex (2.11.4), with the plane {}", quadruple(one.plane))
-                           : "generated at each vertex (2.11.4)");
+        lines += line(fmt::format("{}", "strq"[one.coordinate]), enum_name(one.mode),
+                      is_linear ? tr("generated at each vertex (2.11.4), with the plane {}", quadruple(one.plane))
+                                : tr("generated at each vertex (2.11.4)"));
     }
     lines += line("s, t, r, q", quadruple(steps.coordinates),
-                  is_exact             ? "of this point of the surface, times the texture matrix (2.11.2)"
-                  : unit.coord_replace ? "across the point sprite (3.3.1)"
-                                       : "times the texture matrix (2.11.2), interpolated (3.5.1)");
+                  is_exact             ? tr("of this point of the surface, times the texture matrix (2.11.2)")
+                  : unit.coord_replace ? tr("across the point sprite (3.3.1)")
+                                       : tr("times the texture matrix (2.11.2), interpolated (3.5.1)"));
     if (unit.texture->is_cube()) {
         const char* const faces[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
-        return lines + line("face", faces[steps.face], "the largest of |s|, |t| and |r|, with its sign (3.8.7)") +
-               line("s, t", fmt::format("({:.5g}, {:.5g})", steps.str.x, steps.str.y), "the place on that face");
+        return lines +
+               line(tr("face"), faces[steps.face], tr("the largest of |s|, |t| and |r|, with its sign (3.8.7)")) +
+               line("s, t", fmt::format("({:.5g}, {:.5g})", steps.str.x, steps.str.y), tr("the place on that face"));
     }
     constexpr double kRounding = 1e-9;  // of the interpolation
     if (std::abs(steps.coordinates.w - 1) > kRounding)
         lines +=
             unit.texture->is_volume()
                 ? line("s/q, t/q, r/q", fmt::format("({:.5g}, {:.5g}, {:.5g})", steps.str.x, steps.str.y, steps.str.z),
-                       "the place in the texture")
+                       tr("the place in the texture"))
                 : line("s/q, t/q", fmt::format("({:.5g}, {:.5g})", steps.str.x, steps.str.y),
-                       "the place in the texture");
+                       tr("the place in the texture"));
     if (unit.texture->compares())
-        lines += line("r/q", fmt::format("{:.7g}", steps.str.z),
-                      fmt::format("compared with depths (3.8.14): 1 where {} passes, 0 where not",
-                                  enum_name(unit.texture->compare_func)));
+        lines += line(
+            "r/q", fmt::format("{:.7g}", steps.str.z),
+            tr("compared with depths (3.8.14): 1 where {} passes, 0 where not", enum_name(unit.texture->compare_func)));
     return lines;
 }
 
@@ -81,33 +82,32 @@ Lines level_of_detail_lines(const TextureSteps& steps, const TextureUnit& unit) 
     std::string how = "log2(rho)";
     if (bias != 0) how += fmt::format(" + {:.5g}, GL_TEXTURE_LOD_BIAS", bias);
     const Texture& texture = *unit.texture;
-    if (steps.lambda == texture.min_lod) how += fmt::format(", at least {:.5g}, GL_TEXTURE_MIN_LOD", texture.min_lod);
-    if (steps.lambda == texture.max_lod) how += fmt::format(", at most {:.5g}, GL_TEXTURE_MAX_LOD", texture.max_lod);
+    if (steps.lambda == texture.min_lod) how += tr(", at least {:.5g}, GL_TEXTURE_MIN_LOD", texture.min_lod);
+    if (steps.lambda == texture.max_lod) how += tr(", at most {:.5g}, GL_TEXTURE_MAX_LOD", texture.max_lod);
     const double limit = reference::magnification_limit(texture);
     return line("rho", fmt::format("{:.5g}", steps.rho),
-                steps.of_point ? "always 1 for a point (3.8.8)" : "texels per pixel, in x or y: the larger (3.8.8)") +
+                steps.of_point ? tr("always 1 for a point (3.8.8)")
+                               : tr("texels per pixel, in x or y: the larger (3.8.8)")) +
            line("lambda", fmt::format("{:.5g}", steps.lambda), how) +
-           line("filter", enum_name(steps.filter),
-                steps.is_magnified
-                    ? fmt::format("GL_TEXTURE_MAG_FILTER, because lambda is at most {} (3.8.9)", limit)
-                    : fmt::format("GL_TEXTURE_MIN_FILTER, because lambda is more than {} (3.8.8)", limit));
+           line(tr("filter"), enum_name(steps.filter),
+                steps.is_magnified ? tr("GL_TEXTURE_MAG_FILTER, because lambda is at most {} (3.8.9)", limit)
+                                   : tr("GL_TEXTURE_MIN_FILTER, because lambda is more than {} (3.8.8)", limit));
 }
 
 Lines texels_lines(const TextureSteps& steps, const Texture& texture) {
     Lines lines;
     for (const TextureSteps::Image& image : steps.images) {
         const TextureImage& level = texture.levels[static_cast<std::size_t>(image.level)];
-        lines += line(fmt::format("level {}", image.level), fmt::format("weight {:.5f}", image.weight),
-                      texture.is_volume() ? fmt::format("{} x {} x {} texels", level.width, level.height, level.depth)
-                                          : fmt::format("{} x {} texels", level.width, level.height));
+        lines += line(tr("level {}", image.level), tr("weight {:.5f}", image.weight),
+                      texture.is_volume() ? tr("{} x {} x {} texels", level.width, level.height, level.depth)
+                                          : tr("{} x {} texels", level.width, level.height));
         for (const TextureSteps::Texel& texel : image.texels)
-            lines += color_line(
-                "",
-                fmt::format("texel {}, {}{}{}{}, weight {:.5f}", texel.place.i, texel.place.j,
-                            texture.is_volume() ? fmt::format(", {}", texel.place.k) : "",
-                            texel.is_border ? " (the border colour)" : "",
-                            texture.has_depths() ? fmt::format(", depth {:.7f}", texel.depth) : "", texel.weight),
-                rgb_of(texel.color));
+            lines += color_line("",
+                                tr("texel {}, {}{}{}{}, weight {:.5f}", texel.place.i, texel.place.j,
+                                   texture.is_volume() ? fmt::format(", {}", texel.place.k) : "",
+                                   texel.is_border ? tr(" (the border colour)") : "",
+                                   texture.has_depths() ? tr(", depth {:.7f}", texel.depth) : "", texel.weight),
+                                rgb_of(texel.color));
     }
     return lines;
 }
@@ -142,8 +142,7 @@ std::string combine_formula(Enum function, const std::array<Enum, 3>& sources, c
 Lines combine_lines(const TextureSteps& steps, const TextureUnit& unit) {
     const Combine& combine = unit.combine;
     const auto formula = [](int scale, const std::string& text) {
-        return fmt::format("GL_COMBINE: {}, clamped to [0, 1]",
-                           scale == 1 ? text : fmt::format("{} ({})", scale, text));
+        return tr("GL_COMBINE: {}, clamped to [0, 1]", scale == 1 ? text : fmt::format("{} ({})", scale, text));
     };
     const std::string rgb = combine_formula(combine.rgb, combine.rgb_sources, combine.rgb_operands);
     const std::string alpha =
@@ -156,19 +155,16 @@ Lines texture_lines(const TextureSteps& steps, const Draw& draw, bool is_exact) 
     const TextureUnit& unit = unit_of(steps, draw);
     const Enum format = unit.texture->base_format();
     const EnvironmentFormulas formulas = environment_formulas(unit.env_mode, format);
-    const std::string name =
-        draw.combines_textures() ? fmt::format("texture unit {} (3.8)", steps.unit) : "texture (3.8)";
+    const std::string name = draw.combines_textures() ? tr("texture unit {} (3.8)", steps.unit) : tr("texture (3.8)");
     Lines lines = head(name) + coordinates_lines(steps, unit, is_exact) + level_of_detail_lines(steps, unit) +
                   texels_lines(steps, *unit.texture);
-    lines += color_line("C_s", fmt::format("the sum of weight times texel; A_s is {:.5g}", steps.texel.a),
-                        rgb_of(steps.texel));
-    lines +=
-        color_line("C_f", fmt::format("the colour so far; A_f is {:.5g}", steps.fragment.a), rgb_of(steps.fragment));
+    lines += color_line("C_s", tr("the sum of weight times texel; A_s is {:.5g}", steps.texel.a), rgb_of(steps.texel));
+    lines += color_line("C_f", tr("the colour so far; A_f is {:.5g}", steps.fragment.a), rgb_of(steps.fragment));
     if (unit.env_mode == kGL_BLEND || unit.env_mode == kGL_COMBINE)
-        lines += color_line("C_c", fmt::format("GL_TEXTURE_ENV_COLOR; A_c is {:.5g}", clamped_rgba(unit.env_color).a),
+        lines += color_line("C_c", tr("GL_TEXTURE_ENV_COLOR; A_c is {:.5g}", clamped_rgba(unit.env_color).a),
                             rgb_of(clamped_rgba(unit.env_color)));
     if (unit.env_mode == kGL_COMBINE) return lines + combine_lines(steps, unit);
-    lines += color_line("C_v", fmt::format("{} of {}: {}", enum_name(unit.env_mode), enum_name(format), formulas.color),
+    lines += color_line("C_v", tr("{} of {}: {}", enum_name(unit.env_mode), enum_name(format), formulas.color),
                         rgb_of(steps.result));
     return lines + line("A_v", fmt::format("{:.5g}", steps.result.a), formulas.alpha);
 }
@@ -181,9 +177,9 @@ Lines factor_lines(const FogSteps& steps, const Fog& fog) {
         case kGL_LINEAR: {
             const double f = (fog.end - c) / (fog.end - fog.start);
             how = fog.end == fog.start
-                      ? "GL_LINEAR, and GL_FOG_END is GL_FOG_START"
+                      ? tr("GL_LINEAR, and GL_FOG_END is GL_FOG_START")
                       : fmt::format("GL_LINEAR: (end - c) / (end - start) = ({:.5g} - {:.5g}) / ({:.5g} - {:.5g}){}",
-                                    fog.end, c, fog.end, fog.start, f < 0 || f > 1 ? ", clamped to [0, 1]" : "");
+                                    fog.end, c, fog.end, fog.start, f < 0 || f > 1 ? tr(", clamped to [0, 1]") : "");
             break;
         }
         case kGL_EXP2: how = fmt::format("GL_EXP2: e^-(density c)^2 = e^-({:.5g} x {:.5g})^2", fog.density, c); break;
@@ -193,11 +189,11 @@ Lines factor_lines(const FogSteps& steps, const Fog& fog) {
 }
 
 Lines fog_lines(const ColorSteps& of, const FogSteps& steps, const Fog& fog) {
-    return head("fog (3.10)") +
+    return head(tr("fog (3.10)")) +
            line("c", fmt::format("{:.5g}", steps.distance),
-                fog.by_coordinates ? "the fog coordinate (glFogCoord), interpolated"
-                                   : "|z_e|: how far the fragment is from the plane of the eye") +
-           factor_lines(steps, fog) + color_line("C_r", "the colour so far", rgb_of(of.sum)) +
+                fog.by_coordinates ? tr("the fog coordinate (glFogCoord), interpolated")
+                                   : tr("|z_e|: how far the fragment is from the plane of the eye")) +
+           factor_lines(steps, fog) + color_line("C_r", tr("the colour so far"), rgb_of(of.sum)) +
            color_line("C_f", "GL_FOG_COLOR", rgb_of(clamped_rgba(fog.color))) +
            color_line("C", "f C_r + (1 - f) C_f", rgb_of(steps.result));
 }
@@ -210,11 +206,11 @@ Lines after_lighting_lines(const ColorSteps& steps, const Draw& draw, bool is_ex
     const bool separates =
         draw.lighting.enabled && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
     if (separates || draw.column(VertexAttribute::kSecondaryColor)) {
-        lines += head("colour sum (3.9)") +
-                 color_line("", "the colour so far",
+        lines += head(tr("colour sum (3.9)")) +
+                 color_line("", tr("the colour so far"),
                             rgb_of(steps.textures.empty() ? steps.primary : steps.textures.back().result)) +
-                 color_line("c_sec", "the mean of the secondary colours", rgb_of(steps.secondary)) +
-                 color_line("sum", "clamped to [0, 1]", rgb_of(steps.sum));
+                 color_line("c_sec", tr("the mean of the secondary colours"), rgb_of(steps.secondary)) +
+                 color_line(tr("sum"), tr("clamped to [0, 1]"), rgb_of(steps.sum));
     }
     if (steps.fog) lines += fog_lines(steps, *steps.fog, draw.fog);
     return lines;

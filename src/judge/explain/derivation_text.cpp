@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/text/translation.h"
 #include "judge/explain/derivation.h"
 
 namespace twinlight::explain {
@@ -54,8 +55,8 @@ std::string rulings_text(const std::vector<reference::PixelFragment::Decided>& r
     for (const auto& decided : rulings) {
         const lighting::RulingText& text = lighting::text_of(decided.ruling);
         const std::vector<std::string> lights = names_of(decided.lights);
-        all += fmt::format("  {}{}{}the specification is silent ({}); our choice: {}\n", lights.empty() ? "" : "for ",
-                           fmt::join(lights, ", "), lights.empty() ? "" : " ", text.state, text.answer);
+        all += fmt::format("  {}{}\n", lights.empty() ? "" : tr("for {} ", fmt::join(lights, ", ")),
+                           tr("the specification is silent ({}); our choice: {}", tr(text.state), tr(text.answer)));
     }
     return all;
 }

@@ -7,6 +7,7 @@
 #include <functional>
 #include <set>
 
+#include "base/text/translation.h"
 #include "judge/explain/derivation_light.h"
 #include "judge/explain/explain.h"
 #include "scene/command/text.h"
@@ -176,15 +177,15 @@ std::string allowed_text(const AllowedPixel& allowed) {
 }  // namespace
 
 std::string steps_after_lighting(const PixelFragment& fragment, const Draw& draw, bool lecture_variants) {
-    std::string steps = "after clamping";
+    std::string steps = tr("after clamping");
     if (draw.combines_textures())
-        steps += ", textures (3.8)";
+        steps += tr(", textures (3.8)");
     else if (draw.texture.texture)
-        steps += ", texture (3.8)";
+        steps += tr(", texture (3.8)");
     const bool separates = fragment.is_lit && draw.lighting.light_model.color_control == kGL_SEPARATE_SPECULAR_COLOR;
-    if (separates || draw.column(VertexAttribute::kSecondaryColor)) steps += ", colour sum (3.9)";
-    if (draw.fog.enabled) steps += ", fog (3.10)";
-    if (lecture_variants && draw.fragment.srgb_coded) steps += ", sRGB";
+    if (separates || draw.column(VertexAttribute::kSecondaryColor)) steps += tr(", colour sum (3.9)");
+    if (draw.fog.enabled) steps += tr(", fog (3.10)");
+    if (lecture_variants && draw.fragment.srgb_coded) steps += tr(", sRGB");
     return steps;
 }
 

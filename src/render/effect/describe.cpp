@@ -4,15 +4,16 @@
 #include <initializer_list>
 #include <utility>
 
+#include "base/text/translation.h"
 #include "render/effect/effect_set.h"
 
 namespace twinlight {
 namespace {
 
 std::string describe(const LightEffects& light) {
-    std::string text = light.directional || light.meets_directions ? "directional" : "positional";
+    std::string text = tr(light.directional || light.meets_directions ? "directional" : "positional");
     const auto add = [&](bool fact, const char* name) {
-        if (fact) text += fmt::format(", {}", name);
+        if (fact) text += tr(", ") + std::string(tr(name));
     };
     add(light.meets_directions, "vertices with w = 0");
     add(light.attenuated, "attenuated");
@@ -30,7 +31,7 @@ std::string describe(const LightEffects& light) {
 std::string listed(std::initializer_list<std::pair<bool, const char*>> facts) {
     std::string text;
     for (const auto& [holds, name] : facts)
-        if (holds) text += (text.empty() ? "" : ", ") + std::string(name);
+        if (holds) text += (text.empty() ? "" : tr(", ")) + std::string(tr(name));
     return text;
 }
 
@@ -84,14 +85,14 @@ const char* name_of(Generated generated) {
 }
 
 std::string describe(const TextureEffects& texture) {
-    std::string text = fmt::format("{} texture with {}, {}",
-                                   texture.one_dimensional     ? "1D"
-                                   : texture.three_dimensional ? "3D"
-                                   : texture.cube              ? "cube map"
-                                                               : "2D",
-                                   name_of(texture.texels), name_of(texture.environment));
+    std::string text = tr("{} texture with {}, {}",
+                          tr(texture.one_dimensional     ? "1D"
+                             : texture.three_dimensional ? "3D"
+                             : texture.cube              ? "cube map"
+                                                         : "2D"),
+                          tr(name_of(texture.texels)), tr(name_of(texture.environment)));
     const auto add = [&](bool fact, const char* name) {
-        if (fact) text += fmt::format(", {}", name);
+        if (fact) text += tr(", ") + std::string(tr(name));
     };
     add(texture.depth_mode != 0, texture.compares ? "depths that are compared with r" : "depths");
     add(texture.matrix, "texture matrix");
@@ -102,7 +103,7 @@ std::string describe(const TextureEffects& texture) {
     add(texture.gradients, "explicit gradients");
     for (std::size_t i = 0; i < texture.generated.size(); ++i)
         add(texture.generated[i] != Generated::kNot,
-            fmt::format("{} from {}", "strq"[i], name_of(texture.generated[i])).c_str());
+            tr("{} from {}", "strq"[i], tr(name_of(texture.generated[i]))).c_str());
     add(texture.generated_normal == GeneratedNormal::kUnit, "unit normals for them");
     add(texture.generated_w, "any w for them");
     return text;
@@ -113,7 +114,7 @@ std::string describe(const TextureEffects& texture) {
 std::string describe(const EffectSet& effects) {
     std::string text;
     const auto add = [&](bool fact, const std::string& line) {
-        if (fact) text += line + "\n";
+        if (fact) text += tr(std::string_view(line)) + "\n";
     };
     add(effects.lighting, "lighting");
     add(!effects.lighting, "no lighting");
@@ -130,14 +131,14 @@ std::string describe(const EffectSet& effects) {
     add(effects.shininess == Power::kWhole, "integer shininess");
     add(effects.shininess == Power::kReal, "shininess");
     for (const auto& [face, name] : {std::pair{effects.front, "front"}, {effects.back, "back"}}) {
-        add(face.tracks(), fmt::format("{} material from glColor: {}", name, tracked_names(face)));
-        add(face.varies(), fmt::format("{} material per vertex: {}", name, varying_names(face)));
+        add(face.tracks(), tr("{} material from glColor: {}", tr(name), tracked_names(face)));
+        add(face.varies(), tr("{} material per vertex: {}", tr(name), varying_names(face)));
     }
     for (std::size_t i = 0; i < effects.lights.size(); ++i)
         add(true, fmt::format("light {}: {}", i, describe(effects.lights[i])));
     add(effects.has_texture(), describe(effects.texture));
     for (const UnitEffects& unit : effects.units)
-        add(true, fmt::format("texture unit {}: {}", unit.number, describe(unit.texture)));
+        add(true, tr("texture unit {}: {}", unit.number, describe(unit.texture)));
     add(effects.fog == FogEffect::kLinear, "linear fog");
     add(effects.fog == FogEffect::kExp, "exponential fog");
     add(effects.fog == FogEffect::kExp2, "squared exponential fog");
@@ -145,10 +146,10 @@ std::string describe(const EffectSet& effects) {
     add(effects.attenuated_points, "size of points by distance");
     add(effects.secondary_color, "secondary colours of vertices");
     add(effects.spectral_products, "spectral colour products");
-    add(effects.spectral_groups > 0, fmt::format("groups of three spectral samples: {}", effects.spectral_groups));
+    add(effects.spectral_groups > 0, tr("groups of three spectral samples: {}", effects.spectral_groups));
     add(effects.srgb_coded, "sRGB output");
     add(effects.at_pixels, "drawn at pixels of the window");
-    add(effects.clip_plane_count > 0, fmt::format("clip planes: {}", effects.clip_plane_count));
+    add(effects.clip_plane_count > 0, tr("clip planes: {}", effects.clip_plane_count));
     return text;
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/text/input_text.h"
+#include "base/text/translation.h"
 #include "render/effect/surface_draw.h"
 
 namespace twinlight {
@@ -108,7 +109,7 @@ std::vector<ExplainedLights> explain_lights(const Plan& plan) {
     for (const LightBound& light : plan.light_bounds) {
         const std::string why = reason(light);
         if (!light.in() && !rows.empty() && rows.back().why == why) {
-            rows.back().names = light_name(first) + " to " + light_name(light.number);
+            rows.back().names = tr("{} to {}", light_name(first), light_name(light.number));
             continue;
         }
         first = light.number;
@@ -139,8 +140,8 @@ std::vector<ExplainedEffect> explain_effects(const Plan& plan) {
     const EffectWords words = effect_words(plan);
     std::size_t in = 0;
     for (const ExplainedLights& lights : explain_lights(plan))
-        rows.push_back({lights.names, lights.in ? words.of_lights.at(in++) + ": " + lights.why : lights.why, lights.in,
-                        lights.is_off});
+        rows.push_back({lights.names, lights.in ? tr("{}: {}", words.of_lights.at(in++), lights.why) : lights.why,
+                        lights.in, lights.is_off});
     for (const LeftOut& left_out : plan.left_out) rows.push_back({left_out.what, left_out.why, false, left_out.is_off});
     return rows;
 }

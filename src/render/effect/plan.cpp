@@ -9,6 +9,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/text/translation.h"
 #include "render/effect/plan_parts.h"
 
 namespace twinlight {
@@ -340,8 +341,7 @@ class Planner {
             for (int c = 0; c < 3; ++c) low = std::min(low, of_lights.low[c]);
         facts().clamp = !(low >= 0 && high <= 1);
         if (!facts().clamp && plan_.has_reasons)
-            plan_.leave_out("clamping",
-                            fmt::format("the sum of all terms is at most {:.3g}, and no term is negative", high));
+            plan_.leave_out("clamping", tr("the sum of all terms is at most {:.3g}, and no term is negative", high));
     }
 
     void plan_specular() {
@@ -416,7 +416,7 @@ class Planner {
         }
         if (!plan_.has_reasons) return;
         plan_.leave_out(
-            fmt::format("{} spectral samples", state().light_model.spectrum->count()),
+            tr("{} spectral samples", state().light_model.spectrum->count()),
             facts().spectral_products
                 ? "the products with a light are linear in the vertex colours, so a matrix replaces the samples"
                 : "the products of lights and materials are the same at every vertex, so they are "

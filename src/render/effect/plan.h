@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text/translation.h"
 #include "render/effect/effect_set.h"
 #include "render/effect/vertex_facts.h"
 #include "render/look.h"
@@ -83,7 +84,7 @@ struct Plan {
     double budget = 0;
 
     void leave_out(std::string_view what, std::string_view why, bool is_off = false) {
-        if (has_reasons) left_out.push_back({std::string(what), std::string(why), is_off});
+        if (has_reasons) left_out.push_back({tr(what), tr(why), is_off});
     }
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/text/translation.h"
 #include "render/effect/plan_parts.h"
 
 namespace twinlight {
@@ -54,8 +55,7 @@ void plan_generated(const Draw& draw, const TextureUnit& unit, const VertexFacts
     for (const GeneratedCoordinate& one : unit.generated) {
         const auto i = static_cast<std::size_t>(one.coordinate);
         if (!facts.uses(i)) {
-            plan.leave_out(fmt::format("the generated texture coordinate {}", "strq"[i]),
-                           "the texture does not use it");
+            plan.leave_out(tr("the generated texture coordinate {}", "strq"[i]), "the texture does not use it");
             continue;
         }
         switch (one.mode) {
@@ -76,8 +76,7 @@ void plan_lookup(const Draw& draw, std::size_t number, const TextureUnit& unit, 
                  const VertexFacts& vertices, TextureEffects& facts, Plan& plan) {
     const auto leave_out = [&](const char* what, const char* why, bool is_off = false) {
         if (!plan.has_reasons) return;
-        plan.leave_out(draw.combines_textures() ? fmt::format("{} of texture unit {}", what, number) : what, why,
-                       is_off);
+        plan.leave_out(draw.combines_textures() ? tr("{} of texture unit {}", tr(what), number) : what, why, is_off);
     };
     const Texture& texture = *unit.texture;
     facts.one_dimensional = texture.is_flat();
@@ -145,7 +144,7 @@ void plan_units(const Draw& draw, const VertexFacts& vertices, Plan& plan) {
             effects.texture = environment_of(unit.env_mode, unit.texture->base_format());
         }
         if (effects.texture.environment == TextureEnvironment::kNone && !is_read(number))
-            return plan.leave_out(fmt::format("texture unit {}", number),
+            return plan.leave_out(tr("texture unit {}", number),
                                   "with this texture format its environment mode changes nothing");
         bool has_q_1 = vertices.q_is_1;
         if (number > 0)

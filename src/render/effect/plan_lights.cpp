@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/text/translation.h"
 #include "lighting/real.h"
 #include "render/effect/plan_parts.h"
 
@@ -237,20 +238,19 @@ class LightsPlanner {
         const LightSource& light = source(candidate.entry);
         const LightEffects& effects = candidate.effects;
         const auto note = [&](const char* what, std::string_view why, bool is_off = false) {
-            plan_.leave_out(fmt::format("{}'s {}", light_name(candidate.planned.number), what), why, is_off);
+            plan_.leave_out(tr("{}'s {}", light_name(candidate.planned.number), tr(what)), why, is_off);
         };
         const double reach = candidate.planned.constant_reach;
         if (effects.directional || effects.meets_directions)
             note("attenuation", "the light is directional (its position has w = 0)", light.has_initial_attenuation());
         else if (!effects.attenuated)
             note("attenuation",
-                 fmt::format("its factors are {}, 0, 0, so it is {:.6g} at every vertex", light.constant_attenuation,
-                             reach),
+                 tr("its factors are {}, 0, 0, so it is {:.6g} at every vertex", light.constant_attenuation, reach),
                  light.has_initial_attenuation());
         if (!light.is_spot())
             note("cone", "GL_SPOT_CUTOFF is 180", true);
         else if (effects.directional)
-            note("cone", fmt::format("the light is directional, so its spot factor is {:.6g} everywhere", reach));
+            note("cone", tr("the light is directional, so its spot factor is {:.6g} everywhere", reach));
         else if (effects.cone == SpotCone::kNone)
             note("cone", "the whole draw is inside it, and GL_SPOT_EXPONENT is 0");
         if (effects.cone == SpotCone::kGl && effects.spot_exponent == Power::kZero)
@@ -285,22 +285,21 @@ std::vector<LeftOut> lights_left_out(const Plan& plan) {
 
 std::string reason(const LightBound& light) {
     const double largest = 255 * light.largest();
-    const std::string amount =
-        std::isfinite(largest) ? fmt::format("at most {:.3g}/255", largest) : "an unknown amount";
+    const std::string amount = std::isfinite(largest) ? tr("at most {:.3g}/255", largest) : tr("an unknown amount");
     switch (light.fate) {
-        case LightFate::kIn: return fmt::format("it adds {} to a channel", amount);
-        case LightFate::kDisabled: return "it is not enabled";
-        case LightFate::kBlack: return "its colours times the material's are 0";
-        case LightFate::kReplaced: return "the texture replaces the colours it would add";
+        case LightFate::kIn: return tr("it adds {} to a channel", amount);
+        case LightFate::kDisabled: return tr("it is not enabled");
+        case LightFate::kBlack: return tr("its colours times the material's are 0");
+        case LightFate::kReplaced: return tr("the texture replaces the colours it would add");
         case LightFate::kAmbientOnly:
-            return "it has only an ambient term, the same at every vertex, which is part of the scene's ambient light";
-        case LightFate::kOutsideCone: return "it is directional, and its direction is outside its cone";
-        case LightFate::kNoReach: return "its attenuation factors are 0, 0, 0, so it adds nothing";
+            return tr(
+                "it has only an ambient term, the same at every vertex, which is part of the scene's ambient light");
+        case LightFate::kOutsideCone: return tr("it is directional, and its direction is outside its cone");
+        case LightFate::kNoReach: return tr("its attenuation factors are 0, 0, 0, so it adds nothing");
         case LightFate::kConeMisses:
-            return fmt::format("its cone misses the draw's bounding sphere by {:.3g} degrees", light.deg);
-        case LightFate::kBehind:
-            return fmt::format("every normal faces away from it, by at least {:.3g} degrees", light.deg);
-        case LightFate::kFaint: return fmt::format("it would add {} to a channel", amount);
+            return tr("its cone misses the draw's bounding sphere by {:.3g} degrees", light.deg);
+        case LightFate::kBehind: return tr("every normal faces away from it, by at least {:.3g} degrees", light.deg);
+        case LightFate::kFaint: return tr("it would add {} to a channel", amount);
     }
     return "";
 }

@@ -276,6 +276,7 @@ TEST(Words, OfTheSourcesAreNotWorn) {
         found += worn_phrases(file, of_makefile(read_file(file)));
     for (const auto& entry : std::filesystem::recursive_directory_iterator("src")) {
         const std::string path = entry.path().generic_string(), kind = entry.path().extension();
+        if (path.ends_with("chinese.def")) continue;  // its English texts are those of other files
         std::vector<Text> texts;
         if (kind == ".cpp" || kind == ".h" || kind == ".def" || kind == ".js")
             texts = Literals(read_file(path)).texts();

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text/translation.h"
 #include "render/programmable/numbers/precise.h"
 #include "render/programmable/numbers/surface_values.h"
 #include "render/programmable/text/bake.h"
@@ -139,7 +140,7 @@ std::string shader_source(const Frame& frame, const Options& asked) {
     std::string text;
     for (const Use& use : uses) {
         text += fmt::format("// ==== Draw {}, {}", use.number, use.place.str());
-        if (use.others > 0) text += fmt::format("; {} more draws use this program with other values", use.others);
+        if (use.others > 0) text += tr("; {} more draws use this program with other values", use.others);
         text += "\n" + use.text + "\n";
     }
     return text;

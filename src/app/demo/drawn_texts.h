@@ -1,9 +1,10 @@
-// Finds texts of the window that are cut, for tests.
+// The texts of the window's last frame, and where they are cut; for tests.
 #pragma once
 
 #include <imgui.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace twinlight::demo {
@@ -11,5 +12,8 @@ namespace twinlight::demo {
 // The middles of the letters that are cut at the left or at the right, in pixels. Letters that are cut above or
 // below are not meant: a list that scrolls cuts them.
 std::vector<std::array<int, 2>> cut_letters(const ImDrawData& data);
+
+// The lines of text that are in sight, without code: what the fonts for code show. Empty with ImGui 1.92 and later.
+std::vector<std::string> drawn_texts(const ImDrawData& data);
 
 }  // namespace twinlight::demo
