@@ -20,18 +20,25 @@ namespace {
 
 constexpr auto kStill = std::chrono::milliseconds(300);  // the commands must not change for so long
 
-// With a capital letter, unless it starts with a name of GL.
-std::string as_sentence(std::string message) {
-    if (!message.starts_with("gl") && !message.empty())
-        message[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(message[0])));
-    return message + ".";
-}
-
 // The rules' texts are Markdown.
 std::string without_marks(std::string_view text) {
     std::string plain(text);
     std::erase(plain, '`');
     return plain;
+}
+
+// What is wrong. The rules' own sentences are translated, but not the messages, which have names and numbers in them.
+std::string words_of(const lint::Warning& warning) {
+    const std::string rule = tr(warning.rule->what);
+    return rule == warning.rule->what ? warning.message : without_marks(rule);
+}
+
+// With a capital letter, unless it starts with a name of GL.
+std::string as_sentence(std::string message) {
+    if (message.ends_with("。")) return message;
+    if (!message.starts_with("gl") && !message.empty())
+        message[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(message[0])));
+    return message + ".";
 }
 
 }  // namespace
@@ -85,14 +92,14 @@ bool LintPanel::show(session::Session& session) {
         ImGui::Dummy({0, ImGui::GetFontSize() / 4});
         ImGui::Separator();
         ImGui::Dummy({0, ImGui::GetFontSize() / 4});
-        bold_text(as_sentence(warning.message));
+        bold_text(as_sentence(words_of(warning)));
         ImGui::PushFont(fonts().code);
         colored_text(kAccent, print_command(commands(session).commands[finding.command]));
         ImGui::PopFont();
         dim_text(fmt::format("{}{}  [{}]", finding.where,
                              warning.count > 1 ? tr(" and {} more places", warning.count - 1) : "", warning.rule->name)
                      .c_str());
-        ImGui::TextUnformatted(wrapped(without_marks(warning.rule->why)).c_str());
+        ImGui::TextUnformatted(wrapped(without_marks(tr(warning.rule->why))).c_str());
         ImGui::PushFont(fonts().code);
         colored_text(kGood, warning.fix);
         ImGui::PopFont();
@@ -112,7 +119,7 @@ bool LintPanel::show(session::Session& session) {
     if (to_fix) {
         const session::Finding& finding = findings_[*to_fix];
         edit(session, session::corrected(commands(session), finding), tr("fix {}", finding.warning.rule->name));
-        say(session, tr("corrected: {}; z undoes it", finding.warning.message));
+        say(session, tr("corrected: {}; z undoes it", words_of(finding.warning)));
     }
     return selected;
 }

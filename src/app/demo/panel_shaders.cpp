@@ -98,7 +98,7 @@ void ShadersPanel::show_reasons(const ShownShader& shader) const {
     if (!draw) return;
     std::vector<ExplainedEffect> rows = explain_effects(draw->plan);
     if (!all_reasons_) std::erase_if(rows, [](const ExplainedEffect& row) { return row.is_off; });
-    ImGui::TextUnformatted(wrapped(fmt::format("{}", fmt::join(effect_words(draw->plan).of_draw, ", "))).c_str());
+    ImGui::TextUnformatted(wrapped(fmt::format("{}", fmt::join(effect_words(draw->plan).of_draw, tr(", ")))).c_str());
     if (!ImGui::BeginTable("reasons", 2, ImGuiTableFlags_SizingFixedFit)) return;
     ImGui::TableSetupColumn("");
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);

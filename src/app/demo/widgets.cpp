@@ -21,13 +21,16 @@ std::string wrapped(const std::string& text, float width) {
     if (width <= 0) width = ImGui::GetContentRegionAvail().x;
     std::string result, line;
     std::size_t last_break = 0;  // in `line`
+    bool was_chinese = false;    // the last character, after which a line may end
     const auto width_of = [](const std::string& part) { return ImGui::CalcTextSize(part.c_str()).x; };
     for (std::size_t at = 0, next = 0; at < text.size(); at = next) {
         next = after_character(text, at);
         const std::string character = text.substr(at, next - at);
         const bool is_closing = std::string_view("，。、；：？！）”……").find(character) != std::string_view::npos;
         const bool is_chinese = character.size() > 2 && !is_closing;
-        if (is_chinese || (!line.empty() && line.back() == ' ')) last_break = line.size();
+        if (is_chinese || (!is_closing && was_chinese) || (!line.empty() && line.back() == ' '))
+            last_break = line.size();
+        was_chinese = character.size() > 2 && character != "（" && character != "“";
         if (character == "\n") {
             result += line + "\n";
             line.clear();

@@ -20,6 +20,7 @@
 #include "app/session/tutor.h"
 #include "base/image/file.h"
 #include "base/text/translation.h"
+#include "judge/lint/lint.h"
 #include "scene/scenes/caption.h"
 #include "scene/scenes/load.h"
 #include "scene/scenes/scene_groups.h"
@@ -151,6 +152,7 @@ std::set<std::string> texts_of_tables() {
     texts.insert(kRendererTitles.begin(), kRendererTitles.end());
     for (const MaterialPreset& preset : material_presets()) texts.insert(std::string(preset.name));
     for (const SceneGroup& group : scene_groups()) texts.insert(std::string(group.heading));
+    for (const lint::Rule& rule : lint::rules()) texts.insert({std::string(rule.what), std::string(rule.why)});
     return texts;
 }
 
