@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text/translation.h"
 #include "judge/compare/releases.h"
 #include "render/context/driver_name.h"
 
@@ -69,16 +70,15 @@ bool has_allowed_difference(const Pair& pair) {
 }
 
 std::string words_of(const Tolerance& tolerance) {
-    return fmt::format("up to {}, in fewer than {:g}% of the pixels", in_255ths(tolerance.max),
-                       100 * tolerance.differing_share);
+    return tr("up to {}, in fewer than {:g}% of the pixels", in_255ths(tolerance.max), 100 * tolerance.differing_share);
 }
 
 namespace {
 
 // "fixed ~ reference: 5 of 299,091 checked pixels differ (< 0.01%)"
 std::string count_of(const Comparison& comparison, const Pair& pair, const RegionDifference& region) {
-    return fmt::format("{}: {} of {} checked pixels differ ({})", name_of(comparison, pair), grouped(region.differing),
-                       grouped(region.pixels), share_of(region));
+    return tr("{}: {} of {} checked pixels differ ({})", name_of(comparison, pair), grouped(region.differing),
+              grouped(region.pixels), share_of(region));
 }
 
 // The pair with this verdict that differs most in one of its regions; null if there is none.
@@ -114,14 +114,14 @@ void add_known_departures(const Comparison& comparison, Answer& answer) {
 void add_precision(const Comparison& comparison, std::vector<std::string>& details) {
     const DrawingPrecision& precision = comparison.precision;
     if (precision.position > 0)
-        details.push_back(fmt::format("Allowed: this driver's colours are those of a place up to {:.2g} pixels away.",
-                                      precision.position));
+        details.push_back(
+            tr("Allowed: this driver's colours are those of a place up to {:.2g} pixels away.", precision.position));
     if (precision.conversion > 0)
-        details.push_back(fmt::format(
-            "Allowed: this driver may round a colour to the next 8-bit value up to {:.2g}/255 beyond the middle.",
-            precision.conversion));
+        details.push_back(
+            tr("Allowed: this driver may round a colour to the next 8-bit value up to {:.2g}/255 beyond the middle.",
+               precision.conversion));
     if (precision.approximates_rho)
-        details.emplace_back("Allowed: this driver chooses other levels of textures, as section 3.8.8 permits.");
+        details.emplace_back(tr("Allowed: this driver chooses other levels of textures, as section 3.8.8 permits."));
 }
 
 std::size_t changed_by_missing(const Comparison& comparison) {
@@ -132,14 +132,14 @@ Answer partial_answer(const Comparison& comparison) {
     const std::size_t kinds = comparison.unsupported.size();
     const Unsupported& first = comparison.unsupported.front();
     const bool is_known = !comparison.changed_by_missing.empty();
-    Answer answer{fmt::format("The comparison is partial: {} not drawn by every renderer.",
-                              kinds == 1 ? "one kind of command is" : fmt::format("{} kinds of commands are", kinds)),
-                  fmt::format("The first is {} at {}. {}", first.name, first.first.str(),
-                              is_known ? "Where leaving them out changes no pixel of the fixed function, the pictures "
-                                         "agree."
-                                       : "Pictures that lack the same commands agree; between others, the missing "
-                                         "commands may cause any difference."),
-                  {}};
+    Answer answer{
+        kinds == 1 ? tr("The comparison is partial: one kind of command is not drawn by every renderer.")
+                   : tr("The comparison is partial: {} kinds of commands are not drawn by every renderer.", kinds),
+        tr("The first is {} at {}. {}", first.name, first.first.str(),
+           tr(is_known ? "Where leaving them out changes no pixel of the fixed function, the pictures agree."
+                       : "Pictures that lack the same commands agree; between others, the missing commands may "
+                         "cause any difference.")),
+        {}};
     if (is_known) {
         answer.details.push_back(fmt::format("They change {} of {} pixels.", grouped(changed_by_missing(comparison)),
                                              grouped(comparison.changed_by_missing.size())));
@@ -156,37 +156,40 @@ void add_undefined(const Comparison& comparison, std::vector<std::string>& detai
         if (pair.verdict != Verdict::kInformative) most = std::max(most, pair.judged.undefined);
     if (most == 0) return;
     details.push_back(
-        fmt::format("Not counted: {} pixels differ, but OpenGL leaves their colour undefined: {}. The reference and "
-                    "the shaders follow "
-                    "Twinlight's own rule.",
-                    grouped(most), comparison.undefined));
+        tr("Not counted: {} pixels differ, but OpenGL leaves their colour undefined: {}. The reference and "
+           "the shaders follow "
+           "Twinlight's own rule.",
+           grouped(most), comparison.undefined));
 }
 
 Answer agreeing_answer(const Comparison& comparison) {
     const Pair* worst = worst_pair(comparison, Verdict::kWithin, &ImageDifference::interior);
-    const std::string subject = comparison.renders.size() == 2 ? "Both" : "All three";
+    const bool is_pair = comparison.renders.size() == 2;
     std::vector<std::string> details;
     if (comparison.missing_changes_nothing())
         details.emplace_back("Not every renderer draws all commands, but leaving those out changes no pixel.");
     add_undefined(comparison, details);
     if (!worst || worst->difference.interior.differing == 0)
-        return {subject + " agree: no pixel away from edges differs.", "", details};
+        return {tr(is_pair ? "Both agree: no pixel away from edges differs."
+                           : "All three agree: no pixel away from edges differs."),
+                "", details};
     add_precision(comparison, details);
     const RegionDifference& region = worst->difference.interior;
     const double largest = largest_difference(comparison);
     std::string headline =
-        fmt::format("{} agree: the largest difference away from edges is {}", subject, in_255ths(largest));
+        is_pair ? tr("Both agree: the largest difference away from edges is {}", in_255ths(largest))
+                : tr("All three agree: the largest difference away from edges is {}", in_255ths(largest));
     if (largest > comparison.tolerance.max * (1 + 1e-9)) {
         const Pair* beyond = worst_pair(comparison, Verdict::kWithin, &ImageDifference::beyond_allowed);
-        const bool is_explained = beyond->difference.beyond_allowed.differing == 0;
-        headline += fmt::format(
-            ", and OpenGL leaves {} open",
-            is_explained ? "that much" : "all but " + in_255ths(beyond->difference.beyond_allowed.max) + " of it");
+        headline +=
+            beyond->difference.beyond_allowed.differing == 0
+                ? tr(", and OpenGL leaves that much open")
+                : tr(", and OpenGL leaves all but {} of it open", in_255ths(beyond->difference.beyond_allowed.max));
     }
-    return {headline + ".",
-            fmt::format("{} differ most: at {} of {} pixels away from edges ({}), for example ({}, {}).",
-                        name_of(comparison, *worst), grouped(region.differing), grouped(region.pixels),
-                        share_of(region), region.worst_x, region.worst_y),
+    return {headline + tr("."),
+            tr("{} differ most: at {} of {} pixels away from edges ({}), for example ({}, {}).",
+               name_of(comparison, *worst), grouped(region.differing), grouped(region.pixels), share_of(region),
+               region.worst_x, region.worst_y),
             details};
 }
 
@@ -203,20 +206,21 @@ Answer unjudged_answer(const Comparison& comparison) {
     const Pair& pair = least_judged(comparison);
     const compare::Judged& judged = pair.judged;
     const double percent = 100 * judged.open_share();
-    const std::string share = fmt::format("{:.{}f}% of the drawn pixels", percent, percent < 10 ? 1 : 0);
+    const std::string share =
+        percent < 10 ? tr("{:.1f}% of the drawn pixels", percent) : tr("{:.0f}% of the drawn pixels", percent);
     const bool is_undefined = judged.undefined > judged.drawn_not_judged + judged.drawn_widely;
     Answer answer{
-        .headline =
-            is_undefined
-                ? fmt::format("The pictures differ only where OpenGL leaves the colour undefined: at {}.", share)
-                : fmt::format("No difference found; {} could not be checked.", share),
-        .where = fmt::format(
-            "{}: of {} drawn pixels, OpenGL leaves {} open, and {} may have any colour in a range of over {}.",
-            name_of(comparison, pair), grouped(judged.drawn), grouped(judged.drawn_not_judged + judged.undefined),
-            grouped(judged.drawn_widely), in_255ths(compare::Judged::kWide)),
+        .headline = is_undefined
+                        ? tr("The pictures differ only where OpenGL leaves the colour undefined: at {}.", share)
+                        : tr("No difference found; {} could not be checked.", share),
+        .where =
+            tr("{}: of {} drawn pixels, OpenGL leaves {} open, and {} may have any colour in a range of over {}.",
+               name_of(comparison, pair), grouped(judged.drawn), grouped(judged.drawn_not_judged + judged.undefined),
+               grouped(judged.drawn_widely), in_255ths(compare::Judged::kWide)),
         .details = {}};
     add_undefined(comparison, answer.details);
-    if (judged.undefined == 0) answer.details.emplace_back("A larger --size may help: fewer pixels are then at edges.");
+    if (judged.undefined == 0)
+        answer.details.emplace_back(tr("A larger --size may help: fewer pixels are then at edges."));
     add_known_departures(comparison, answer);
     add_precision(comparison, answer.details);
     return answer;
@@ -225,15 +229,14 @@ Answer unjudged_answer(const Comparison& comparison) {
 Answer differing_answer(const Comparison& comparison) {
     const Pair& worst = *worst_pair(comparison, Verdict::kBeyond, &ImageDifference::beyond_allowed);
     const RegionDifference& region = worst.difference.beyond_allowed;
-    Answer answer{
-        .headline = fmt::format("{}{} and {} differ by up to {}{}.",
-                                comparison.renders.size() == 2 ? "" : "Not all agree: ", comparison.a(worst).name,
-                                comparison.b(worst).name, in_255ths(region.max),
-                                has_allowed_difference(worst) ? ", more than OpenGL leaves open" : ""),
-        .where = fmt::format("{}; the worst is at ({}, {}). Allowed: {}.", count_of(comparison, worst, region),
-                             region.worst_x, region.worst_y, words_of(comparison.tolerance)),
-        .details = {}};
-    if (region.only_alpha) answer.where += " Only alpha differs, which no window shows.";
+    Answer answer{.headline = tr("{}{} and {} differ by up to {}{}.",
+                                 comparison.renders.size() == 2 ? "" : "Not all agree: ", comparison.a(worst).name,
+                                 comparison.b(worst).name, in_255ths(region.max),
+                                 has_allowed_difference(worst) ? tr(", more than OpenGL leaves open") : ""),
+                  .where = tr("{}; the worst is at ({}, {}). Allowed: {}.", count_of(comparison, worst, region),
+                              region.worst_x, region.worst_y, words_of(comparison.tolerance)),
+                  .details = {}};
+    if (region.only_alpha) answer.where += tr(" Only alpha differs, which no window shows.");
     for (const Pair& pair : comparison.pairs) {
         if (pair.verdict != Verdict::kBeyond || &pair == &worst) continue;
         const RegionDifference& other = pair.difference.beyond_allowed;

@@ -203,10 +203,12 @@ TEST(Chinese, HasNoTextThatNothingShows) {
 std::multiset<std::string> fields_of(std::string_view text) {
     std::multiset<std::string> fields;
     int next = 0;
+    bool is_counted = false, is_numbered = false;
     for (std::size_t at = 0; at < text.size(); ++at) {
         if (text[at] == '{') {
             const std::size_t end = text.find('}', at), colon = std::min(text.find(':', at), end);
             std::string number(text.substr(at + 1, colon - at - 1));
+            (number.empty() ? is_counted : is_numbered) = true;
             if (number.empty()) number = std::to_string(next++);
             fields.insert(number + std::string(text.substr(colon, end - colon)));
             at = end;
@@ -216,12 +218,14 @@ std::multiset<std::string> fields_of(std::string_view text) {
                 fields.insert(std::string(text.substr(at, end + 1 - at)));
         }
     }
+    if (is_counted && is_numbered) fields.insert("{} beside {0}, which fmt does not take");
     return fields;
 }
 
 TEST(Chinese, HasTheFieldsOfTheEnglishText) {
     EXPECT_EQ(fields_of("{} of {:.2f} in %.3g"), fields_of("{1:.2f}{0}%.3g"));
     EXPECT_NE(fields_of("{} of {}"), fields_of("{}"));
+    EXPECT_NE(fields_of("{} of {}"), fields_of("{} of {1}"));
     for (const auto& [english, translated] : chinese()) EXPECT_EQ(fields_of(english), fields_of(translated)) << english;
 }
 
