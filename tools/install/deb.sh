@@ -32,7 +32,7 @@ Maintainer: $maintainer
 Installed-Size: $(du -sk --exclude=DEBIAN "$root" | cut -f 1)
 Depends: $libraries, libosmesa6 | libegl1
 Recommends: fonts-dejavu-core, xclip
-Suggests: apitrace, xvfb
+Suggests: apitrace, fonts-droid-fallback, xvfb
 Section: graphics
 Priority: optional
 Description: OpenGL's lighting three ways, and where the pictures differ

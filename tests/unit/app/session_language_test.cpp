@@ -5,13 +5,11 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
-#include <map>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "app/session/edits.h"
 #include "app/session/keys.h"
 #include "app/session/language.h"
 #include "app/session/presets.h"
