@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 shoot() { # NAME SCENE OPTIONS...
-    build/twinlight-demo "${@:2}" --scale 1 --size 1280x800 --quit-after 300 --screenshot "docs/demo/$1.png"
+    build/twinlight-demo "${@:2}" --language en --scale 1 --size 1280x800 --quit-after 300 --screenshot "docs/demo/$1.png"
 }
 mkdir -p docs/demo
 shoot slider report
@@ -13,5 +13,5 @@ shoot probe report --view grid --probe 250,170
 shoot overlays report --view single --keys "mn---" --panel overlays
 shoot tutor --tutor light
 shoot scenes report --keys $'\x0f' # Ctrl+O
-shoot lesson --lesson shininess --language en
+shoot lesson --lesson shininess
 shoot lint tests/window/mistakes.gl --view grid --panel lint
