@@ -13,6 +13,7 @@
 #include "app/session/argument_places.h"
 #include "app/session/edits.h"
 #include "app/session/initial_values.h"
+#include "base/text/translation.h"
 #include "scene/command/command_set.h"
 #include "scene/command/memory.h"
 #include "scene/command/print_parts.h"
@@ -162,7 +163,6 @@ struct HelpRow {
 constexpr HelpRow kHelp[] = {
 #define HELP(effect, parameter, pname, words, section) {effect, parameter, pname, words, section},
 #include "app/session/argument_help.def"
-#include "base/text/translation.h"
 #undef HELP
 };
 
