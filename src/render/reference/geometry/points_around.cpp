@@ -14,7 +14,7 @@ constexpr double kBeside = 1e-3;  // of a pixel
 using Points = std::vector<RayPoint>;
 
 bool meet_the_same_faces(const Points& a, const Points& b) {
-    return std::ranges::equal(a, b, {}, &RayPoint::face, &RayPoint::face);
+    return std::ranges::equal(a, b, [](const RayPoint& p, const RayPoint& q) { return p.face == q.face; });
 }
 
 // The points on both sides of the place between two rays where the first one's faces end.
