@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "../unit/effort.h"
 #include "../unit/run_program.h"
 #include "../window/browser.h"
 #include "app/session/keys.h"
@@ -222,8 +223,10 @@ Json jobs() {
         if (scene.steps.empty()) add(scene.name, file.text, "", 160, 120);
         for (std::size_t i = 1; i <= scene.steps.size(); ++i) add(scene.name, file.text, std::to_string(i), 160, 120);
     }
+    int number = 0;
     for (const EmbeddedFile& file : kCaseFiles)
-        add(file.name.substr(0, file.name.rfind('.')), file.text, "case", check::kSide, check::kSide);
+        if (is_tried(number++))
+            add(file.name.substr(0, file.name.rfind('.')), file.text, "case", check::kSide, check::kSide);
     for (const auto& [name, text] : kEqualScenes) add(name, text, "case", check::kSide, check::kSide);
     for (const auto& [name, text] : kOtherScenes) add(name, text, "case", check::kSide, check::kSide);
     return list;
@@ -666,7 +669,7 @@ TEST(WebPage, DrawsEveryScene) {
         ++in_browser;
     }
     EXPECT_GT(in_browser, 20u);
-    EXPECT_GT(agree, 350u);
+    EXPECT_GT(2 * agree, all.size());
 }
 
 }  // namespace
