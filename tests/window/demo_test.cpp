@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "../unit/effort.h"
 #include "../unit/pictures.h"
 #include "../unit/run_program.h"
 #include "app/session/camera.h"
@@ -336,13 +337,17 @@ TEST_F(DemoWindow, DrawsBuiltInScenes) {
 }
 
 // In no panel or view, with small letters and large ones, in English and in Chinese. What a list cuts above and below does not count.
-TEST_F(DemoWindow, CutsNoTextAtFiveSizes) {
+TEST_F(DemoWindow, NeitherCutsNorCoversATextAtFiveSizes) {
     for (const std::string size : {"800x600", "1024x768 --scale 1.5", "1366x768 --scale 2", "1280x800", "1920x1080"})
         for (const std::string view : kViewsWithTexts)
             for (const std::string language : {"en", "zh"}) {
+                // In Chinese, the two sizes with the least room; all of them with ALL_CASES.
+                if (language == "zh" && size != "800x600" && !size.ends_with("2") && !tries_all()) continue;
                 SCOPED_TRACE(view + " --language " + language + " --size " + size);
-                const auto cut = last_frame(view + " --language " + language + " --size " + size).at("cut_letters");
-                EXPECT_TRUE(cut.empty()) << "letters are cut at " << cut.dump();
+                const auto last = last_frame(view + " --language " + language + " --size " + size);
+                EXPECT_TRUE(last.at("cut_letters").empty()) << "letters are cut at " << last.at("cut_letters").dump();
+                EXPECT_TRUE(last.at("overlapping_letters").empty())
+                    << "letters overlap at " << last.at("overlapping_letters").dump();
             }
 }
 

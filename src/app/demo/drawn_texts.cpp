@@ -1,5 +1,6 @@
 #include "app/demo/drawn_texts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -26,28 +27,47 @@ bool is_letter(const ImDrawVert* vertices, const ImDrawIdx* corners) {
     return from.x < to.x && from.y < to.y && vertices[a + 1].uv.y == from.y && vertices[a + 3].uv.x == from.x;
 }
 
-// Visits the letters that are in sight, with the rectangle that clips them.
+// Visits the letters of one window that are in sight, with the rectangle that clips them.
 template <class Visit>
-void for_each_letter(const ImDrawData& data, const Visit& visit) {
-    for (int n = 0; n < data.CmdListsCount; ++n) {
-        const ImDrawList& list = *data.CmdLists[n];
-        for (const ImDrawCmd& command : list.CmdBuffer) {
-            if (command.UserCallback) continue;
-            const ImDrawVert* const vertices = list.VtxBuffer.Data + command.VtxOffset;
-            const ImDrawIdx* const indices = list.IdxBuffer.Data + command.IdxOffset;
-            for (unsigned i = 0; i + 6 <= command.ElemCount;) {
-                if (!is_letter(vertices, indices + i)) {
-                    i += 3;
-                    continue;
-                }
-                const ImDrawVert &from = vertices[indices[i]], &to = vertices[indices[i + 2]];
-                const ImVec4& clip = command.ClipRect;
-                if (from.pos.x < clip.z && to.pos.x > clip.x && from.pos.y < clip.w && to.pos.y > clip.y)
-                    visit(Letter{from.pos, to.pos, from.uv, to.uv}, clip);
-                i += 6;
+void for_each_letter(const ImDrawList& list, const Visit& visit) {
+    for (const ImDrawCmd& command : list.CmdBuffer) {
+        if (command.UserCallback) continue;
+        const ImDrawVert* const vertices = list.VtxBuffer.Data + command.VtxOffset;
+        const ImDrawIdx* const indices = list.IdxBuffer.Data + command.IdxOffset;
+        for (unsigned i = 0; i + 6 <= command.ElemCount;) {
+            if (!is_letter(vertices, indices + i)) {
+                i += 3;
+                continue;
             }
+            const ImDrawVert &from = vertices[indices[i]], &to = vertices[indices[i + 2]];
+            const ImVec4& clip = command.ClipRect;
+            if (from.pos.x < clip.z && to.pos.x > clip.x && from.pos.y < clip.w && to.pos.y > clip.y)
+                visit(Letter{from.pos, to.pos, from.uv, to.uv}, clip);
+            i += 6;
         }
     }
+}
+// The same for all windows.
+template <class Visit>
+void for_each_letter(const ImDrawData& data, const Visit& visit) {
+    for (int n = 0; n < data.CmdListsCount; ++n) for_each_letter(*data.CmdLists[n], visit);
+}
+
+std::array<int, 2> middle_of(const Letter& letter) {
+    return {static_cast<int>((letter.from.x + letter.to.x) / 2), static_cast<int>((letter.from.y + letter.to.y) / 2)};
+}
+
+// Whether the two have more than a third of the smaller one's width and height in common.
+bool overlap(const Letter& a, const Letter& b) {
+    const auto is_common = [](float a_from, float a_to, float b_from, float b_to) {
+        const float common = std::min(a_to, b_to) - std::max(a_from, b_from);
+        return common > std::min(a_to - a_from, b_to - b_from) / 3;
+    };
+    return is_common(a.from.x, a.to.x, b.from.x, b.to.x) && is_common(a.from.y, a.to.y, b.from.y, b.to.y);
+}
+
+bool is_same_letter(const Letter& a, const Letter& b) {
+    return a.from_uv.x == b.from_uv.x && a.from_uv.y == b.from_uv.y;
 }
 
 // The letter of the fonts that this is, or of which it is a part, and its font. Later releases of ImGui keep their fonts elsewhere.
@@ -92,11 +112,28 @@ std::vector<std::array<int, 2>> cut_letters(const ImDrawData& data) {
     constexpr float kHidden = 1.5F;  // pixels of a letter's rectangle that may have no ink
     std::vector<std::array<int, 2>> cut;
     for_each_letter(data, [&](const Letter& letter, const ImVec4& clip) {
-        const auto& [from, to, from_uv, to_uv] = letter;
-        if (from.x < clip.x - kHidden || to.x > clip.z + kHidden || is_part(letter))
-            cut.push_back({static_cast<int>((from.x + to.x) / 2), static_cast<int>((from.y + to.y) / 2)});
+        const ImVec2 &from = letter.from, &to = letter.to;
+        if (from.x < clip.x - kHidden || to.x > clip.z + kHidden || is_part(letter)) cut.push_back(middle_of(letter));
     });
     return cut;
+}
+
+std::vector<std::array<int, 2>> overlapping_letters(const ImDrawData& data) {
+    std::vector<std::array<int, 2>> overlapping;
+    for (int n = 0; n < data.CmdListsCount; ++n) {
+        std::vector<Letter> letters;
+        for_each_letter(*data.CmdLists[n], [&](const Letter& letter, const ImVec4&) {
+            // An outline is the same letters, drawn before.
+            std::erase_if(letters, [&](const Letter& before) {
+                return is_same_letter(before, letter) && overlap(before, letter);
+            });
+            letters.push_back(letter);
+        });
+        for (std::size_t i = 0; i < letters.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (overlap(letters[i], letters[j])) overlapping.push_back(middle_of(letters[i]));
+    }
+    return overlapping;
 }
 
 std::vector<std::string> drawn_texts(const ImDrawData& data) {

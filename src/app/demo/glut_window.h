@@ -133,8 +133,8 @@ class Window {
     std::optional<std::filesystem::file_time_type> file_time_;
     std::vector<double> frame_ms_;  // for options_.times
     std::array<std::vector<double>, session::kPanes> pane_ms_;
-    std::vector<std::array<int, 2>> cut_letters_;  // in the last frame, for options_.times
-    std::vector<std::string> texts_;               // the same
+    std::vector<std::array<int, 2>> cut_letters_, overlapping_letters_;  // in the last frame, for options_.times
+    std::vector<std::string> texts_;                                     // the same
     Dialogs dialogs_;
     session::RecoveryFile recovery_;
     int recovery_revision_ = 0;  // of the history, that the recovery file has

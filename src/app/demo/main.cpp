@@ -122,7 +122,7 @@ int run(int argc, char** argv) {
         ->option_text("FRAMES");
     app.add_option("--times", options.times,
                    "write the milliseconds of each frame to this JSON file, and the texts of the last one and where "
-                   "they are cut")
+                   "they are cut or overlap")
         ->option_text("FILE")
         ->check(not_empty());
 

@@ -134,10 +134,21 @@ void draw_arrow(ImDrawList& draw, const ImVec2& from, const ImVec2& to, ImU32 co
                            {neck.x + head * 0.5F * dir.y, neck.y - head * 0.5F * dir.x}, color);
 }
 
-void draw_label(ImDrawList& draw, const ImVec2& at, ImU32 color, const std::string& text) {
+void Labels::add(ImVec2 at, ImU32 color, const std::string& text) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    draw.AddRectFilled({at.x - 4, at.y - 1}, {at.x + size.x + 4, at.y + size.y + 1}, kShadow, 4);
-    draw.AddText(at, color, text.c_str());
+    const auto is_free = [&](float y) {
+        return std::ranges::none_of(taken_, [&](const ImVec4& other) {
+            return at.x < other.z && other.x < at.x + size.x && y < other.w && other.y < y + size.y;
+        });
+    };
+    for (const float line : {0.0F, 1.0F, -1.0F, 2.0F, -2.0F, 3.0F, -3.0F, 4.0F, -4.0F, 5.0F, -5.0F})
+        if (const float y = at.y + line * (size.y + 3); is_free(y)) {
+            at.y = y;
+            break;
+        }
+    taken_.push_back({at.x, at.y, at.x + size.x, at.y + size.y});
+    draw_.AddRectFilled({at.x - 4, at.y - 1}, {at.x + size.x + 4, at.y + size.y + 1}, kShadow, 4);
+    draw_.AddText(at, color, text.c_str());
 }
 
 void draw_tick(const ImVec2& at) {
@@ -162,6 +173,7 @@ void draw_probe(ImDrawList& draw, const session::ProbeArrows& arrows,
     const auto from = place_of(arrows.place_eye);
     if (!from) return;
     draw_cross(draw, *from);
+    Labels labels(draw);
     for (const session::ProbeArrow& arrow : arrows.arrows) {
         constexpr std::array kColors = {IM_COL32(89, 230, 128, 255), IM_COL32(120, 180, 255, 255),
                                         IM_COL32(255, 225, 120, 255), IM_COL32(255, 120, 210, 255)};
@@ -169,7 +181,7 @@ void draw_probe(ImDrawList& draw, const session::ProbeArrows& arrows,
         const auto to = place_of(arrows.tip_eye(arrow));
         if (!to) continue;
         draw_arrow(draw, *from, *to, color);
-        draw_label(draw, plus(*to, {5, -ImGui::GetFontSize()}), color, arrow.name);
+        labels.add(plus(*to, {5, -ImGui::GetFontSize()}), color, arrow.name);
     }
 }
 

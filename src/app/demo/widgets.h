@@ -60,8 +60,16 @@ void heading(const std::string& text);
 
 inline constexpr ImU32 kShadow = IM_COL32(0, 0, 0, 150);
 void draw_arrow(ImDrawList& draw, const ImVec2& from, const ImVec2& to, ImU32 color);
-// Text on a dark box.
-void draw_label(ImDrawList& draw, const ImVec2& at, ImU32 color, const std::string& text);
+// Texts on dark boxes. One that would lie over another is moved down or up, by whole lines.
+class Labels {
+  public:
+    explicit Labels(ImDrawList& draw) : draw_(draw) {}
+    void add(ImVec2 at, ImU32 color, const std::string& text);
+
+  private:
+    ImDrawList& draw_;
+    std::vector<ImVec4> taken_;  // left, top, right, bottom
+};
 // As high as a line of text.
 void draw_tick(const ImVec2& at);
 // Marks the probed pixel: white lines on dark ones, visible on every picture.

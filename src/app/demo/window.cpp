@@ -229,6 +229,7 @@ void Window::draw() {
         if (!options_.screenshot.empty()) save_screenshot();
         if (!options_.times.empty()) {
             cut_letters_ = cut_letters(*ImGui::GetDrawData());
+            overlapping_letters_ = overlapping_letters(*ImGui::GetDrawData());
             texts_ = drawn_texts(*ImGui::GetDrawData());
         }
     }
@@ -308,8 +309,11 @@ void Window::save_screenshot() {
 
 void Window::write_times() const {
     if (options_.times.empty()) return;
-    const nlohmann::json json = {
-        {"frame_ms", frame_ms_}, {"pane_ms", pane_ms_}, {"cut_letters", cut_letters_}, {"texts", texts_}};
+    const nlohmann::json json = {{"frame_ms", frame_ms_},
+                                 {"pane_ms", pane_ms_},
+                                 {"cut_letters", cut_letters_},
+                                 {"overlapping_letters", overlapping_letters_},
+                                 {"texts", texts_}};
     write_file_atomically(options_.times, json.dump() + "\n");
 }
 

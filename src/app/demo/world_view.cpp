@@ -133,17 +133,16 @@ void WorldView::carry_out_mouse(session::Session& session, const Rectangle& box)
 void WorldView::show_markers(const session::Session& session, const Rectangle& box) const {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const auto place = [&](const glm::dvec3& point_world) { return window_place(projection_, box, point_world); };
-    const auto text = [&](const ImVec2& at, ImU32 color, const std::string& words) {
-        draw_label(draw, at, color, words);
-    };
+    Labels labels(draw);
+    const auto text = [&](const ImVec2& at, ImU32 color, const std::string& words) { labels.add(at, color, words); };
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 tip(0);
         tip[axis] = arrow_length(world_);
         constexpr std::array<ImU32, 3> kColors = {IM_COL32(235, 95, 90, 255), IM_COL32(120, 210, 120, 255),
                                                   IM_COL32(105, 155, 255, 255)};
         if (const auto at = place(tip))
-            draw.AddText({at->x + 4, at->y - 8}, kColors[static_cast<std::size_t>(axis)],
-                         std::string(1, static_cast<char>('x' + axis)).c_str());
+            text({at->x + 4, at->y - 8}, kColors[static_cast<std::size_t>(axis)],
+                 std::string(1, static_cast<char>('x' + axis)));
     }
     if (world_.camera_world)
         if (const auto at = place(*world_.camera_world)) {
