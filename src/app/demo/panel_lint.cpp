@@ -123,7 +123,7 @@ bool LintPanel::show(session::Session& session) {
             if (ImGui::Button(tr("Fix it"))) to_fix = i;
         } else {
             ImGui::AlignTextToFramePadding();
-            ImGui::TextDisabled(tr("This one needs your own change."));
+            ImGui::TextDisabled("%s", tr("This one needs your own change."));
         }
         ImGui::PopID();
     }

@@ -211,7 +211,7 @@ void ProbePanel::show_colors(const Session& session, const std::array<std::optio
                 fmt::format("{:3} {:3} {:3}", channel_code(color[0]), channel_code(color[1]), channel_code(color[2]))
                     .c_str());
         else
-            ImGui::TextDisabled(tr("not drawn"));
+            ImGui::TextDisabled("%s", tr("not drawn"));
         ImGui::PopFont();
     }
     ImGui::EndTable();
