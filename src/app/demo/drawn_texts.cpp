@@ -66,8 +66,11 @@ bool overlap(const Letter& a, const Letter& b) {
     return is_common(a.from.x, a.to.x, b.from.x, b.to.x) && is_common(a.from.y, a.to.y, b.from.y, b.to.y);
 }
 
-bool is_same_letter(const Letter& a, const Letter& b) {
-    return a.from_uv.x == b.from_uv.x && a.from_uv.y == b.from_uv.y;
+// Whether `before` is the outline of a letter: the same one, drawn before and beside it.
+bool is_outline(const Letter& before, const Letter& letter) {
+    const float reach = at_scale(2);  // show_scene_labels() has 1.5
+    return before.from_uv.x == letter.from_uv.x && before.from_uv.y == letter.from_uv.y &&
+           std::abs(before.from.x - letter.from.x) < reach && std::abs(before.from.y - letter.from.y) < reach;
 }
 
 // The letter of the fonts that this is, or of which it is a part, and its font. Later releases of ImGui keep their fonts elsewhere.
@@ -123,10 +126,7 @@ std::vector<std::array<int, 2>> overlapping_letters(const ImDrawData& data) {
     for (int n = 0; n < data.CmdListsCount; ++n) {
         std::vector<Letter> letters;
         for_each_letter(*data.CmdLists[n], [&](const Letter& letter, const ImVec4&) {
-            // An outline is the same letters, drawn before.
-            std::erase_if(letters, [&](const Letter& before) {
-                return is_same_letter(before, letter) && overlap(before, letter);
-            });
+            std::erase_if(letters, [&](const Letter& before) { return is_outline(before, letter); });
             letters.push_back(letter);
         });
         for (std::size_t i = 0; i < letters.size(); ++i)
