@@ -361,7 +361,7 @@ std::string english_words_in(const std::string& text) {
 TEST_F(DemoWindow, HasNoEnglishSentenceInChinese) {
     EXPECT_NE(english_words_in("GL_LIGHT0: it is on"), "");
     EXPECT_EQ(english_words_in("GL_LIGHT0 打开了"), "");
-    // Of a scene that is not built in.
+    // This scene is not built in, so its comment stays English.
     const std::string kOwnComment = caption_of(read_file("tests/window/mistakes.gl")).title;
     std::vector<std::string> views(std::begin(kViewsWithTexts), std::end(kViewsWithTexts));
     for (const char* view : {"report --keys '\x13'", "report --keys '\x06'", "report --keys '1\x1b'",

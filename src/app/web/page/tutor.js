@@ -34,7 +34,7 @@ export class Tutor {
 
     get isShown() { return document.body.classList.contains("tutor"); }
 
-    // Of the scene that is open, whose picture has this size.
+    // Shows the open scene; its picture has this size.
     show(size) {
         this.size = size;
         const calls = this.twinlight.calls(), numbers = calls.flat().filter(({number}) => number);

@@ -1026,8 +1026,8 @@ static void point_to(const struct loaded* kind, const struct array* from, int co
     }
 }
 
-// Core GL has no quadrilaterals and polygons. The triangles keep GL's provoking vertex for flat shading: the last of a quadrilateral, the first
-// of a polygon (section 2.14.7). Returns the number of indices.
+// Core GL has no quadrilaterals and polygons. For flat shading the triangles keep GL's provoking vertex: a quadrilateral's last one, a
+// polygon's first one (section 2.14.7). Returns how many indices it wrote.
 static size_t triangles_of(GLenum mode, const GLuint* v, size_t count, GLuint* result) {
     size_t n = 0;
     static const int flat_quad[6] = {0, 1, 3, 1, 2, 3}, quad[6] = {0, 1, 2, 0, 2, 3}, strip[6] = {0, 1, 3, 2, 0, 3};
