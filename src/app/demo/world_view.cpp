@@ -56,27 +56,19 @@ void draw_bulb(ImDrawList& draw, const ImVec2& at, const LightMarker& light, boo
 }  // namespace
 
 void WorldView::update(const session::Session& session, programmable::Renderer& renderer) {
-    const Made wanted{session.revision, camera_, session.width, session.height};
+    const Made wanted{session.revision, view_.camera, session.width, session.height};
     if (made_ == wanted) return;
-    if (made_.revision != session.revision) {
-        // The view stands still while things move.
-        const bool same_scene = opened_ == session.opened;
-        opened_ = session.opened;
-        world_ =
-            world_of(commands(session), session.scene.frame, same_scene ? std::optional(world_.around) : std::nullopt);
-        if (!same_scene) camera_ = first_camera(world_);
-    }
+    view_.follow(session);
     made_ = wanted;
-    made_.camera = camera_;
-    projection_ = projection_of(world_, camera_, session.width, session.height);
+    made_.camera = view_.camera;
     error_.clear();
     try {
-        renderer.draw(as_seen_from_outside(session.scene.frame, world_, projection_),
+        renderer.draw(as_seen_from_outside(session.scene.frame, view_.world, view_.projection),
                       {{{.shading = Shading::kPhong, .lecture_variants = true}}, programmable::Tier::kAuto});
     } catch (const std::exception& error) {
         error_ = reason_of(error);
     }
-    draw_lines(world_lines(world_, projection_), session.width, session.height);
+    draw_lines(world_lines(view_.world, view_.projection), session.width, session.height);
     const fixed::InitialState initial(session.width, session.height);
     texture_.copy_back_buffer(session.width, session.height);
 }
@@ -90,35 +82,30 @@ void WorldView::carry_out_mouse(session::Session& session, const Rectangle& box)
     const ImGuiIO& io = ImGui::GetIO();
     const glm::dvec2 place(io.MousePos.x - static_cast<float>(box.x), io.MousePos.y - static_cast<float>(box.y));
     if (ImGui::IsItemHovered()) {
-        if (!ImGui::IsItemActive()) under_mouse_ = handle_at(world_, projection_, place, 12 * scale());
-        if (io.MouseWheel != 0) zoom(camera_, io.MouseWheel);
+        if (!ImGui::IsItemActive()) under_mouse_ = handle_at(view_.world, view_.projection, place, 12 * scale());
+        if (io.MouseWheel != 0) zoom(view_.camera, io.MouseWheel);
     } else if (!ImGui::IsItemActive()) {
         under_mouse_.reset();
     }
     if (ImGui::IsItemActivated()) {
         drag_.reset();
         dragged_ = false;
-        under_mouse_ = handle_at(world_, projection_, place, 12 * scale());
+        under_mouse_ = handle_at(view_.world, view_.projection, place, 12 * scale());
         orbits_ = !under_mouse_;
         session.history.end_group();
         if (under_mouse_) {
-            drag_ = Drag{*under_mouse_, session.history.now(), session.scene.frame, world_};
-            session.selected_light = world_.lights[under_mouse_->light].number;
-            const auto call = command_of(commands(session), session.scene.frame, world_, *under_mouse_);
+            drag_.emplace(session, view_.world, *under_mouse_);
+            session.selected_light = view_.world.lights[under_mouse_->light].number;
+            const auto call = command_of(commands(session), session.scene.frame, view_.world, *under_mouse_);
             if (call) session.selected_command = call;
         }
     }
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, kDragPixels)) dragged_ = true;
     const ImVec2 by = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, kDragPixels);
     if (ImGui::IsItemActive() && drag_ && dragged_) {
-        const LightMarker& light = drag_->world.lights[drag_->handle.light];
-        const std::string what = drag_->handle.is_spot_direction ? tr("turn {}", light_name(light.number))
-                                                                 : tr("move {}", light_name(light.number));
-        edit(session,
-             with_handle_moved(*drag_->commands, drag_->frame, drag_->world, projection_, drag_->handle, {by.x, by.y}),
-             what, "light " + std::to_string(light.number));
+        carry_out(session, *drag_, view_.projection, {by.x, by.y});
     }
-    if (ImGui::IsItemActive() && orbits_ && dragged_) orbit(camera_, io.MouseDelta.x, io.MouseDelta.y);
+    if (ImGui::IsItemActive() && orbits_ && dragged_) orbit(view_.camera, io.MouseDelta.x, io.MouseDelta.y);
     if (ImGui::IsItemDeactivated()) {
         session.history.end_group();
         if (orbits_ && !dragged_) session.selected_light.reset();  // a click beside the lights
@@ -132,20 +119,20 @@ void WorldView::carry_out_mouse(session::Session& session, const Rectangle& box)
 
 void WorldView::show_markers(const session::Session& session, const Rectangle& box) const {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    const auto place = [&](const glm::dvec3& point_world) { return window_place(projection_, box, point_world); };
+    const auto place = [&](const glm::dvec3& point_world) { return window_place(view_.projection, box, point_world); };
     Labels labels(draw);
     const auto text = [&](const ImVec2& at, ImU32 color, const std::string& words) { labels.add(at, color, words); };
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 tip(0);
-        tip[axis] = arrow_length(world_);
+        tip[axis] = arrow_length(view_.world);
         constexpr std::array<ImU32, 3> kColors = {IM_COL32(235, 95, 90, 255), IM_COL32(120, 210, 120, 255),
                                                   IM_COL32(105, 155, 255, 255)};
         if (const auto at = place(tip))
             text({at->x + 4, at->y - 8}, kColors[static_cast<std::size_t>(axis)],
                  std::string(1, static_cast<char>('x' + axis)));
     }
-    if (world_.camera_world)
-        if (const auto at = place(*world_.camera_world)) {
+    if (view_.world.camera_world)
+        if (const auto at = place(*view_.world.camera_world)) {
             draw.AddCircleFilled(*at, 5, kShadow);
             draw.AddCircleFilled(*at, 4, kAccent);
             const char* const name = tr("camera");
@@ -158,23 +145,20 @@ void WorldView::show_markers(const session::Session& session, const Rectangle& b
         bool bright;
     };
     std::vector<Name> names;
-    for (std::size_t i = world_.lights.size(); i-- > 0;) {  // the first on top
-        const LightMarker& light = world_.lights[i];
+    for (std::size_t i = view_.world.lights.size(); i-- > 0;) {  // the first on top
+        const LightMarker& light = view_.world.lights[i];
         const auto at = place(light.place_world);
         if (!at) continue;
         const bool selected = session.selected_light == light.number;
         const bool bright = selected || (under_mouse_ && under_mouse_->light == i);
         const ImU32 color = color_of(light.color);
         if (light.is_directional) {
-            // Toward the middle, as its light goes.
-            const glm::dvec3 toward = world_.around.middle_world - light.place_world;
-            const double share = 1.4 * arrow_length(world_) / glm::length(toward);
-            if (const auto to = place(light.place_world + share * toward)) draw_arrow(draw, *at, *to, color);
+            if (const auto to = place(arrow_tip(view_.world, light))) draw_arrow(draw, *at, *to, color);
         }
         if (light.cutoff_deg) {
-            const auto tip = place(place_of(world_, Handle{i, true}));
+            const auto tip = place(place_of(view_.world, Handle{i, true}));
             std::vector<ImVec2> rim;
-            for (const glm::dvec3& point : cone_rim(light, arrow_length(world_)))
+            for (const glm::dvec3& point : cone_rim(light, arrow_length(view_.world)))
                 if (const auto on_rim = place(point)) rim.push_back(*on_rim);
             const int alpha = bright ? 230 : 130;
             draw.AddPolyline(rim.data(), static_cast<int>(rim.size()), color_of(light.color, alpha), ImDrawFlags_Closed,
@@ -201,9 +185,9 @@ void WorldView::show_markers(const session::Session& session, const Rectangle& b
     }
     if (session.probe && session.probe_arrows && session.probe_arrows->revision == session.revision) {
         session::ProbeArrows arrows = *session.probe_arrows;
-        arrows.length = std::max(arrows.length, arrow_length(world_));
+        arrows.length = std::max(arrows.length, arrow_length(view_.world));
         draw_probe(draw, arrows, [&](const glm::dvec3& point_eye) {
-            return place(glm::dvec3(glm::inverse(world_.eye_from_world) * glm::dvec4(point_eye, 1)));
+            return place(glm::dvec3(glm::inverse(view_.world.eye_from_world) * glm::dvec4(point_eye, 1)));
         });
     }
     for (const Name& name : names) {
@@ -263,10 +247,11 @@ void WorldView::show(session::Session& session, const session::Cell& cell, unsig
     ImGui::PopFont();
     bar(cell.header, ImDrawFlags_RoundCornersTop, kText, title, fonts().bold);
     const auto shown_light = [&]() -> const LightMarker* {
-        if (under_mouse_ && under_mouse_->light < world_.lights.size()) return &world_.lights[under_mouse_->light];
+        if (under_mouse_ && under_mouse_->light < view_.world.lights.size())
+            return &view_.world.lights[under_mouse_->light];
         const auto found = std::ranges::find_if(
-            world_.lights, [&](const LightMarker& light) { return session.selected_light == light.number; });
-        return found == world_.lights.end() ? nullptr : &*found;
+            view_.world.lights, [&](const LightMarker& light) { return session.selected_light == light.number; });
+        return found == view_.world.lights.end() ? nullptr : &*found;
     };
     const LightMarker* light = shown_light();
     if (!error_.empty())

@@ -1,12 +1,12 @@
 // The world view: the scene from outside, with its camera's frustum, its axes and its lights, which can be dragged.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "app/demo/texture.h"
 #include "app/session/layout.h"
+#include "app/session/outside_view.h"
 #include "app/session/session.h"
 #include "app/session/world.h"
 #include "render/programmable/programmable.h"
@@ -29,26 +29,15 @@ class WorldView {
 
         friend bool operator==(const Made&, const Made&) = default;
     };
-    // A drag of a light starts from the commands and the world that it began with.
-    struct Drag {
-        session::Handle handle;
-        std::shared_ptr<const CommandList> commands;
-        Frame frame;
-        session::World world;
-    };
-
     void carry_out_mouse(session::Session& session, const Rectangle& box);
     void show_markers(const session::Session& session, const Rectangle& box) const;
     void show_inside(const Rectangle& box, unsigned inside) const;
     std::string described(const session::Session& session, const session::LightMarker& light) const;
 
-    session::OutsideCamera camera_{};
-    session::World world_{};
-    session::WorldProjection projection_{};
-    std::shared_ptr<const CommandList> opened_;  // the scene that the surroundings are of
+    session::OutsideView view_{};
     Made made_{};
     std::string error_;  // of the renderer
-    std::optional<Drag> drag_;
+    std::optional<session::HandleDrag> drag_;
     std::optional<session::Handle> under_mouse_;
     bool orbits_ = false, dragged_ = false;  // since the button was pressed
     Texture texture_{GL_LINEAR};

@@ -261,6 +261,11 @@ Frame as_seen_from_outside(const Frame& frame, const World& world, const WorldPr
 
 double arrow_length(const World& world) { return kArrowShare * world.around.radius; }
 
+glm::dvec3 arrow_tip(const World& world, const LightMarker& light) {
+    const glm::dvec3 toward = world.around.middle_world - light.place_world;
+    return light.place_world + 1.4 * arrow_length(world) / glm::length(toward) * toward;
+}
+
 std::vector<OverlayVertex> world_lines(const World& world, const WorldProjection& projection) {
     std::vector<OverlayVertex> lines;
     const auto line = [&](const glm::dvec4& a_world, const glm::dvec4& b_world, const glm::vec4& color) {

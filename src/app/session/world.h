@@ -84,6 +84,8 @@ std::vector<OverlayVertex> world_lines(const World& world, const WorldProjection
 std::vector<glm::dvec3> cone_rim(const LightMarker& light, double length);
 // How long arrows and cones are drawn.
 double arrow_length(const World& world);
+// Where the arrow of a directional light ends: toward the middle, as its light goes.
+glm::dvec3 arrow_tip(const World& world, const LightMarker& light);
 
 // What can be dragged: a light's marker, or the tip of a spotlight's cone.
 struct Handle {

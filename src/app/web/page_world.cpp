@@ -1,13 +1,11 @@
 #include "app/web/page_world.h"
 
-#include <fmt/format.h>
-
 #include <utility>
 #include <vector>
 
 #include "app/session/overlays.h"
-#include "base/math/directions.h"
 #include "render/reference/copied_pixels.h"
+#include "scene/command/names.h"
 
 namespace twinlight::web {
 
@@ -79,9 +77,7 @@ void add_light(Marks& marks, const session::World& world, std::size_t number) {
     const LightMarker& light = world.lights[number];
     const glm::vec4 color(glm::vec3(light.color), 1);
     if (light.is_directional) {
-        // Toward the middle, as its light goes.
-        const glm::dvec3 toward = world.around.middle_world - light.place_world;
-        marks.line(light.place_world, light.place_world + 1.4 * arrow_length(world) * unit(toward), color);
+        marks.line(light.place_world, arrow_tip(world, light), color);
     }
     if (light.cutoff_deg) {
         const std::vector<glm::dvec3> rim = cone_rim(light, arrow_length(world));
@@ -94,29 +90,24 @@ void add_light(Marks& marks, const session::World& world, std::size_t number) {
         marks.point(tip, kTipPixels, color);
     }
     marks.point(light.place_world, kLampPixels, color);
-    marks.name(fmt::format("GL_LIGHT{}", light.number), light.place_world, kAbovePixels);
+    marks.name(light_name(light.number), light.place_world, kAbovePixels);
 }
 
 }  // namespace
 
 webgl::WebglFrame PageWorld::frame(const session::Session& session) {
-    // The view stays where it is while things move.
-    const bool is_same = opened_ == session.opened;
-    opened_ = session.opened;
-    world_ = world_of(commands(session), session.scene.frame, is_same ? std::optional(world_.around) : std::nullopt);
-    if (!is_same) camera_ = first_camera(world_);
-    projection_ = projection_of(world_, camera_, session.width, session.height);
-
-    Frame seen = as_seen_from_outside(session.scene.frame, world_, projection_);
-    Draw lines = marks(kGL_LINES, world_lines(world_, projection_), projection_);
+    view_.follow(session);
+    const session::World& world = view_.world;
+    Frame seen = as_seen_from_outside(session.scene.frame, world, view_.projection);
+    Draw lines = marks(kGL_LINES, world_lines(world, view_.projection), view_.projection);
     lines.raster.depth_test = true;
     seen.items.emplace_back(std::move(lines));
-    Marks marks(projection_, seen);
-    if (world_.camera_world) {
-        marks.point(*world_.camera_world, kCameraPixels, kCameraColor);
-        marks.name("camera", *world_.camera_world, kAbovePixels);
+    Marks marks(view_.projection, seen);
+    if (world.camera_world) {
+        marks.point(*world.camera_world, kCameraPixels, kCameraColor);
+        marks.name("camera", *world.camera_world, kAbovePixels);
     }
-    for (std::size_t i = world_.lights.size(); i-- > 0;) add_light(marks, world_, i);  // the first on top
+    for (std::size_t i = world.lights.size(); i-- > 0;) add_light(marks, world, i);  // the first on top
     marks.draw();
     const Look look{.shading = Shading::kPhong};
     const DrawableFrame drawable = reference::drawable(seen, {look});
@@ -124,20 +115,16 @@ webgl::WebglFrame PageWorld::frame(const session::Session& session) {
 }
 
 void PageWorld::press(const session::Session& session, int x, int y) {
-    drag_ = {camera_, handle_at(world_, projection_, {x, y}, kReachPixels), session.history.now(), session.scene.frame,
-             world_};
+    before_ = view_.camera;
+    drag_.reset();
+    if (const auto handle = handle_at(view_.world, view_.projection, {x, y}, kReachPixels))
+        drag_.emplace(session, view_.world, *handle);
 }
 
 void PageWorld::drag(session::Session& session, int dx, int dy) {
-    if (!drag_.handle) {
-        camera_ = drag_.camera;
-        orbit(camera_, dx, dy);
-        return;
-    }
-    const int light = drag_.world.lights[drag_.handle->light].number;
-    edit(session, with_handle_moved(*drag_.commands, drag_.frame, drag_.world, projection_, *drag_.handle, {dx, dy}),
-         fmt::format("{} GL_LIGHT{}", drag_.handle->is_spot_direction ? "turn" : "move", light),
-         fmt::format("light {}", light));
+    if (drag_) return carry_out(session, *drag_, view_.projection, {dx, dy});
+    view_.camera = before_;
+    orbit(view_.camera, dx, dy);
 }
 
 }  // namespace twinlight::web

@@ -19,7 +19,7 @@ ROOMS_web := $(addprefix src/,base/image base/math base/text base/threads scene/
     judge/explain judge/lesson judge/lint judge/study app/session app/web)
 # The files of app/session that the page needs.
 SESSION_web := alignment argument_places arguments axes camera edited_text edits history initial_values keys lesson_state probe probe_arrows \
-    scaled session tutor world world_handles
+    outside_view scaled session tutor world world_handles
 WITHOUT_web := $(wildcard src/lighting/points_avx*.cpp) $(filter-out %/tolerance.cpp,$(wildcard src/judge/compare/*.cpp)) \
     $(filter-out %/scene_of_choice.cpp,$(wildcard src/judge/study/*.cpp)) \
     $(filter-out $(patsubst %,src/app/session/%.cpp,$(SESSION_web)),$(wildcard src/app/session/*.cpp))
