@@ -19,9 +19,11 @@ const char* tr(const char* english) {
     return found == translations.end() ? english : found->second;
 }
 
-std::string tr(std::string_view english) {
+std::string_view translation_of(std::string_view english) {
     const auto found = translations.find(english);
-    return found == translations.end() ? std::string(english) : found->second;
+    return found == translations.end() ? english : found->second;
 }
+
+std::string tr(std::string_view english) { return std::string(translation_of(english)); }
 
 }  // namespace twinlight

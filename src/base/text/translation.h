@@ -18,13 +18,15 @@ struct Translation {
 void set_translations(std::span<const Translation> rows);
 
 // The translation of a text; the text itself if it has none.
+std::string_view translation_of(std::string_view english);
 const char* tr(const char* english);
 std::string tr(std::string_view english);
 // The same for a format: of both languages, with these arguments.
 template <class... Arguments>
 requires(sizeof...(Arguments) > 0) std::string tr(fmt::format_string<Arguments...> english, Arguments&&... arguments) {
     const fmt::string_view format = english;
-    return fmt::vformat(tr(std::string_view(format.data(), format.size())), fmt::make_format_args(arguments...));
+    const std::string_view translated = translation_of({format.data(), format.size()});
+    return fmt::vformat({translated.data(), translated.size()}, fmt::make_format_args(arguments...));
 }
 
 }  // namespace twinlight

@@ -16,6 +16,11 @@ namespace {
 
 glm::dvec3 unit(const glm::dvec3& v) { return vec3_cast<glm::dvec3>(lighting::unit(vec3_cast<Vec>(v))); }
 
+VertexPosition position_of(const Draw& draw, const Vertex& vertex) {
+    const glm::dvec4 position_eye = draw.eye_from_object * vertex.position_object;
+    return {position_eye, draw.clip_from_eye * position_eye};
+}
+
 }  // namespace
 
 // 2.11.3: 1 / sqrt(m31^2 + m32^2 + m33^2), where m is the inverse of the modelview matrix. Its third row is the third
@@ -41,9 +46,10 @@ VertexStage::VertexStage(const Draw& draw)
 }
 
 StageVertex VertexStage::operator()(const Vertex& vertex) const {
+    const VertexPosition position = position_of(draw_, vertex);
     StageVertex v;
-    v.position_eye = draw_.eye_from_object * vertex.position_object;
-    v.position_clip = draw_.clip_from_eye * v.position_eye;
+    v.position_eye = position.position_eye;
+    v.position_clip = position.position_clip;
     v.normal_eye = normal_eye_from_object_ * vertex.normal_object;
     v.normal_eye = draw_.lighting.normalize ? unit(v.normal_eye) : v.normal_eye * rescale_;
     v.color = vertex.color;
@@ -56,10 +62,7 @@ StageVertex VertexStage::operator()(const Vertex& vertex) const {
 std::vector<VertexPosition> vertex_positions(const Draw& draw) {
     std::vector<VertexPosition> result;
     result.reserve(draw.vertices.size());
-    for (const Vertex& vertex : draw.vertices) {
-        const glm::dvec4 position_eye = draw.eye_from_object * vertex.position_object;
-        result.push_back({position_eye, draw.clip_from_eye * position_eye});
-    }
+    for (const Vertex& vertex : draw.vertices) result.push_back(position_of(draw, vertex));
     return result;
 }
 
