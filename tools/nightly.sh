@@ -3,6 +3,7 @@
 # has succeeded on this commit is skipped, so that an interrupted run can go on. Each writes its row into docs/testing.md.
 set -uo pipefail
 cd "$(dirname "$0")/.."
+unset MAKEFLAGS MAKELEVEL  # each part's make uses all processors, also when make started this script
 
 parts=(cases fuzz recipes release bookworm trixie forky noble resolute)
 usage() {
