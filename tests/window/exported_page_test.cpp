@@ -118,6 +118,9 @@ try {
     canvas.dispatchEvent(new PointerEvent("pointerup", {clientX: box.left + x, clientY: box.top + y}));
     told.pixel = document.getElementById("state").textContent;
     told.terms = [...document.querySelectorAll("#terms tbody tr")].map(({innerText}) => innerText.trim().split("\t"));
+    const key = (key, more = {}) => (canvas.dispatchEvent(new KeyboardEvent("keydown", {key, ...more})), document.getElementById("state").textContent);
+    told.by_keyboard = [key("Enter"), key("ArrowRight", {shiftKey: true}), key("ArrowUp", {shiftKey: true, repeat: true}), key("ArrowDown", {shiftKey: true, repeat: true}),
+        key("ArrowLeft", {shiftKey: true})].map((text) => text.split(":")[0]);
     told.bars = [...document.querySelectorAll("#terms .bars .red i")].map((term) => parseFloat(term.style.width));
     press("f");
     told.flat = changed(picture(), first);
@@ -207,6 +210,8 @@ TEST_F(ExportedPage, DrawsWhatTheReferenceDrawsAndAnswersKeysAndTheMouse) {
     EXPECT_EQ(told["lights"], json({"GL_LIGHT0", "GL_LIGHT3", "GL_LIGHT5"}));
     EXPECT_EQ(told["light_by_button"], told["without_light"]);
     const Rgba middle = picture_of(told).at(320, 240);
+    EXPECT_EQ(told["by_keyboard"],
+              (json{"Pixel 320, 240", "Pixel 321, 240", "Pixel 321, 232", "Pixel 321, 240", "Pixel 320, 240"}));
     EXPECT_EQ(told["pixel"], fmt::format("Pixel 320, 240: red {}, green {}, blue {} of 255.", channel_code(middle[0]),
                                          channel_code(middle[1]), channel_code(middle[2])));
 }

@@ -186,10 +186,11 @@ function turn(right, down) {
     show();
 }
 
-function showPixel({offsetX, offsetY}) {
-    const canvas = at("picture");
-    const [x, y] = [offsetX * canvas.width / canvas.clientWidth, offsetY * canvas.height / canvas.clientHeight].map(Math.floor);
-    const first = 4 * (y * canvas.width + x);
+let seen_pixel;  // [x, y] from the top left
+
+function showPixel(x, y) {
+    seen_pixel = [x, y];
+    const first = 4 * (y * scene.width + x);
     at("state").textContent = `Pixel ${x}, ${y}: red ${pixels[first]}, green ${pixels[first + 1]}, blue ${pixels[first + 2]} of 255.`;
     const rows = terms_at(first);
     at("terms").replaceChildren(...(rows.length > 0
@@ -207,13 +208,18 @@ at("picture").addEventListener("pointermove", (event) => {
     turn(0.5 * event.movementX, 0.5 * event.movementY);
 });
 at("picture").addEventListener("pointerup", (event) => {
-    if (is_click) showPixel(event);
+    const {width, height, clientWidth, clientHeight} = event.target;
+    if (is_click) showPixel(Math.floor(event.offsetX * width / clientWidth), Math.floor(event.offsetY * height / clientHeight));
 });
-const TURNS = {ArrowLeft: [-KEY_DEG, 0], ArrowRight: [KEY_DEG, 0], ArrowUp: [0, -KEY_DEG], ArrowDown: [0, KEY_DEG]};
+const ARROWS = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
+// Enter shows a pixel, the middle one at first. Shift and an arrow key go to the next, or to the eighth while the key is held.
 at("picture").addEventListener("keydown", (event) => {
-    if (!(event.key in TURNS) || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (!(event.key in ARROWS || event.key === "Enter") || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
-    turn(...TURNS[event.key]);
+    const [right, down] = ARROWS[event.key] ?? [0, 0], step = event.repeat ? 8 : 1;
+    if (event.key !== "Enter" && !event.shiftKey) return turn(KEY_DEG * right, KEY_DEG * down);
+    const {width, height} = scene, [x, y] = seen_pixel ?? [width >> 1, height >> 1];
+    showPixel(Math.min(Math.max(x + step * right, 0), width - 1), Math.min(Math.max(y + step * down, 0), height - 1));
 });
 document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey || event.target instanceof HTMLSelectElement) return;
