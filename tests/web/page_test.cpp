@@ -215,7 +215,10 @@ Json jobs() {
     Json list = Json::array();
     const auto add = [&](std::string_view name, std::string_view text, const std::string& step, int width, int height) {
         list.push_back({{"name", name}, {"text", text}, {"step", step}, {"width", width}, {"height", height}});
-        list.back()["shadings"] = step == "case" ? Json{"scene"} : Json{"scene", "phong"};
+        // The steps of a scene are alike: all of them with both lightings are for ALL_CASES.
+        const bool is_first = step.empty() || step == "1";
+        list.back()["shadings"] = is_first || tries_all() ? Json{"scene", "phong"} : Json::array({"scene"});
+        if (step == "case") list.back()["shadings"] = Json::array({"scene"});
         if (step == "case") list.back()["step"] = "";
     };
     for (const EmbeddedFile& file : kSceneFiles) {

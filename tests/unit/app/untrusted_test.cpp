@@ -398,12 +398,12 @@ TEST(MemoryLimit, CountsAtLeastWhatAComparisonUses) {
     const std::string half = folder / "half.txt", whole = folder / "whole.txt";
     for (const auto& [mode, polygon_mode] : std::vector<std::pair<std::string, std::string>>{
              {"GL_TRIANGLE_STRIP", "GL_FILL"}, {"GL_TRIANGLE_STRIP", "GL_LINE"}, {"GL_POINTS", "GL_FILL"}}) {
-        write_file_atomically(half, dump_of(mode, polygon_mode, 40'000));
-        write_file_atomically(whole, dump_of(mode, polygon_mode, 80'000));
+        write_file_atomically(half, dump_of(mode, polygon_mode, 20'000));
+        write_file_atomically(whole, dump_of(mode, polygon_mode, 40'000));
         const double used = 2 * (peak_of(compare(whole, "2")) - peak_of(compare(half, "2")));
-        EXPECT_GT(used, 32e6) << mode;
+        EXPECT_GT(used, 16e6) << mode;
         const ProgramResult refused = run_program("twinlight", compare(whole, std::to_string(used / 1e9)));
-        EXPECT_EQ(refused.status, 2) << mode << " " << polygon_mode << ": " << used / 80'000 << " bytes a vertex";
+        EXPECT_EQ(refused.status, 2) << mode << " " << polygon_mode << ": " << used / 40'000 << " bytes a vertex";
         EXPECT_NE(refused.err.find("--memory"), std::string::npos) << refused.err;
     }
     // A shape's indices draw each vertex twice. It uses 1.6 kB a vertex where two processors draw at once, and 1.07 where there is
