@@ -216,9 +216,8 @@ Json jobs() {
     const auto add = [&](std::string_view name, std::string_view text, const std::string& step, int width, int height) {
         list.push_back({{"name", name}, {"text", text}, {"step", step}, {"width", width}, {"height", height}});
         // The steps of a scene are alike: all of them with both lightings are for ALL_CASES.
-        const bool is_first = step.empty() || step == "1";
-        list.back()["shadings"] = is_first || tries_all() ? Json{"scene", "phong"} : Json::array({"scene"});
-        if (step == "case") list.back()["shadings"] = Json::array({"scene"});
+        const bool has_both = step.empty() || step == "1" || (step != "case" && tries_all());
+        list.back()["shadings"] = has_both ? Json{"scene", "phong"} : Json::array({"scene"});
         if (step == "case") list.back()["step"] = "";
     };
     for (const EmbeddedFile& file : kSceneFiles) {
