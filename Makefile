@@ -97,8 +97,8 @@ WARNINGS += $(if $(filter 13,$(GCC)),-Wno-array-bounds -Wno-stringop-overflow) $
 CXXFLAGS_common := -std=c++20 -ffp-contract=off $(WARNINGS) -Isrc -DGL_GLEXT_PROTOTYPES
 CXXFLAGS_release := -O2
 # For what no picture waits for: rooms without a loop over pixels, vertices or commands. It compiles in three quarters of the time.
-# (At -O1 g++ 12 sees copies beyond a std::string's own buffer where there are none.)
-OPTIMISATION_less := $(if $(filter release,$(config)),-O1 -Wno-array-bounds -Wno-stringop-overflow)
+# (At -Og g++ 12 sees copies beyond a std::string's own buffer where there are none, and takes std::regex for uninitialised.)
+OPTIMISATION_less := $(if $(filter release,$(config)),-Og -Wno-array-bounds -Wno-stringop-overflow -Wno-maybe-uninitialized)
 CXXFLAGS_debug := -O0 -g
 # For src/lighting/points.h, which lights many points at once on processors that have these instructions.
 INSTRUCTIONS_points_avx2 := -mavx2 -mfma
@@ -111,7 +111,7 @@ INSTRUCTIONS = $(if $(filter x86_64%,$(MACHINE)),$(INSTRUCTIONS_$(basename $(@F)
 MACHINE := $(shell $(CXX) -dumpmachine 2>/dev/null)
 # -g1 is enough for line numbers in the sanitizers' reports, and compiles up to a third faster than -g.
 # With the address sanitizer, g++ 12 warns wrongly that std::regex is uninitialised.
-CXXFLAGS_sanitize := -O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined \
+CXXFLAGS_sanitize := -Og -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined \
     -Wno-maybe-uninitialized
 LDFLAGS_sanitize := -fsanitize=address,undefined
 # For clang's libFuzzer, whose runtime is a package of its own (Debian: libclang-rt-dev).
