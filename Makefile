@@ -212,7 +212,7 @@ OFFSCREEN := $(call object,$(SOURCES_offscreen)) $(BUILD)/objects/entry_points.o
 # What changes twinlight's pictures: all but its commit.
 OBJECTS_cli := $(call object,$(SOURCES_cli)) $(OFFSCREEN)
 
-.PHONY: all deps demo test test-binary bench fuzz bad-input nightly gallery slides programs golden tables instructions format check headers tidy clean help force
+.PHONY: all deps demo test test-binary build-tests bench fuzz bad-input nightly gallery slides programs golden tables instructions format check headers tidy clean help force
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 
@@ -234,11 +234,20 @@ demo: deps  ## build, then open the window; without a display, write a compariso
 	    mkdir -p build/report && $(PROGRAMS)/twinlight compare report -o build/report && \
 	    echo "Open build/report/index.html in a browser."; fi
 
+# What `make test` needs. The page's last step leaves a processor free, so the page comes first.
+page = $(if $(shell command -v $(EMXX)),$(FILES_web))
+build-tests:
+ifeq ($(config),release)
+	@$(MAKE) $(page) test-binary
+else
+	@$(if $(page),$(MAKE) config=release web)
+	@$(MAKE) test-binary
+endif
+
 test_environment := LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks_of_drivers.supp:print_suppressions=0 \
     $(if $(ALL_CASES),ALL_CASES=$(ALL_CASES))
 test: deps  ## build, then run every test; needs no display (TEST='Spot*' runs some; FOLDERS='tests/golden' builds only those of some folders)
-	@$(MAKE) test-binary
-	@if command -v $(EMXX) >/dev/null; then $(MAKE) config=release web; fi
+	@$(MAKE) build-tests
 	@$(test_environment) TWINLIGHT_BUILD=$(PROGRAMS) \
 	    tests/run.sh $(PROGRAMS)/twinlight-tests '$(or $(TEST),*)'
 

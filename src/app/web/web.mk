@@ -44,9 +44,10 @@ LDFLAGS_web := -O2 -fwasm-exceptions -sMODULARIZE=1 -sEXPORT_ES6=1 -sENVIRONMENT
     -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2147483648 -sTOTAL_STACK=8388608 \
     -sEXPORTED_RUNTIME_METHODS=HEAPU8 -sINCOMING_MODULE_JS_API=wasmBinary,instantiateWasm,locateFile
 
+FILES_web := $(WEB)/twinlight.zip $(WEB)/twinlight-page.zip
 .PHONY: web
 web: deps  ## build the page for browsers: build/web/twinlight.html, and build/web/page for a host
-	@$(MAKE) $(WEB)/twinlight.zip $(WEB)/twinlight-page.zip
+	@$(MAKE) $(FILES_web)
 
 $(WEB)/flags: $(if $(subst |$(EMXX) $(CXXFLAGS_web) $(SMALL_web) $(LDFLAGS_web)|,,|$(file <$(WEB)/flags)|),force)
 	@mkdir -p $(WEB)/include; ln -sf $(HEADERS_web:%=/usr/include/%) $(WEB)/include
