@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "../unit/in_chinese.h"
 #include "../unit/run_program.h"
 #include "base/image/file.h"
 #include "base/text/json.h"
@@ -115,6 +116,42 @@ TEST(BadInput, Pictures) {
         write_file_atomically(folder / "brick.png", bytes);
         static_cast<void>(load_recording(folder / "bad.gl"));
     });
+}
+
+// ---- In Chinese ----
+
+// English words of an error's message in Chinese. Words of the input may be there, lists of names, and code in a translation, such as
+// "twinlight record".
+std::string english_left(const TextError& error, const std::string& input) {
+    std::string message = error.message;
+    for (std::string words; !(words = english_words_in(message)).empty();) {
+        const auto is_code = [&](const Translation& row) {
+            return std::string_view(row.translated).find(words) != std::string_view::npos;
+        };
+        if (input.find(words) == input.npos && words.find(',') == words.npos &&
+            std::ranges::none_of(session::chinese(), is_code))
+            return words;
+        message.erase(message.find(words), words.size());
+    }
+    return "";
+}
+
+TEST(BadInput, IsReportedInChinese) {
+    const InChinese chinese;
+    std::size_t count = 0;
+    for (const std::string kind : {"scenes", "programs"})
+        for (const Row& row : rows_of(kind)) {
+            try {
+                const ReadOptions options{.step = {}, .window = std::nullopt, .most_steps = 100'000};
+                static_cast<void>(make_frame(read_scene(row.input, "bad.c", "bad.c", no_images, options),
+                                             {.width = 16, .height = 16}));
+            } catch (const SceneError& error) {
+                for (const TextError& one : error.errors)
+                    EXPECT_EQ(english_left(one, row.input), "") << one.message << "\nfor " << row.input;
+                count += error.errors.size();
+            }
+        }
+    EXPECT_GT(count, 400U);
 }
 
 // apitrace dumps those of old versions. What it says differs between its versions.

@@ -34,7 +34,7 @@ const Table& wings() {
 // The rooms of its own wing that a room may include, beside itself.
 const std::map<std::string, Table>& rooms() {
     static const std::map<std::string, Table> table = {
-        {"base", {{"math", {}}, {"image", {"math"}}, {"text", {}}, {"threads", {}}}},
+        {"base", {{"math", {}}, {"image", {"math", "text"}}, {"text", {}}, {"threads", {}}}},
         {"scene",
          {{"command", {}},
           {"spectrum", {}},

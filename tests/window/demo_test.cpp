@@ -12,7 +12,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -20,6 +19,7 @@
 #include <vector>
 
 #include "../unit/effort.h"
+#include "../unit/in_chinese.h"
 #include "../unit/pictures.h"
 #include "../unit/run_program.h"
 #include "app/session/camera.h"
@@ -349,13 +349,6 @@ TEST_F(DemoWindow, NeitherCutsNorCoversATextAtFiveSizes) {
                 EXPECT_TRUE(last.at("overlapping_letters").empty())
                     << "letters overlap at " << last.at("overlapping_letters").dump();
             }
-}
-
-// Two English words that follow each other in a text of the window; code is not among those.
-std::string english_words_in(const std::string& text) {
-    static const std::regex kWords("(^|[^A-Za-z0-9_./])[A-Za-z]{2,}[,;:]? [a-z]{2,}($|[^A-Za-z0-9_./(])");
-    std::smatch found;
-    return std::regex_search(text, found, kWords) ? found.str() : "";
 }
 
 TEST_F(DemoWindow, HasNoEnglishSentenceInChinese) {

@@ -17,12 +17,13 @@
 #include <utility>
 
 #include "base/image/descriptor.h"
+#include "base/text/translation.h"
 
 namespace twinlight {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& path, int error) { throw FileError(path + ": " + std::strerror(error)); }
+[[noreturn]] void fail(const std::string& path, int error) { throw FileError(path + ": " + tr(std::strerror(error))); }
 
 // Blocks the signals that end a program, so that no temporary file is left behind.
 class SignalsBlocked {
@@ -230,11 +231,10 @@ void refuse_special_file(const std::string& path) {
     struct stat about {};
     if (::stat(path.c_str(), &about) != 0 || S_ISREG(about.st_mode) || S_ISDIR(about.st_mode)) return;
     if (path.starts_with("/dev/") || path.starts_with("/proc/")) return;
-    throw FileError(path + ": this is " +
-                    (S_ISFIFO(about.st_mode)   ? "a named pipe"
-                     : S_ISSOCK(about.st_mode) ? "a socket"
-                                               : "a device") +
-                    ", not a file; give a file, or - for standard input");
+    throw FileError(tr("{}: this is {}, not a file; give a file, or - for standard input", path,
+                       S_ISFIFO(about.st_mode)   ? tr("a named pipe")
+                       : S_ISSOCK(about.st_mode) ? tr("a socket")
+                                                 : tr("a device")));
 }
 
 std::string read_file(const std::string& path, std::size_t max_bytes) {
@@ -244,7 +244,9 @@ std::string read_file(const std::string& path, std::size_t max_bytes) {
     return read_rest(file.get(), max_bytes, path);
 }
 
-std::string read_standard_input(std::size_t max_bytes) { return read_rest(STDIN_FILENO, max_bytes, "standard input"); }
+std::string read_standard_input(std::size_t max_bytes) {
+    return read_rest(STDIN_FILENO, max_bytes, tr("standard input"));
+}
 
 void write_files_atomically(const std::vector<FileToWrite>& files, const std::vector<std::string>& stale,
                             MissingFolders missing) {
@@ -275,7 +277,7 @@ void try_folder(const std::string& path) {
 bool make_folder(const std::string& path) {
     std::error_code error;
     const bool made = std::filesystem::create_directories(path, error);
-    if (error) throw FileError(path + ": " + error.message());
+    if (error) throw FileError(path + ": " + tr(error.message()));
     return made;
 }
 

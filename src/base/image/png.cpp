@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/image/file.h"
+#include "base/text/translation.h"
 
 #ifndef __EMSCRIPTEN__  // which has no libdeflate
 #include <libdeflate.h>
@@ -82,7 +83,7 @@ std::string cannot_be_read() {
     if (reason == "outofmem") throw std::bad_alloc();
     std::ranges::replace_if(
         reason, [](unsigned char c) { return c < 0x20 || c >= 0x7F; }, '?');
-    return "the PNG cannot be read: " + reason;
+    return tr("the PNG cannot be read: {}; save it again", reason);
 }
 
 constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
@@ -97,7 +98,7 @@ std::uint32_t integer(std::string_view bytes) {
 // The compressed pixels: the data of all IDAT chunks (PNG, section 5.3: length, type, data, check sum).
 std::string packed_pixels(std::string_view bytes) {
     constexpr std::size_t kAroundData = 12;
-    if (!bytes.starts_with(kSignature)) throw std::runtime_error("this is not a PNG; convert it to one");
+    if (!bytes.starts_with(kSignature)) throw std::runtime_error(tr("this is not a PNG; convert it to one"));
     std::string packed;
     for (std::string_view rest = bytes.substr(kSignature.size()); rest.size() >= kAroundData;) {
         const std::size_t length = integer(rest);
@@ -107,7 +108,7 @@ std::string packed_pixels(std::string_view bytes) {
         if (type == "IDAT") packed += rest.substr(8, length);
         rest.remove_prefix(length + kAroundData);
     }
-    throw std::runtime_error("the PNG is cut off; save it again");
+    throw std::runtime_error(tr("the PNG is cut off; save it again"));
 }
 
 // The size from the header, which is the first chunk (section 11.2.2). stbi_info() also reads later chunks, and where one is
@@ -119,7 +120,7 @@ Size size_of(std::string_view bytes) {
     constexpr std::string_view kHeader("\0\0\0\xDIHDR", 8);  // its length, 13, and its name
     std::string_view rest = bytes.substr(kSignature.size());
     if (!rest.starts_with(kHeader) || rest.size() < kHeader.size() + 13)
-        throw std::runtime_error("the PNG cannot be read: its header is missing; save it again");
+        throw std::runtime_error(tr("the PNG cannot be read: its header is missing; save it again"));
     rest.remove_prefix(kHeader.size());
     return {integer(rest), integer(rest.substr(4))};
 }
@@ -130,12 +131,11 @@ PngPixels decode_png_pixels(std::string_view bytes, int longest_side) {
     const std::string packed = packed_pixels(bytes);
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const auto size = static_cast<int>(std::min<std::size_t>(bytes.size(), INT_MAX));
-    const auto refuse = [] { throw std::runtime_error(cannot_be_read() + "; save it again"); };
     const auto [width, height] = size_of(bytes);
     const auto limit = static_cast<std::uint32_t>(longest_side);
     if (width > limit || height > limit) {
-        throw std::runtime_error(fmt::format("the picture has {} x {} pixels; the limit is {} x {}; make it smaller",
-                                             width, height, limit, limit));
+        throw std::runtime_error(
+            tr("the picture has {} x {} pixels; the limit is {} x {}; make it smaller", width, height, limit, limit));
     }
     // The most bytes that the pixels can unpack to: 16 bits per channel, one more byte per row, and the padding of the
     // passes of an interlaced image. The decoder itself has no limit, so a small file could fill the memory.
@@ -144,13 +144,13 @@ PngPixels decode_png_pixels(std::string_view bytes, int longest_side) {
     if (stbi_zlib_decode_buffer(unpacked.data(), static_cast<int>(unpacked.size()), packed.data(),
                                 static_cast<int>(packed.size())) < 0) {
         throw std::runtime_error(
-            "the PNG's pixels cannot be unpacked, or there are more than its size allows; save it again");
+            tr("the PNG's pixels cannot be unpacked, or there are more than its size allows; save it again"));
     }
     PngPixels image;
     int channels_in_file = 0;
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> codes(
         stbi_load_from_memory(data, size, &image.width, &image.height, &channels_in_file, kRgba), stbi_image_free);
-    if (!codes) refuse();
+    if (!codes) throw std::runtime_error(cannot_be_read());
     image.rgba.assign(codes.get(), codes.get() + std::size_t{height} * width * kRgba);
     return image;
 }

@@ -24,6 +24,11 @@ std::string_view translation_of(std::string_view english) {
     return found == translations.end() ? english : found->second;
 }
 
+std::string vtr(fmt::string_view english, fmt::format_args arguments) {
+    const std::string_view translated = translation_of({english.data(), english.size()});
+    return fmt::vformat({translated.data(), translated.size()}, arguments);
+}
+
 std::string tr(std::string_view english) { return std::string(translation_of(english)); }
 
 }  // namespace twinlight

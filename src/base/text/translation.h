@@ -22,11 +22,10 @@ std::string_view translation_of(std::string_view english);
 const char* tr(const char* english);
 std::string tr(std::string_view english);
 // The same for a format: of both languages, with these arguments.
+std::string vtr(fmt::string_view english, fmt::format_args arguments);
 template <class... Arguments>
 requires(sizeof...(Arguments) > 0) std::string tr(fmt::format_string<Arguments...> english, Arguments&&... arguments) {
-    const fmt::string_view format = english;
-    const std::string_view translated = translation_of({format.data(), format.size()});
-    return fmt::vformat({translated.data(), translated.size()}, fmt::make_format_args(arguments...));
+    return vtr(english, fmt::make_format_args(arguments...));
 }
 
 }  // namespace twinlight

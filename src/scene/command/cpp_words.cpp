@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/image/file.h"
+#include "base/text/translation.h"
 #include "scene/command/lexer.h"
 #include "scene/command/text.h"
 
@@ -65,14 +66,14 @@ std::optional<CppWord> first_cpp_word(std::string_view text, const std::string& 
         const bool is_reference = types.contains(word.text) && next.is("&") && after.kind == TokenKind::kName;
         if (is_cpp_header(word))
             return CppWord{fmt::format("#include {}", word.text.substr(word.text.find('<'))), word.place};
-        if (is_reference) return CppWord{fmt::format("the reference {}& {}", word.text, after.text), word.place};
+        if (is_reference) return CppWord{tr("the reference {}& {}", word.text, after.text), word.place};
         const bool is_word = is_any(word, {"template", "namespace", "using", "virtual", "nullptr", "constexpr",
                                            "static_cast", "operator"}) ||
                              (is_any(word, {"class", "new", "delete", "typename", "throw", "auto"}) && is_name) ||
                              (is_any(word, {"public", "private", "protected"}) && next.is(":")) ||
                              (is_any(word, {"try", "catch"}) && is_any(next, {"{", "("})) ||
                              (word.is("delete") && next.is("[")) || (word.is("auto") && next.is("&"));
-        if (is_word) return CppWord{fmt::format("the word '{}'", word.text), word.place};
+        if (is_word) return CppWord{tr("the word '{}'", word.text), word.place};
         if (word.kind == TokenKind::kName && next.is("::")) return CppWord{fmt::format("{}::", word.text), word.place};
     }
     return std::nullopt;

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <utility>
 
+#include "base/text/translation.h"
 #include "scene/command/characters.h"
 #include "scene/command/text.h"
 
@@ -33,8 +34,14 @@ std::string in_quotes(std::string_view text) {
     return shown + (text.size() > kLongest ? "...'" : "'");
 }
 
+std::string arguments_text(std::size_t count) { return count == 1 ? tr("1 argument") : tr("{} arguments", count); }
+std::string values_text(std::size_t count) { return count == 1 ? tr("1 value") : tr("{} values", count); }
+std::string did_you_mean(std::optional<std::string_view> near) {
+    return near ? tr("; did you mean {}?", *near) : std::string();
+}
+
 void fail_with(const Place& place, fmt::string_view message, fmt::format_args values) {
-    throw SceneError({TextError{place, fmt::vformat(message, values)}});
+    throw SceneError({TextError{place, vtr(message, values)}});
 }
 
 Lexer::Lexer(std::string_view text, const std::string& file, Language language) : text_(text), language_(language) {
@@ -209,7 +216,7 @@ void Lexer::refuse_character() {
              character < 0xA0 ? in_quotes(shown) : fmt::format("'{}'", shown), number);
     if (kPunctuation.find(ascii) != std::string_view::npos) replacement_ = ascii;
     fail(place, "'{}' (U+{:04X}{}) is not C; type {} instead", shown, number,
-         is_full_width(character) ? ", full width" : "", ascii == " " ? "a space" : fmt::format("'{}'", ascii));
+         is_full_width(character) ? tr(", full width") : "", ascii == " " ? tr("a space") : fmt::format("'{}'", ascii));
 }
 
 Token Lexer::next() {

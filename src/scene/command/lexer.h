@@ -81,7 +81,13 @@ std::optional<std::int64_t> whole_number(std::string_view text);
 // Untrusted text for a message: in quotes, one line, only printable characters, shortened if long.
 std::string in_quotes(std::string_view text);
 
-// Throws SceneError. The message is formatted by fmt.
+// For messages: "1 argument", "2 values".
+std::string arguments_text(std::size_t count);
+std::string values_text(std::size_t count);
+// For the end of a message: "; did you mean glEnable?", or nothing.
+std::string did_you_mean(std::optional<std::string_view> near);
+
+// Throws SceneError. The message is a format of fmt, and is translated.
 [[noreturn]] void fail_with(const Place& place, fmt::string_view message, fmt::format_args values);
 template <class... Values>
 [[noreturn]] void fail(const Place& place, fmt::format_string<Values...> message, Values&&... values) {

@@ -14,9 +14,7 @@
 
 namespace twinlight {
 
-std::string shown(const Token& token) {
-    return token.kind == TokenKind::kEnd ? std::string(token.text) : in_quotes(token.text);
-}
+std::string shown(const Token& token) { return token.kind == TokenKind::kEnd ? tr(token.text) : in_quotes(token.text); }
 
 Reader::Reader(std::string_view text, const std::string& file, const ImageLoader& load_image,
                const ReadOptions& options, std::size_t step)
@@ -150,7 +148,7 @@ Declarator Reader::scene_declarator(const DataType* type) {
     const Token name = token_;
     if (name.kind != TokenKind::kName) {
         fail(name.place, "expected a variable's name, found {}{}", shown(name),
-             name.is("*") ? "; declare an array instead: GLfloat name[] = {...};" : "");
+             name.is("*") ? tr("; declare an array instead: GLfloat name[] = {...};") : "");
     }
     advance();
     if (token_.is("(")) {
@@ -175,7 +173,7 @@ void Reader::declare_object(const Declarator& made, bool is_static) {
     const bool is_local = program_ && program_->in_function;
     if (name.text.empty()) fail(token_.place, "expected a variable's name, found {}", shown(token_));
     if (made.type->is_void() || !made.type->is_complete)
-        out_of_reach(name.place, fmt::format("the variable {}, whose type has no size", in_quotes(name.text)));
+        out_of_reach(name.place, tr("the variable {}, whose type has no size", in_quotes(name.text)));
     if (is_local && is_static && declare_static(made)) return;
     if (!is_local && variables_.contains(name.text))
         fail(name.place, "{} is already declared at {}; use another name", in_quotes(name.text),
@@ -185,7 +183,7 @@ void Reader::declare_object(const Declarator& made, bool is_static) {
                   .shown = in_quotes(name.text),
                   .place = name.place,
                   .known = is_static || (program_ && !is_local) || made.type->is_pointer(),
-                  .unknown_because = "it was declared without a value"};
+                  .unknown_because = tr("it was declared without a value")};
     Object* declared = nullptr;
     if (is_local && is_static)
         *(declared = find_variable(name.text)) = std::move(object);
@@ -227,12 +225,12 @@ void Reader::assign_result(const Lvalue& target) {
     if (sig.parameters.back().kind == Kind::kQuadric)
         fail(name.place, "{} returns a quadric; declare {} as a GLUquadric*", sig.name, target.object->shown);
     const double value = converted(integer(static_cast<std::int64_t>(command.arguments.back())), target.type->kind,
-                                   name.place, fmt::format("the result of {}", sig.name));
+                                   name.place, tr("the result of {}", sig.name));
     const std::span<std::byte> bytes = writable(*target.object).bytes;
     store(bytes.subspan(target.offset), target.type->kind, value);
     target.object->known =
         named_objects(sig.parameters.back()).has_value() || command.id == CommandId::glCheckFramebufferStatus;
-    target.object->unknown_because = fmt::format("the result of {} is known only when the program runs", sig.name);
+    target.object->unknown_because = tr("the result of {} is known only when the program runs", sig.name);
 }
 
 const Command& Reader::call() {
@@ -245,7 +243,7 @@ const Command& Reader::call() {
             if (sig.family != Family::kPragma) names.push_back(sig.name);
         const auto near = nearest(name.text, names);
         fail(name.place, "unknown command {}{}", in_quotes(name.text),
-             near ? fmt::format("; did you mean {}?", *near) : "; docs/scene-language.md lists the known commands");
+             near ? did_you_mean(near) : tr("; docs/scene-language.md lists the known commands"));
     }
     advance();
     Command command{*id, {}, name.place};
@@ -274,8 +272,8 @@ void Reader::pragma() {
         for (const Signature& sig : signatures())
             if (sig.family == Family::kPragma) names.push_back(sig.name);
         const auto near = nearest(name.text, names);
-        fail(name.place, "unknown pragma {}; {}", shown(name),
-             near ? fmt::format("did you mean {}?", *near) : fmt::format("the pragmas are {}", fmt::join(names, ", ")));
+        fail(name.place, "unknown pragma {}{}", shown(name),
+             near ? did_you_mean(near) : tr("; the pragmas are {}", fmt::join(names, ", ")));
     }
     advance();
     Command command{*id, {}, place};
@@ -291,7 +289,7 @@ void Reader::returns_pragma() {
     advance();
     expect("(", "after #pragma twinlight returns");
     const Place place = token_.place;
-    returns_ = converted(number(), Kind::kUint, place, "the number in returns(...)");
+    returns_ = converted(number(), Kind::kUint, place, tr("the number in returns(...)"));
     expect(")", "after the number");
     expect(";", "or the end of the line after returns(...)");
 }

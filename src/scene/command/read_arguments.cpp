@@ -15,7 +15,7 @@ namespace twinlight {
 void Reader::arguments(Command& command, const Signature& sig) {
     const std::size_t wanted = sig.c_arguments();
     const auto wrong_count = [&](const Place& place, std::string_view found) {
-        fail(place, "{} takes {} argument{}: {}; {}", sig.name, wanted, wanted == 1 ? "" : "s", sig.usage(), found);
+        fail(place, "{} takes {}: {}; {}", sig.name, arguments_text(wanted), sig.usage(), found);
     };
     std::size_t given = 0;
     for (; given < wanted; ++given) {
@@ -25,10 +25,10 @@ void Reader::arguments(Command& command, const Signature& sig) {
         }
         if (given > 0 && !token_.is(")")) expect(",", "between the arguments of {}", sig.name);
         if (token_.is(")"))
-            wrong_count(token_.place, fmt::format("only {} {} given", given, given == 1 ? "is" : "are"));
+            wrong_count(token_.place, given == 1 ? tr("only 1 is given") : tr("only {} are given", given));
         argument(command, given);
     }
-    if (token_.is(",")) wrong_count(token_.place, "more are given");
+    if (token_.is(",")) wrong_count(token_.place, tr("more are given"));
     expect(")", "after the arguments of {}", sig.name);
     if (wanted < sig.parameters.size())
         command.arguments.push_back(result(command, sig.parameters.back()));
@@ -54,8 +54,8 @@ void Reader::argument(Command& command, std::size_t i) {
         return;
     }
     const Place place = token_.place;
-    command.arguments.push_back(converted(number(), parameter.kind, place,
-                                          fmt::format("the argument {} of {}", parameter.name, command.name())));
+    command.arguments.push_back(
+        converted(number(), parameter.kind, place, tr("the argument {} of {}", parameter.name, command.name())));
 }
 
 void Reader::rest_arguments(Command& command, const Parameter& parameter) {
@@ -63,8 +63,8 @@ void Reader::rest_arguments(Command& command, const Parameter& parameter) {
     for (std::size_t given = 0; given > 0 || !is_first ? accept(",") : !token_.is(")"); ++given) {
         const Place place = token_.place;
         if (given >= kMaxArrayLength) fail(place, "too many arguments");
-        command.arguments.push_back(converted(number(), parameter.kind, place,
-                                              fmt::format("the argument {} of {}", parameter.name, command.name())));
+        command.arguments.push_back(
+            converted(number(), parameter.kind, place, tr("the argument {} of {}", parameter.name, command.name())));
     }
 }
 
@@ -93,13 +93,12 @@ double Reader::word_argument(const Command& command, const Parameter& parameter)
     const std::optional<Enum> word = token_.kind == TokenKind::kName ? find_word(token_.text) : std::nullopt;
     if (!word) {
         std::vector<std::string_view> names = words_for(command.id);
-        const std::string expected = names.empty() ? fmt::format("a {} from docs/scene-language.md", parameter.name)
-                                                   : fmt::format("one of {}", fmt::join(names, ", "));
+        const std::string expected = names.empty() ? tr("a {} from docs/scene-language.md", parameter.name)
+                                                   : tr("one of {}", fmt::join(names, ", "));
         if (names.empty())
             for (const NamedValue& known : words()) names.push_back(known.name);
         const auto near = nearest(token_.text, names);
-        fail(token_.place, "expected {}, found {}{}", expected, shown(token_),
-             near ? fmt::format("; did you mean {}?", *near) : "");
+        fail(token_.place, "expected {}, found {}{}", expected, shown(token_), did_you_mean(near));
     }
     advance();
     return *word;
@@ -135,8 +134,8 @@ void Reader::image_argument(Command& command) {
         try {
             ImageFile image = load_image_(file);
             if (image.rgba.size() > kMaxMemoryBytes - bytes_) {
-                throw std::runtime_error(fmt::format(
-                    "all arrays and pictures of a scene together can have at most {} MiB", kMaxMemoryBytes >> 20));
+                throw std::runtime_error(
+                    tr("all arrays and pictures of a scene together can have at most {} MiB", kMaxMemoryBytes >> 20));
             }
             bytes_ += image.rgba.size();
             auto memory = std::make_shared<const Memory>(Memory{Kind::kUbyte, std::move(image.rgba), file});
@@ -178,7 +177,7 @@ namespace {
 // For messages: "glLightfv with GL_POSITION".
 std::string with_pname(std::string_view name, std::optional<Enum> pname) {
     for (const NamedValue& row : gl_names())
-        if (pname && row.value == *pname) return fmt::format("{} with {}", name, row.name);
+        if (pname && row.value == *pname) return tr("{} with {}", name, row.name);
     return std::string(name);
 }
 
@@ -187,8 +186,8 @@ std::string_view fourth_value(const Command& command, std::optional<Enum> pname)
     const std::optional<Owner> owner = owner_of(command.id);
     const ParameterInfo* info = owner && pname ? find_parameter(*owner, *pname) : nullptr;
     if (!info || info->count != 4) return "";
-    if (info->meaning == Meaning::kPosition) return "; add a fourth value w: 1 for a place, 0 for a direction";
-    return info->meaning == Meaning::kColor ? "; add a fourth value, alpha: 1 for an opaque colour" : "";
+    if (info->meaning == Meaning::kPosition) return tr("; add a fourth value w: 1 for a place, 0 for a direction");
+    return info->meaning == Meaning::kColor ? tr("; add a fourth value, alpha: 1 for an opaque colour") : "";
 }
 
 // Marks the object's values as unknown, because the command writes to it.
@@ -197,7 +196,7 @@ void forget_values(Object& object, std::size_t from, std::size_t to, const Comma
     object.unknown_to = object.known ? to : std::max(object.unknown_to, to);
     object.known = false;
     object.unknown_because =
-        fmt::format("{} at {} writes to it, and a scene cannot use the result", command.name(), command.place.str());
+        tr("{} at {} writes to it, and a scene cannot use the result", command.name(), command.place.str());
 }
 
 // How many values of an array the command reads or writes; nullopt if that is not known.
@@ -266,9 +265,11 @@ void Reader::array_argument(Command& command, std::size_t i) {
     const std::size_t length = length_of(command, i, pname).value_or(available);
     const bool is_written = parameter.is_output() || parameter.extent == Extent::kNewNames;
     if (available < length) {
-        fail(start.place, "{} {} {} value{}, but {} has {}{}", with_pname(name, pname), is_written ? "writes" : "reads",
-             length, length == 1 ? "" : "s", object.shown, available,
-             available == 3 && !is_written ? fourth_value(command, pname) : "");
+        if (is_written)
+            fail(start.place, "{} writes {}, but {} has {}", with_pname(name, pname), values_text(length), object.shown,
+                 available);
+        fail(start.place, "{} reads {}, but {} has {}{}", with_pname(name, pname), values_text(length), object.shown,
+             available, available == 3 ? fourth_value(command, pname) : "");
     }
     const bool is_get = command.id == CommandId::glGetIntegerv || command.id == CommandId::glGetFloatv ||
                         command.id == CommandId::glGetDoublev;

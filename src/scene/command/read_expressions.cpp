@@ -79,13 +79,12 @@ Value Reader::moved(const Token& op, Value pointer, const Value& by) const {
                                      : static_cast<std::int64_t>(whole_range(Kind::kSizeiptr).largest);
     if (!overflow && pointer.offset >= 0 && pointer.offset <= last) return pointer;
     if (!pointer.object) fail(op.place, "this offset is too large or negative");
-    fail_outside(op.place, "this pointer", pointer);
+    fail_outside(op.place, tr("this pointer"), pointer);
 }
 
 void Reader::fail_outside(const Place& place, std::string_view what, const Value& pointer) {
     const std::size_t count = pointer.object->bytes() / std::max<std::size_t>(1, pointer.step());
-    fail(place, "{} is outside {}, which has {} value{}; indices start at 0", what, pointer.object->shown, count,
-         count == 1 ? "" : "s");
+    fail(place, "{} is outside {}, which has {}; indices start at 0", what, pointer.object->shown, values_text(count));
 }
 
 // How many elements lie between two pointers into one array.
@@ -121,7 +120,7 @@ Value Reader::number() {
     if (!value.is_pointer()) return value;
     if (!value.object) fail(start.place, "this is a pointer, but a number is needed here");
     fail(start.place, "{} is an array, but a single number is needed here; choose an element{}", value.object->shown,
-         value.object->is_literal ? "" : fmt::format(", such as {}[0]", start.text));
+         value.object->is_literal ? "" : tr(", such as {}[0]", start.text));
 }
 
 Value Reader::sum() {
@@ -228,7 +227,7 @@ Value Reader::converted_by_cast(Value value, const DataType* type, const Place& 
         const double whole = std::trunc(value.number());
         if (!(std::abs(whole) <= 0x1p53)) fail(place, "this number is too large for the cast");
         return integer(static_cast<std::int64_t>(
-            converted(integer(static_cast<std::int64_t>(whole)), type->kind, place, "the number in this cast")));
+            converted(integer(static_cast<std::int64_t>(whole)), type->kind, place, tr("the number in this cast"))));
     }
     if (!value.is_pointer()) {
         if (!value.is_integer() || value.integer < 0)
@@ -310,8 +309,10 @@ Reader::Lvalue Reader::element(const Lvalue& array) {
     if (dry_) return {array.object, array.offset, type};
     const std::size_t length = array.type->length;
     if (!index.is_integer() || index.integer < 0 || index.integer >= static_cast<std::int64_t>(length)) {
-        fail(place, "this index is outside {}, which has {} {}{}; indices start at 0", array.object->shown, length,
-             type->is_array() ? "row" : "value", length == 1 ? "" : "s");
+        const std::string elements = !type->is_array() ? values_text(length)
+                                     : length == 1     ? tr("1 row")
+                                                       : tr("{} rows", length);
+        fail(place, "this index is outside {}, which has {}; indices start at 0", array.object->shown, elements);
     }
     return {array.object, array.offset + static_cast<std::size_t>(index.integer) * type->size, type};
 }
@@ -358,7 +359,7 @@ void Reader::set_known(Object& object, std::size_t offset, std::size_t bytes) {
 }
 
 void Reader::fail_unknown(const Object& object, const Place& place) const {
-    if (program_) out_of_reach(place, fmt::format("the value of {} ({})", object.shown, object.unknown_because));
+    if (program_) out_of_reach(place, tr("the value of {} ({})", object.shown, object.unknown_because));
     fail(place, "{} has no value here: {}", object.shown, object.unknown_because);
 }
 
@@ -410,13 +411,13 @@ void Reader::unknown_name(const Token& name) {
              "shading, run 'twinlight render --shading phong'");
     const auto near = nearest(name.text, names);
     if (program_ && !near && is_like_gl(name.text))
-        out_of_reach(name.place, fmt::format("the name {}, which Twinlight does not know", in_quotes(name.text)));
+        out_of_reach(name.place, tr("the name {}, which Twinlight does not know", in_quotes(name.text)));
     if (program_ && !near)
         fail(name.place, "unknown name {}; if another file defines it, run and record the program: twinlight record {}",
              in_quotes(name.text), name.place.file ? *name.place.file : "PROGRAM.c");
     fail(name.place, "unknown name {}{}", in_quotes(name.text),
-         near             ? fmt::format("; did you mean {}?", *near)
-         : token_.is("(") ? "; a call cannot be part of an expression"
+         near             ? did_you_mean(near)
+         : token_.is("(") ? tr("; a call cannot be part of an expression")
                           : "");
 }
 

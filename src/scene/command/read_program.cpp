@@ -268,7 +268,7 @@ void Reader::function(std::size_t at) {
         // main() needs no type.
         const DataType* const result = p.at == at ? types_.number(Kind::kInt) : pointers(type_name());
         if (!result->is_void()) made.result = result;
-        if (p.at != at) out_of_reach(name.place, "the type of this function");
+        if (p.at != at) out_of_reach(name.place, tr("the type of this function"));
         jump(at + 1);
         parameters_of(made);
     } catch (const SceneError& error) {
@@ -330,7 +330,7 @@ void Reader::parameters_of(Function& function) {
 FormalParameter Reader::parameter(const DataType* type) {
     const Declarator made = declarator(type, true);
     if (made.type->is_void() || !made.type->is_complete)
-        out_of_reach(made.name.place, fmt::format("the parameter {}", in_quotes(made.name.text)));
+        out_of_reach(made.name.place, tr("the parameter {}", in_quotes(made.name.text)));
     const bool is_behind_pointer = made.type->is_array() || made.type->is_function();
     const DataType* const behind = made.type->is_array() ? made.type->of : made.type;
     return {made.name.text, is_behind_pointer ? types_.pointer_to(behind) : made.type};

@@ -25,7 +25,7 @@ double Reader::quadric_value() {
     if (!found || found->type->kind != Kind::kQuadric) {
         const auto near = nearest(token.text, visible_names());
         fail(token.place, "expected gluNewQuadric() or the name of a GLUquadric*, found {}{}", shown(token),
-             near && !found ? fmt::format("; did you mean {}?", *near) : "");
+             found ? "" : did_you_mean(near));
     }
     const Object& object = *found;
     if (!object.known) {

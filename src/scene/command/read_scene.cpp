@@ -31,7 +31,7 @@ void check_short_text(const Place& place, std::string_view what, std::string_vie
 namespace {
 
 void check_title(const Token& token, std::string_view title) {
-    check_short_text(token.place, "a step's title", title);
+    check_short_text(token.place, tr("a step's title"), title);
     if (title.find_first_not_of("0123456789") == std::string_view::npos)
         fail(token.place, "a step needs a title in words, such as \"Diffuse only\"; its number follows from its place");
 }
@@ -68,12 +68,12 @@ void Reader::step_pragma() {
 
 ImageFile no_images(const std::string&) {
     throw std::runtime_error(
-        "this scene has no folder to read the picture from; save the scene in a file next to the picture");
+        tr("this scene has no folder to read the picture from; save the scene in a file next to the picture"));
 }
 
 std::shared_ptr<const Mesh> no_meshes(const std::string&) {
     throw std::runtime_error(
-        "this scene has no folder to read the mesh from; save the scene in a file next to the mesh");
+        tr("this scene has no folder to read the mesh from; save the scene in a file next to the mesh"));
 }
 
 namespace {
@@ -91,7 +91,7 @@ bool is_program(const std::vector<Token>& tokens) {
 }
 
 std::string cpp_message(const CppWord& word, const std::string& file, const SceneError& as_c) {
-    return fmt::format(
+    return tr(
         "this is C++: {}; Twinlight can read only C; run and record it: twinlight record {}; or run and lint it: "
         "twinlight lint --run {} "
         "(as C it fails in line {})",
@@ -131,12 +131,11 @@ std::optional<CommandList> read_program(const std::shared_ptr<const std::string>
 
 [[noreturn]] void fail_no_step(const std::string& file, const std::string& step,
                                const std::vector<std::string>& titles) {
-    if (titles.empty()) throw SceneError(fmt::format("{}: this scene has no steps; leave out --step", one_line(file)));
+    if (titles.empty()) throw SceneError(tr("{}: this scene has no steps; leave out --step", one_line(file)));
     std::string list;
     for (std::size_t i = 0; i < titles.size(); ++i)
         list += fmt::format("{}{} \"{}\"", i == 0 ? "" : ", ", i + 1, titles[i]);
-    throw SceneError(
-        fmt::format("{}: this scene has no step {}; its steps are {}", one_line(file), in_quotes(step), list));
+    throw SceneError(tr("{}: this scene has no step {}; its steps are {}", one_line(file), in_quotes(step), list));
 }
 
 // The number of the step that ReadOptions::step names; nullopt if there is none.
@@ -162,8 +161,7 @@ MeshLoader once_each(const MeshLoader& load) {
 CommandList read_scene(std::string_view text, const std::string& file, const std::string& name,
                        const ImageLoader& load_image, const ReadOptions& options) {
     if (text.size() > kMaxSceneBytes) {
-        throw SceneError(
-            fmt::format("{}: this scene has {} bytes; the limit is {}", file, text.size(), kMaxSceneBytes));
+        throw SceneError(tr("{}: this scene has {} bytes; the limit is {}", file, text.size(), kMaxSceneBytes));
     }
     const auto kept = std::make_shared<const std::string>(text);
     // A whole program has the function main and waits in GLUT's loop. What 'twinlight export --as c' prints has them too,
@@ -189,9 +187,8 @@ CommandList read_scene(std::string_view text, const std::string& file, const std
             chosen = chosen_step(options.step, result.steps);
             if (!chosen && reader.errors().empty()) fail_no_step(file, options.step, result.steps);
             if (text.size() * result.steps.size() > kMaxSceneBytes)
-                throw SceneError(fmt::format("{}: a scene with {} steps can have at most {} bytes; this one has {}",
-                                             file, result.steps.size(), kMaxSceneBytes / result.steps.size(),
-                                             text.size()));
+                throw SceneError(tr("{}: a scene with {} steps can have at most {} bytes; this one has {}", file,
+                                    result.steps.size(), kMaxSceneBytes / result.steps.size(), text.size()));
         }
         if (step == chosen) {
             result.commands = std::move(commands);
@@ -199,7 +196,7 @@ CommandList read_scene(std::string_view text, const std::string& file, const std
         }
         for (TextError error : reader.errors()) {
             if (!reported.emplace(error.place.line, error.place.column, error.message).second) continue;
-            if (step > 1) error.message += fmt::format(" (in step {}, \"{}\")", step, result.steps[step - 1]);
+            if (step > 1) error.message += tr(" (in step {}, \"{}\")", step, result.steps[step - 1]);
             errors.push_back(std::move(error));
         }
     }
@@ -207,8 +204,8 @@ CommandList read_scene(std::string_view text, const std::string& file, const std
     if (errors.empty()) return result;
     SceneError error(std::move(errors), kept);
     if (is_part_of_program(text))
-        error.note =
-            "this file has no function main(), so it is read as a scene; to read a program, give its file with main()";
+        error.note = tr(
+            "this file has no function main(), so it is read as a scene; to read a program, give its file with main()");
     error.readable = std::make_shared<const CommandList>(std::move(result));
     throw error;
 }

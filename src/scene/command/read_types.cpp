@@ -155,8 +155,8 @@ void Reader::unknown_type(const Token& name) const {
     for (const NamedType& type : kTypes) names.push_back(type.name);
     for (const auto& [known, type] : program_->types) names.push_back(known);
     if (const auto near = nearest(name.text, names))
-        fail(name.place, "expected a type such as GLfloat, found {}; did you mean {}?", shown(name), *near);
-    out_of_reach(name.place, fmt::format("the type {}", shown(name)));
+        fail(name.place, "expected a type such as GLfloat, found {}{}", shown(name), did_you_mean(near));
+    out_of_reach(name.place, tr("the type {}", shown(name)));
 }
 
 // ---- Around a name ----
@@ -183,7 +183,7 @@ Declarator Reader::declarator(const DataType* type, bool is_parameter) {
         const std::size_t end = p.at;
         jump(inner);
         made = declarator(type, is_parameter);
-        if (p.at != close) fail_missing(")", "in this declaration");
+        if (p.at != close) fail_missing(")", tr("in this declaration"));
         jump(end);
     } else {
         made.name = {TokenKind::kPunctuation, "", token_.place};
@@ -299,7 +299,7 @@ void Reader::members_of(DataType& made, bool is_union) {
         }
         do {
             const Declarator member = declarator(type);
-            if (member.type->is_function()) out_of_reach(member.name.place, "a function in a struct");
+            if (member.type->is_function()) out_of_reach(member.name.place, tr("a function in a struct"));
             if (member.name.text.empty()) fail(token_.place, "expected the name of a member, found {}", shown(token_));
             add(member.name.text, member.type, member.name.place);
             if (accept(":")) number();  // a bit field has its whole type here

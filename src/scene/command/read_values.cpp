@@ -40,7 +40,7 @@ void Reader::initialise(Object& object, const Token& name) {
     if (!program_ && ahead_.is("(") && find_command_or_extension(token_.text))
         return assign_result({&object, 0, object.type});
     const Value value = number();
-    fill(object, converted(value, object.type->kind, place, fmt::format("the value of {}", object.shown)));
+    fill(object, converted(value, object.type->kind, place, tr("the value of {}", object.shown)));
 }
 
 // An array without a length gets that of its values.
@@ -71,9 +71,9 @@ void Reader::initialise_array(Object& object, const Place& place, std::string_vi
 // The values after (GLfloat[]) or (struct point).
 Reader::Lvalue Reader::compound_literal(const DataType* type, const Place& place) {
     Object& object = literals_.emplace_back(
-        Object{.type = type, .shown = "this array", .place = place, .is_literal = true, .known = true});
+        Object{.type = type, .shown = tr("this array"), .place = place, .is_literal = true, .known = true});
     if (type->is_array()) {
-        initialise_array(object, place, "this array");
+        initialise_array(object, place, tr("this array"));
     } else {
         allocate(object, place);
         Filled filled{object};
@@ -109,7 +109,7 @@ void Reader::fill_part(Filled& filled, const DataType* type, std::size_t offset,
         assigned({&filled.object, offset, type}, value, place);
         return;
     }
-    const double kept = converted(value, type->kind, place, "this value");
+    const double kept = converted(value, type->kind, place, tr("this value"));
     store(std::span(writable(filled.object).bytes).subspan(offset), type->kind, kept);
 }
 
@@ -130,7 +130,7 @@ void Reader::fill_elements(Filled& filled, const DataType* type, std::size_t off
         } else {
             if (index >= count && is_open) fail(token_.place, "an array can have at most {} values", kMaxArrayLength);
             if (index >= count)
-                fail(token_.place, "this {} has more than {} values", type->is_array() ? "row" : "struct",
+                fail(token_.place, "{} has more than {} values", type->is_array() ? tr("this row") : tr("this struct"),
                      type->is_array() ? type->values() : count);
             const bool is_array = type->is_array();
             fill_part(filled, is_array ? type->of : type->members[index].type,

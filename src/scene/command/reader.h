@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text/translation.h"
 #include "scene/command/data_type.h"
 #include "scene/command/lexer.h"
 #include "scene/command/object_names.h"
@@ -122,7 +123,7 @@ class Reader {
     bool accept(std::string_view text);
     template <class... Values>
     void expect(std::string_view text, fmt::format_string<Values...> where, Values&&... values) {
-        if (!accept(text)) fail_missing(text, fmt::format(where, std::forward<Values>(values)...));
+        if (!accept(text)) fail_missing(text, vtr(where, fmt::make_format_args(values...)));
     }
     [[noreturn]] void fail_missing(std::string_view text, std::string_view where);
 

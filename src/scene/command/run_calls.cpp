@@ -74,7 +74,7 @@ Value Reader::call_in_program(const Token& name) {
         if (named_objects(result) || result.kind == Kind::kQuadric || command.id == CommandId::glGetError ||
             command.id == CommandId::glCheckFramebufferStatus)
             return integer(static_cast<std::int64_t>(command.arguments.back()));
-        out_of_reach(name.place, fmt::format("the result of {}", sig.name));
+        out_of_reach(name.place, tr("the result of {}", sig.name));
     }
     if (const std::optional<Value> result = call_of_mathematics(name)) return *result;
     if (const std::optional<Value> result = call_of_fonts(name)) return *result;
@@ -93,7 +93,7 @@ Value Reader::call_in_program(const Token& name) {
                                                 "fread",        "fscanf", "sscanf",    "scanf",   "fgets",
                                                 "getenv",       "system", "localtime", "qsort"};
     if (std::ranges::find(kOutOfReach, name.text) != std::end(kOutOfReach))
-        out_of_reach(name.place, fmt::format("the function {}", name.text));
+        out_of_reach(name.place, tr("the function {}", name.text));
     std::vector<std::string_view> names;
     for (const auto& [known, ignored] : p.functions) names.push_back(known);
     for (const Signature& sig : signatures())
@@ -101,9 +101,10 @@ Value Reader::call_in_program(const Token& name) {
     if (const auto near = nearest(name.text, names))
         fail(name.place, "unknown function {}; did you mean {}? If another file defines it: twinlight record {}",
              in_quotes(name.text), *near, name.place.file ? *name.place.file : "PROGRAM.c");
-    out_of_reach(name.place,
-                 fmt::format("the function {}, which {}", in_quotes(name.text),
-                             is_like_gl(name.text) ? "Twinlight does not know" : "this file does not define"));
+    const std::string shown_name = in_quotes(name.text);
+    out_of_reach(name.place, is_like_gl(name.text)
+                                 ? tr("the function {}, which Twinlight does not know", shown_name)
+                                 : tr("the function {}, which this file does not define", shown_name));
 }
 
 // What glGetString returns: the version is that of which Twinlight has all commands; the list of extensions is empty.
@@ -113,7 +114,7 @@ Value Reader::answer_of_get_string(const Command& command) {
                                                                            : "Twinlight";
     Object& object =
         program_->heap.emplace_back(Object{.type = types_.array_of(types_.number(Kind::kByte), text.size() + 1),
-                                           .shown = "this text",
+                                           .shown = tr("this text"),
                                            .place = command.place,
                                            .known = true,
                                            .is_constant = true});
@@ -161,7 +162,7 @@ std::optional<Value> Reader::call_of_chance_and_time(const Token& name) {
     if (!seeds && std::ranges::find(kNumbers, name.text) == std::end(kNumbers)) return std::nullopt;
     const std::vector<Value> given = values_in_parentheses();
     if (seeds) {
-        if (given.size() != 1) fail(name.place, "{} takes 1 argument", name.text);
+        if (given.size() != 1) fail(name.place, "{} takes {}", name.text, arguments_text(1));
         const auto seed = static_cast<std::uint32_t>(in_kind(given[0], Kind::kUint, name.place).integer);
         if (name.is("srand48"))
             p.random_48 = (std::uint64_t{seed} << 16) + 0x330e;
@@ -187,7 +188,7 @@ std::optional<Value> Reader::call_of_mathematics(const Token& name) {
         std::vector<Value> values = values_in_parentheses();
         for (const Value& value : values)
             if (value.is_pointer() || value.is_struct()) fail(name.place, "{} takes numbers", name.text);
-        if (values.size() != count) fail(name.place, "{} takes {} argument{}", name.text, count, count == 1 ? "" : "s");
+        if (values.size() != count) fail(name.place, "{} takes {}", name.text, arguments_text(count));
         return values;
     };
     if (name.is("abs") || name.is("labs"))

@@ -166,7 +166,7 @@ std::optional<Value> Reader::call_of_fonts(const Token& name) {
     };
     const std::vector<Value> given = values_in_parentheses();
     const std::size_t wanted = is_form("Height") ? 1 : 2;
-    if (given.size() != wanted) fail(name.place, "{} takes {} argument{}", name.text, wanted, wanted == 1 ? "" : "s");
+    if (given.size() != wanted) fail(name.place, "{} takes {}", name.text, arguments_text(wanted));
     const std::int64_t font = given[0].is_pointer() ? given[0].offset : given[0].is_integer() ? given[0].integer : -1;
     const std::int64_t first = is_bitmap ? kFirstBitmapFont : 0;
     const auto count = static_cast<std::int64_t>(is_bitmap ? std::size(kBitmapFonts) : std::size(kStrokeFonts));

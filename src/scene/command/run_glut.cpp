@@ -123,7 +123,7 @@ std::optional<Callback> Reader::callback_argument(const Token& name) {
     const Place place = ahead_.place;
     const std::vector<Value> given = values_in_parentheses();
     const std::size_t wanted = has_data ? 2 : 1;
-    if (given.size() != wanted) fail(name.place, "{} takes {} argument{}", name.text, wanted, wanted == 1 ? "" : "s");
+    if (given.size() != wanted) fail(name.place, "{} takes {}", name.text, arguments_text(wanted));
     if (given[0].is_null()) return std::nullopt;
     Callback made{.function = function_behind(given[0], place).name};
     made.function.place = place;
@@ -212,7 +212,7 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
             const auto has = [&](std::string_view bit) {
                 return mode.is_integer() && (mode.integer & *glut_constant(bit)) != 0;
             };
-            if (has("GLUT_INDEX")) out_of_reach(name.place, "a window with colour indices");
+            if (has("GLUT_INDEX")) out_of_reach(name.place, tr("a window with colour indices"));
             p.asks_for_samples = has("GLUT_MULTISAMPLE");
         }
         return integer(0);
@@ -226,7 +226,7 @@ std::optional<Value> Reader::call_of_glut(const Token& name) {
     }
     if (name.is("glutSetWindow")) {
         const std::vector<Value> given = values_in_parentheses();
-        if (given.size() != 1) fail(name.place, "glutSetWindow takes 1 argument");
+        if (given.size() != 1) fail(name.place, "{} takes {}", name.text, arguments_text(1));
         const std::int64_t window = in_kind(given[0], Kind::kInt, name.place).integer;
         if (window >= 1 && window <= p.windows) go_to_window(static_cast<int>(window));  // GLUT only warns
         return integer(0);

@@ -49,7 +49,8 @@ Value Reader::pointer_from(std::uint64_t address, const DataType* of) const {
 // What a pointer points at.
 Reader::Lvalue Reader::behind(const Value& pointer, const Place& place) const {
     if (!pointer.is_pointer())
-        fail(place, "this needs a pointer or an array, but it is a {}", pointer.is_struct() ? "struct" : "number");
+        fail(place, "this needs a pointer or an array, but it is {}",
+             pointer.is_struct() ? tr("a struct") : tr("a number"));
     if (!pointer.of || pointer.of->is_void() || !pointer.of->is_complete)
         fail(place, "this pointer needs a type first, as in (float*)pointer");
     if (dry_) return {pointer.object, static_cast<std::size_t>(pointer.offset), pointer.of};
@@ -59,7 +60,7 @@ Reader::Lvalue Reader::behind(const Value& pointer, const Place& place) const {
              "what this pointer pointed at is not there any more: it was freed, or its block or function has ended");
     const auto offset = static_cast<std::size_t>(pointer.offset);
     if (pointer.offset < 0 || offset > pointer.object->bytes() || pointer.object->bytes() - offset < pointer.of->size)
-        fail_outside(place, "this pointer", pointer);
+        fail_outside(place, tr("this pointer"), pointer);
     return {pointer.object, offset, pointer.of};
 }
 
@@ -85,7 +86,7 @@ Reader::Operand Reader::element_of(const Operand& array, const Token& start) {
                           __builtin_add_overflow(pointer.offset, bytes, &moved.offset);
     const auto size = static_cast<std::int64_t>(pointer.object->bytes());
     if (overflow || moved.offset < 0 || moved.offset > size - static_cast<std::int64_t>(pointer.step()))
-        fail_outside(place, "this index", pointer);
+        fail_outside(place, tr("this index"), pointer);
     return {.place = behind(moved, start.place)};
 }
 
@@ -103,17 +104,18 @@ Reader::Operand Reader::member_of(const Operand& whole, const Token& start) {
         else if (value.is_struct())
             place = Lvalue{value.object, static_cast<std::size_t>(value.offset), value.of};
     }
-    if (!place || !place->type->is_struct())
-        fail(op.place, "{} is not a struct{}, so it has no member {}", shown(start),
-             op.is("->") || !place || !place->type->is_pointer() ? "" : " but a pointer; write -> instead of '.'",
-             shown(name));
+    if (!place || !place->type->is_struct()) {
+        if (place && place->type->is_pointer() && !op.is("->"))
+            fail(op.place, "{} is not a struct but a pointer; write -> instead of '.', so it has no member {}",
+                 shown(start), shown(name));
+        fail(op.place, "{} is not a struct, so it has no member {}", shown(start), shown(name));
+    }
     const std::optional<Member> member = find_member(*place->type, name.text);
     if (!member) {
         std::vector<std::string_view> names;
         for (const Member& known : place->type->members) names.push_back(known.name);
         const auto near = nearest(name.text, names);
-        fail(name.place, "this struct has no member {}{}", shown(name),
-             near ? fmt::format("; did you mean {}?", *near) : "");
+        fail(name.place, "this struct has no member {}{}", shown(name), did_you_mean(near));
     }
     return {.place = Lvalue{place->object, place->offset + member->offset, member->type}};
 }
@@ -137,8 +139,8 @@ const Function& Reader::function_behind(const Value& pointer, const Place& place
         pointer.object ? program_->functions.find(pointer.object->function_name) : program_->functions.end();
     if (found == program_->functions.end()) {
         if (pointer.object && !pointer.object->function_name.empty())
-            out_of_reach(place, fmt::format("the function '{}', which this file does not define",
-                                            pointer.object->function_name));
+            out_of_reach(place, tr("the function {}, which this file does not define",
+                                   in_quotes(pointer.object->function_name)));
         fail(place, "this is not a function");
     }
     return found->second;
@@ -171,8 +173,7 @@ std::optional<Value> Reader::call_of_memory(const Token& name) {
     const auto row = std::ranges::find(kAll, name.text, [](const auto& known) { return known.first; });
     if (row == std::end(kAll)) return std::nullopt;
     const std::vector<Value> given = values_in_parentheses();
-    if (given.size() != row->second)
-        fail(name.place, "{} takes {} argument{}", name.text, row->second, row->second == 1 ? "" : "s");
+    if (given.size() != row->second) fail(name.place, "{} takes {}", name.text, arguments_text(row->second));
     const auto size = [&](std::size_t i) {
         if (!given[i].is_integer() || given[i].integer < 0) fail(name.place, "{} needs a size of 0 or more", name.text);
         return static_cast<std::size_t>(given[i].integer);
@@ -182,10 +183,10 @@ std::optional<Value> Reader::call_of_memory(const Token& name) {
         hold(bytes, name.place);
         p.steps += bytes / kBytesOfAStep;
         Object& made = p.heap.emplace_back(Object{.type = types_.nothing(),
-                                                  .shown = "this memory",
+                                                  .shown = tr("this memory"),
                                                   .place = name.place,
                                                   .known = known,
-                                                  .unknown_because = fmt::format("{} gives it no values", name.text)});
+                                                  .unknown_because = tr("{} gives it no values", name.text)});
         made.memory = std::make_shared<Memory>(Memory{Kind::kUbyte, std::vector<std::byte>(bytes)});
         made.is_allocated = true;
         return Value{.type = Value::Type::kPointer, .object = &made};

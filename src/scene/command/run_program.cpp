@@ -47,7 +47,7 @@ void Reader::skip_statement() {
     if (++p.depth > kMaxProgramDepth) fail(token_.place, "this program is nested too deeply");
     const auto skip_parentheses = [&] {
         advance();
-        if (!token_.is("(")) fail_missing("(", "at the start of the condition");
+        if (!token_.is("(")) fail_missing("(", tr("at the start of the condition"));
         jump(p.partners[p.at] + 1);
     };
     if (token_.is("{")) {
@@ -66,7 +66,7 @@ void Reader::skip_statement() {
         expect(";", "after do ... while (...)");
     } else {
         while (!token_.is(";")) {
-            if (token_.is("}") || token_.kind == TokenKind::kEnd) fail_missing(";", "at the end of the statement");
+            if (token_.is("}") || token_.kind == TokenKind::kEnd) fail_missing(";", tr("at the end of the statement"));
             skip_token();
         }
         advance();
@@ -226,7 +226,7 @@ Flow Reader::run_for() {
     const std::size_t outer = p.locals.size();
     const std::size_t block = std::exchange(p.block, outer);
     advance();
-    if (!token_.is("(")) fail_missing("(", "after for");
+    if (!token_.is("(")) fail_missing("(", tr("after for"));
     const std::size_t close = p.partners[p.at];
     advance();
     if (is_declaration()) {
@@ -248,7 +248,7 @@ Flow Reader::run_for() {
         if (!token_.is(";")) {
             holds = is_true(comma_expressions());
         }
-        if (!token_.is(";")) fail_missing(";", "after the condition of for (...)");
+        if (!token_.is(";")) fail_missing(";", tr("after the condition of for (...)"));
         if (!holds) break;
         jump(close + 1);
         const Flow flow = run_body();
@@ -261,7 +261,7 @@ Flow Reader::run_for() {
         if (flow == Flow::kBreak) break;
         jump(step);
         if (!token_.is(")")) comma_expressions();
-        if (p.at != close) fail_missing(")", "after for (...; ...; ...");
+        if (p.at != close) fail_missing(")", tr("after for (...; ...; ..."));
     }
     forget_locals(outer);
     p.block = block;
@@ -278,7 +278,7 @@ Flow Reader::run_switch() {
     const Value chosen = number();
     if (!chosen.is_integer()) fail(place, "switch needs a whole number");
     expect(")", "after switch (...");
-    if (!token_.is("{")) fail_missing("{", "after switch (...)");
+    if (!token_.is("{")) fail_missing("{", tr("after switch (...)"));
     const std::size_t end = p.partners[p.at];
     const std::size_t outer = p.locals.size();
     std::optional<std::size_t> start;
@@ -286,7 +286,7 @@ Flow Reader::run_switch() {
     while (p.at < end) {
         if (accept("case")) {
             const bool same = number().integer == chosen.integer;
-            if (!token_.is(":")) fail_missing(":", "after case");
+            if (!token_.is(":")) fail_missing(":", tr("after case"));
             if (same) {
                 start = p.at + 1;
                 break;
@@ -379,8 +379,8 @@ Value Reader::run_function(const Function& function, const std::vector<Value>& g
     if (function.refusal) throw SceneError(*function.refusal);
     const std::size_t wanted_count = function.parameters.size();
     if (given.size() < wanted_count || (given.size() > wanted_count && !function.takes_more))
-        fail(place, "the function {} takes {}{} arguments, but {} are given", name,
-             function.takes_more ? "at least " : "", wanted_count, given.size());
+        fail(place, "the function {} takes {} arguments, but {} are given", name,
+             function.takes_more ? tr("at least {}", wanted_count) : fmt::format("{}", wanted_count), given.size());
     if (++p.depth > kMaxProgramDepth) fail(place, "the calls of {} are nested too deeply", name);
 
     const std::size_t first = p.locals.size();
@@ -392,15 +392,15 @@ Value Reader::run_function(const Function& function, const std::vector<Value>& g
         const auto refuse = [&](std::string_view needed) {
             fail(place, "the parameter {} of {} needs {}", in_quotes(parameter.name), name, needed);
         };
-        if (parameter.type->is_struct() && given[i].of != parameter.type) refuse("a struct of its type");
-        if (parameter.type->is_pointer() && !given[i].is_pointer() && !given[i].is_null()) refuse("an array");
+        if (parameter.type->is_struct() && given[i].of != parameter.type) refuse(tr("a struct of its type"));
+        if (parameter.type->is_pointer() && !given[i].is_pointer() && !given[i].is_null()) refuse(tr("an array"));
         if (parameter.type->is_number() && !given[i].is_null() && (given[i].is_pointer() || given[i].is_struct()))
-            refuse("a number");
+            refuse(tr("a number"));
         const DataType* const wanted = parameter.type->of;
         const auto kind = given[i].kind();
         if (parameter.type->is_pointer() && given[i].object && wanted->is_number() && kind &&
             c_type(*kind) != c_type(wanted->kind))
-            refuse(fmt::format("an array of {}", c_type_name(c_type(wanted->kind))));
+            refuse(tr("an array of {}", c_type_name(c_type(wanted->kind))));
         Object& object =
             declare(token, {.type = parameter.type, .shown = in_quotes(parameter.name), .place = place, .known = true});
         allocate(object, place);
@@ -444,7 +444,7 @@ Value Reader::result_of(const Function& function, const Place& place) {
     if (type->is_pointer()) return pointer_from(static_cast<std::uint64_t>(returned.integer), type->of);
     if (!type->is_struct()) return returned;
     Object& object = literals_.emplace_back(
-        Object{.type = type, .shown = "this struct", .place = place, .is_literal = true, .known = true});
+        Object{.type = type, .shown = tr("this struct"), .place = place, .is_literal = true, .known = true});
     object.memory = std::exchange(p.returned_struct, nullptr);
     if (!object.memory) fail(place, "the function {} has returned no struct", in_quotes(function.name.text));
     return {.type = Value::Type::kStruct, .object = &object, .of = type};

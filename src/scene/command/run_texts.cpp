@@ -62,7 +62,7 @@ Value Reader::text_in_quotes() {
         if (is_new) text += unescaped(token_.text);
     if (is_new) {
         object = {.type = types_.array_of(types_.number(Kind::kByte), text.size() + 1),
-                  .shown = "this text",
+                  .shown = tr("this text"),
                   .place = place,
                   .known = true,
                   .is_constant = true};
@@ -116,7 +116,7 @@ Reader::Printed Reader::printed(const std::string& pattern, std::span<const Valu
         }
         const bool is_long = form.size() > 8;
         if (is_long || letter == '\0' || std::string_view("diuxXofFeEgGcs").find(letter) == std::string_view::npos)
-            out_of_reach(place, fmt::format("the form {} of a printed text", in_quotes(form + letter)));
+            out_of_reach(place, tr("the form {} of a printed text", in_quotes(form + letter)));
         if (next >= values.size()) fail(place, "the form {} has no value", in_quotes(form + letter));
         const Value& value = values[next++];
         form += letter;
@@ -137,7 +137,7 @@ Reader::Printed Reader::printed(const std::string& pattern, std::span<const Valu
             else
                 text += fmt::sprintf(form, static_cast<unsigned>(in_kind(value, Kind::kUint, place).integer));
         } catch (const fmt::format_error&) {
-            out_of_reach(place, fmt::format("the form {} of a printed text", in_quotes(form)));
+            out_of_reach(place, tr("the form {} of a printed text", in_quotes(form)));
         }
     }
     return {std::move(text), next};
@@ -160,15 +160,16 @@ void Reader::text_argument(Command& command, const Parameter& parameter) {
     while (accept(",")) values.push_back(expression());
     const Printed printed_text = printed(format, values, start.place);
     if (printed_text.used < values.size())
-        fail(start.place, "this text has {} form{} such as %g, but {} value{} given", printed_text.used,
-             printed_text.used == 1 ? "" : "s", values.size(), values.size() == 1 ? " is" : "s are");
+        fail(start.place, "this text has {} such as %g, but {}",
+             printed_text.used == 1 ? tr("1 form") : tr("{} forms", printed_text.used),
+             values.size() == 1 ? tr("1 value is given") : tr("{} values are given", values.size()));
     const std::string& text = printed_text.text;
     // A scene has no escapes, so it could not have these characters.
     const auto is_refused = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '\\'; };
     if (text.empty() || std::ranges::any_of(text, is_refused))
         fail(start.place, "the {} of {} must be one line without quotes and backslashes, and not empty", parameter.name,
              command.name());
-    check_short_text(start.place, fmt::format("the {} of {}", parameter.name, command.name()), text);
+    check_short_text(start.place, tr("the {} of {}", parameter.name, command.name()), text);
     hold(text.size(), start.place);
     const auto bytes = std::as_bytes(std::span(text));
     command.memory = std::make_shared<const Memory>(Memory{Kind::kByte, {bytes.begin(), bytes.end()}});
@@ -185,7 +186,7 @@ std::vector<Value> Reader::values_before_list(const Token& name, std::size_t cou
         expect(",", "after an argument of {}", name.text);
     }
     if (!p.more || token_.kind != TokenKind::kName || p.at + 1 != close)
-        out_of_reach(name.place, "a va_list that another function made");
+        out_of_reach(name.place, tr("a va_list that another function made"));
     jump(close + 1);
     values.insert(values.end(), p.more->begin(), p.more->end());
     return values;
@@ -202,8 +203,8 @@ std::optional<Value> Reader::call_of_texts(const Token& name) {
     const bool takes_more = name.text.ends_with("printf"), takes_list = name.text.starts_with("v");
     const std::vector<Value> given = takes_list ? values_before_list(name, row->second) : values_in_parentheses();
     if (given.size() < row->second || (given.size() > row->second && !takes_more))
-        fail(name.place, "{} takes {}{} argument{}", name.text, takes_more ? "at least " : "", row->second,
-             row->second == 1 ? "" : "s");
+        fail(name.place, "{} takes {}", name.text,
+             takes_more ? tr("at least {}", arguments_text(row->second)) : arguments_text(row->second));
     const auto text = [&](std::size_t i) { return text_behind(given[i], name.place); };
     const auto count = [&](std::size_t i) {
         return static_cast<std::size_t>(

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/text/translation.h"
 #include "scene/command/characters.h"
 #include "scene/command/text.h"
 
@@ -92,7 +93,7 @@ std::string as_compilers_print(const SceneError& error) {
         if (error.text) printed += line_with_caret(*error.text, one.place);
     }
     if (error.errors.size() >= kMaxErrorsShown)
-        printed += fmt::format("note: only the first {} errors are shown\n", kMaxErrorsShown);
+        printed += tr("note: only the first {} errors are shown\n", kMaxErrorsShown);
     if (!error.note.empty()) printed += "note: " + one_line(error.note) + "\n";
     return printed;
 }

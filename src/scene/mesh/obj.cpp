@@ -16,6 +16,7 @@
 #include <tuple>
 
 #include "base/text/input_text.h"
+#include "base/text/translation.h"
 #include "scene/command/lexer.h"
 
 namespace twinlight {
@@ -33,8 +34,8 @@ class Materials : public tinyobj::MaterialReader {
         try {
             text = files_.text(name);
             if (text.size() > kMaxMtlBytes)
-                throw std::runtime_error(fmt::format("the file has more than {} MiB", kMaxMtlBytes >> 20));
-            if (text.find('\0') != std::string::npos) throw std::runtime_error("this is not a text file");
+                throw std::runtime_error(tr("the file has more than {} MiB", kMaxMtlBytes >> 20));
+            if (text.find('\0') != std::string::npos) throw std::runtime_error(tr("this is not a text file"));
         } catch (const std::runtime_error& failure) {
             throw std::runtime_error(fmt::format("{}: {}", in_quotes(name), failure.what()));
         }
@@ -57,8 +58,7 @@ MeshMaterial material_of(const tinyobj::material_t& from, const MeshFiles& files
     const auto color = [&](const tinyobj::real_t(&rgb)[3], float alpha) {
         const std::array<float, 4> made = {rgb[0], rgb[1], rgb[2], alpha};
         if (!std::ranges::all_of(made, [](float c) { return std::isfinite(c); }))
-            throw std::runtime_error(
-                fmt::format("the material {} has a colour that is not finite", in_quotes(from.name)));
+            throw std::runtime_error(tr("the material {} has a colour that is not finite", in_quotes(from.name)));
         return made;
     };
     MeshMaterial made;
@@ -77,8 +77,8 @@ MeshMaterial material_of(const tinyobj::material_t& from, const MeshFiles& files
         made.texture =
             std::make_shared<const Memory>(Memory{Kind::kUbyte, std::move(image.rgba), from.diffuse_texname});
     } catch (const std::runtime_error& failure) {
-        throw std::runtime_error(fmt::format("the material {} has the picture {}: {}", in_quotes(from.name),
-                                             in_quotes(from.diffuse_texname), failure.what()));
+        throw std::runtime_error(tr("the material {} has the picture {}: {}", in_quotes(from.name),
+                                    in_quotes(from.diffuse_texname), failure.what()));
     }
     return made;
 }
@@ -158,7 +158,7 @@ void check_indices(const tinyobj::attrib_t& attributes, const std::vector<tinyob
             if (!is_in(corner.vertex_index, attributes.vertices.size(), 3, false) ||
                 !is_in(corner.texcoord_index, attributes.texcoords.size(), 2, true) ||
                 !is_in(corner.normal_index, attributes.normals.size(), 3, true))
-                throw std::runtime_error("a face uses a vertex that the file does not have");
+                throw std::runtime_error(tr("a face uses a vertex that the file does not have"));
 }
 
 }  // namespace
@@ -171,7 +171,7 @@ std::shared_ptr<const Mesh> read_obj(std::string_view text, const MeshFiles& fil
     std::string warning, error;
     Materials reader(files);
     if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &lines, &reader, true, false))
-        throw std::runtime_error(error.empty() ? "this is no OBJ file" : error.substr(0, error.find('\n')));
+        throw std::runtime_error(error.empty() ? tr("this is no OBJ file") : error.substr(0, error.find('\n')));
     check_indices(attributes, shapes);
 
     Builder builder(attributes);
@@ -205,7 +205,7 @@ std::shared_ptr<const Mesh> read_obj(std::string_view text, const MeshFiles& fil
         }
     }
     end_part();
-    if (mesh.parts.empty()) throw std::runtime_error("the faces of this file have no area");
+    if (mesh.parts.empty()) throw std::runtime_error(tr("the faces of this file have no area"));
     mesh.vertices = builder.vertices();
     return std::make_shared<const Mesh>(std::move(mesh));
 }

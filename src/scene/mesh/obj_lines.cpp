@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/text/translation.h"
 #include "scene/command/lexer.h"
 #include "scene/mesh/obj.h"
 
@@ -16,7 +17,7 @@ namespace {
 
 template <class... Values>
 [[noreturn]] void refuse(std::size_t line, fmt::format_string<Values...> message, Values&&... values) {
-    throw std::runtime_error(fmt::format("line {}: ", line) + fmt::format(message, std::forward<Values>(values)...));
+    throw std::runtime_error(tr("line {}: {}", line, vtr(message, fmt::make_format_args(values...))));
 }
 
 constexpr std::string_view kSpaces = " \t\r\f\v";
@@ -65,7 +66,8 @@ class Checker {
             refuse(all.largest_line, "this face uses {} {}, but the file has only {}", all.name, all.largest,
                    all.count);
         }
-        if (triangles_ == 0) throw std::runtime_error("this file has no faces; it must have lines such as 'f 1 2 3'");
+        if (triangles_ == 0)
+            throw std::runtime_error(tr("this file has no faces; it must have lines such as 'f 1 2 3'"));
         return kept;
     }
 
@@ -150,7 +152,7 @@ class Checker {
 
     std::string_view rest_;
     std::size_t line_ = 1, next_ = 1;
-    Elements elements_[3] = {{"vertex"}, {"texture coordinate"}, {"normal"}};
+    Elements elements_[3] = {{tr("vertex")}, {tr("texture coordinate")}, {tr("normal")}};
     std::size_t triangles_ = 0;
 };
 
@@ -158,8 +160,8 @@ class Checker {
 
 std::string obj_lines(std::string_view text) {
     if (text.size() > kMaxObjBytes)
-        throw std::runtime_error(fmt::format("this file has more than {} MiB, the limit for a mesh; use a coarser mesh",
-                                             kMaxObjBytes >> 20));
+        throw std::runtime_error(
+            tr("this file has more than {} MiB, the limit for a mesh; use a coarser mesh", kMaxObjBytes >> 20));
     return Checker(text).run();
 }
 

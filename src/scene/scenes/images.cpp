@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/image/png.h"
+#include "base/text/translation.h"
 #include "scene/scenes/beside.h"
 
 namespace twinlight {
@@ -30,7 +31,7 @@ ImageFile image_of(std::string_view bytes) {
 
 ImageLoader images_beside(const fs::path& scene) {
     return [folder = scene.parent_path()](const std::string& name) {
-        return image_of(read_beside(folder, name, "picture", "brick.png", kMaxImageFileBytes));
+        return image_of(read_beside(folder, name, tr("picture"), "brick.png", kMaxImageFileBytes));
     };
 }
 

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "base/image/file.h"
+#include "base/text/translation.h"
 #include "scene/command/cpp_words.h"
+#include "scene/command/lexer.h"
 #include "scene/command/text.h"
 #include "scene/scenes/beside.h"
 #include "scene/scenes/images.h"
@@ -27,15 +29,14 @@ constexpr std::size_t kReadAtMost = kMaxSceneBytes + 1;
 CommandList read_limited(const std::string& text, const std::string& file, const std::string& name,
                          const ReadOptions& options, const ImageLoader& load_image = no_images) {
     if (text.size() > kMaxSceneBytes) {
-        throw SceneError(file + ": is larger than " + std::to_string(kMaxSceneBytes >> 20) +
-                         " MiB, the limit for a scene");
+        throw SceneError(tr("{}: is larger than {} MiB, the limit for a scene", file, kMaxSceneBytes >> 20));
     }
     return read_scene(text, file, name, load_image, options);
 }
 
 std::string how_to_record(const std::string& scene) {
     const std::string trace = std::filesystem::path(scene).stem().string() + ".trace";
-    return "to run it and record what it draws: twinlight record " + scene + " -o " + trace;
+    return tr("to run it and record what it draws: twinlight record {} -o {}", scene, trace);
 }
 
 bool is_c_program(std::string_view text) {
@@ -62,8 +63,8 @@ std::optional<std::string> included_text(const std::filesystem::path& program, c
 
 void check_no_step(const std::string& scene, const std::string& step) {
     if (!step.empty())
-        throw SceneError(one_line(scene) +
-                         ": a recorded program has no steps; leave out --step (--frame chooses a frame)");
+        throw SceneError(
+            tr("{}: a recorded program has no steps; leave out --step (--frame chooses a frame)", one_line(scene)));
 }
 
 // Standard input has no folder, so it can use only the files of the built-in scenes.
@@ -120,8 +121,9 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
         std::vector<std::string> names;
         for (const EmbeddedFile& file : kSceneFiles) names.push_back(built_in_name(file));
         const auto near = nearest(scene, {names.begin(), names.end()});
-        throw SceneError(scene + ": there is no built-in scene and no file with this name; " +
-                         (near ? "did you mean '" + std::string(*near) + "'?" : "'twinlight scenes' lists the scenes"));
+        throw SceneError(
+            tr("{}: there is no built-in scene and no file with this name{}", scene,
+               near ? did_you_mean("'" + std::string(*near) + "'") : tr("; 'twinlight scenes' lists the scenes")));
     }
     // A pipe can be read only once.
     const bool again = std::filesystem::is_regular_file(path, ignored);
@@ -130,13 +132,13 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
         check_no_step(scene, step);
         if (!again)
             throw SceneError(
-                scene +
-                ": cannot read a recorded program from a pipe or a device; give a file, or - for standard input");
+                tr("{}: cannot read a recorded program from a pipe or a device; give a file, or - for standard input",
+                   scene));
         return trace::is_trace(front, path) ? trace::open_trace(scene, context) : trace::open_dump(scene, context);
     }
     if (front.starts_with("\x7f"
                           "ELF"))
-        throw SceneError(scene + ": this is a program, not a scene; " + how_to_record(scene));
+        throw SceneError(tr("{}: this is a program, not a scene; {}", scene, how_to_record(scene)));
     const std::string text = again ? read_file(scene, kReadAtMost) : front;
     try {
         if (!again)
@@ -151,11 +153,11 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
             // The first error would be about a line that only scenes cannot have, such as #define.
             if (is_program_without_loop(text))
                 throw SceneError(
-                    fmt::format("{}: this {} program does not call glutMainLoop, so it cannot be read; {}; or run and "
-                                "lint it: twinlight "
-                                "lint --run {}",
-                                one_line(scene), language, how_to_record(scene), one_line(scene)));
-            error.note = "this is a " + language + " program; " + how_to_record(scene);
+                    tr("{}: this {} program does not call glutMainLoop, so it cannot be read; {}; or run and "
+                       "lint it: twinlight "
+                       "lint --run {}",
+                       one_line(scene), language, how_to_record(scene), one_line(scene)));
+            error.note = tr("this is a {} program; {}", language, how_to_record(scene));
         }
         throw;
     }
@@ -164,8 +166,8 @@ std::shared_ptr<const Recording> load_recording(const std::string& scene, std::o
 std::shared_ptr<const CommandList> load_commands(const std::string& scene, const std::string& step) {
     const std::shared_ptr<const Recording> recording = load_recording(scene, std::nullopt, step);
     if (!recording->command_list()) {
-        throw SceneError(scene +
-                         ": a recorded program cannot be used here; use 'twinlight render', 'compare' or 'export'");
+        throw SceneError(
+            tr("{}: a recorded program cannot be used here; use 'twinlight render', 'compare' or 'export'", scene));
     }
     return {recording, recording->command_list()};
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/text/translation.h"
 #include "scene/mesh/obj.h"
 #include "scene/scenes/beside.h"
 #include "scene/scenes/images.h"
@@ -14,9 +15,9 @@ namespace twinlight {
 MeshLoader meshes_beside(const std::filesystem::path& scene) {
     return [scene](const std::string& name) {
         const auto material = [folder = scene.parent_path()](const std::string& file) {
-            return read_beside(folder, file, "material file", "bunny.mtl", kMaxMtlBytes);
+            return read_beside(folder, file, tr("material file"), "bunny.mtl", kMaxMtlBytes);
         };
-        return read_obj(read_beside(scene.parent_path(), name, "mesh", "bunny.obj", kMaxObjBytes),
+        return read_obj(read_beside(scene.parent_path(), name, tr("mesh"), "bunny.obj", kMaxObjBytes),
                         {.text = material, .image = images_beside(scene)});
     };
 }
@@ -25,7 +26,7 @@ MeshLoader meshes_in(FileFinder find) {
     return [find = std::move(find)](const std::string& name) {
         const auto text_of = [&find](const std::string& file) {
             const auto text = find(file);
-            if (!text) throw std::runtime_error("there is no file of this name");
+            if (!text) throw std::runtime_error(tr("there is no file of this name"));
             return std::string(*text);
         };
         if (!find(name)) return no_meshes(name);

@@ -19,6 +19,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/text/translation.h"
+
 namespace twinlight {
 namespace {
 
@@ -61,7 +63,7 @@ class Sender {
 };
 
 void refuse_unless(bool allowed, std::string_view name, std::string_view needs) {
-    if (!allowed) throw std::invalid_argument(fmt::format("{} needs {}", name, needs));
+    if (!allowed) throw std::invalid_argument(tr("{} needs {}", name, tr(needs)));
 }
 
 // (sin, cos) of step i of n in a full turn; i need not be whole.

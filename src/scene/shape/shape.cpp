@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text/translation.h"
 #include "scene/shape/freeglut_shapes.h"
 #include "scene/shape/report_shapes.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 template <class... Parts>
 [[noreturn]] void refuse(fmt::format_string<Parts...> message, Parts&&... parts) {
-    throw std::invalid_argument(fmt::format(message, std::forward<Parts>(parts)...));
+    throw std::invalid_argument(vtr(message, fmt::make_format_args(parts...)));
 }
 
 // ---- The pragma: shape(kind, sizes...) ----
@@ -25,7 +26,8 @@ class Sizes {
     Sizes(const Command& command, std::string_view usage, std::size_t expected) : command_(command), usage_(usage) {
         const std::size_t given = command.arguments.size() - 1;
         if (given != expected)
-            refuse("shape({}) needs {} size{}, not {}", usage_, expected, expected == 1 ? "" : "s", given);
+            refuse("shape({}) needs {}, not {}", usage_, expected == 1 ? tr("1 size") : tr("{} sizes", expected),
+                   given);
     }
 
     double length(std::size_t i, std::string_view name) const {
@@ -60,7 +62,7 @@ std::vector<ShapePart> tall_shape(const Command& command, std::string_view usage
 }
 
 std::vector<ShapePart> pragma_shape(const Command& command) {
-    if (command.arguments.empty()) refuse("shape needs a kind: {}", kKinds);
+    if (command.arguments.empty()) refuse("shape needs a kind: {}", tr(kKinds));
     switch (command.word(0)) {
         case Word::cube: return report_cube(Sizes(command, "cube, size", 1).length(1, "size"));
         case Word::cylinder: return tall_shape(command, "cylinder, radius, height, slices", report_cylinder);
@@ -77,7 +79,7 @@ std::vector<ShapePart> pragma_shape(const Command& command) {
         }
         default: break;  // a word for other pragmas
     }
-    refuse("{} is not a shape; expected {}", word_name(command.word(0)), kKinds);
+    refuse("{} is not a shape; expected {}", word_name(command.word(0)), tr(kKinds));
 }
 
 // ---- freeglut's ----
@@ -131,11 +133,11 @@ void limit_shape(std::string_view name, double slices, double stacks) {
     constexpr double kCapStacks = 3;  // both caps of a cylinder, and the repeated vertices
     if (2 * (slices + 1) * (stacks + kCapStacks) > static_cast<double>(kMaxShapeVertices)) {
         throw ShapeTooLarge(
-            fmt::format("{} would have more than {} vertices; use fewer slices or stacks", name, kMaxShapeVertices));
+            tr("{} would have more than {} vertices; use fewer slices or stacks", name, kMaxShapeVertices));
     }
     if (slices + stacks + kCapStacks > static_cast<double>(kMaxShapeParts)) {
-        throw ShapeTooLarge(fmt::format("{} would have more than {} strips and loops; use fewer slices or stacks", name,
-                                        kMaxShapeParts));
+        throw ShapeTooLarge(
+            tr("{} would have more than {} strips and loops; use fewer slices or stacks", name, kMaxShapeParts));
     }
 }
 

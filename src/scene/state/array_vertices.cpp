@@ -83,8 +83,8 @@ std::optional<GlError> VertexArrays::check_memory(const Command& draw, std::uint
         if (!available) {
             return undefined(kGL_INVALID_OPERATION, draw, "{} cannot read its array: {} was given {}", draw.name(),
                              one.name,
-                             array.buffer != 0 ? "an array while a buffer object is bound; give an offset"
-                                               : "NULL, or its buffer object was deleted");
+                             array.buffer != 0 ? tr("an array while a buffer object is bound; give an offset")
+                                               : tr("NULL, or its buffer object was deleted"));
         }
         // Doubles do not overflow here (strides are below 2^31, indices below 2^32, offsets below 2^53), and they hold
         // the sizes of all possible arrays exactly.

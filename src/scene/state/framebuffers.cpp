@@ -553,7 +553,7 @@ bool State::has_buffer(const Command& c, CopiedBuffer buffer) {
         const bool is_stencil = buffer == CopiedBuffer::kStencil;
         if ((is_stencil ? object.stencil : object.depth).type != kGL_NONE) continue;
         raise(kGL_INVALID_OPERATION, c, "{}: the bound framebuffer object has no {}", c.name(),
-              is_stencil ? "stencil buffer" : "depth buffer");
+              is_stencil ? tr("stencil buffer") : tr("depth buffer"));
         return false;
     }
     return true;
@@ -625,7 +625,8 @@ bool State::check_buffer(const Command& c, std::uint32_t framebuffer) {
         return false;
     if (mode == kGL_NONE || (framebuffer == 0 ? !is_attachment : attachment < kMaxColorAttachments)) return true;
     raise(kGL_INVALID_OPERATION, c, "{} is given {}; {}", c.name(), enum_name(mode),
-          framebuffer == 0 ? "the window has no attachments" : "a framebuffer object has GL_COLOR_ATTACHMENT0 to 7");
+          framebuffer == 0 ? tr("the window has no attachments")
+                           : tr("a framebuffer object has GL_COLOR_ATTACHMENT0 to 7"));
     return false;
 }
 

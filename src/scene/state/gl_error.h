@@ -4,8 +4,8 @@
 #include <fmt/core.h>
 
 #include <string>
-#include <utility>
 
+#include "base/text/translation.h"
 #include "scene/command/command.h"
 
 namespace twinlight {
@@ -19,15 +19,15 @@ struct GlError {
     bool is_undefined = false;
 };
 
-// Makes the error of a command. fmt formats the message.
+// Makes the error of a command. The message is a format of fmt, and is translated.
 template <class... Values>
 GlError refused(Enum code, const Command& command, fmt::format_string<Values...> message, Values&&... values) {
-    return {code, command.place, fmt::format(message, std::forward<Values>(values)...)};
+    return {code, command.place, vtr(message, fmt::make_format_args(values...))};
 }
 // The same with is_undefined set.
 template <class... Values>
 GlError undefined(Enum code, const Command& command, fmt::format_string<Values...> message, Values&&... values) {
-    return {code, command.place, fmt::format(message, std::forward<Values>(values)...), true};
+    return {code, command.place, vtr(message, fmt::make_format_args(values...)), true};
 }
 
 // How signed integers become colours and normals: (2c+1)/(2^b-1) up to GL 4.1, max(c/(2^(b-1)-1), -1) from 4.2 on

@@ -10,6 +10,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/text/translation.h"
+#include "scene/command/lexer.h"
 #include "scene/frame/parameter_rows.h"
 #include "scene/state/state.h"
 
@@ -86,13 +88,12 @@ std::optional<std::vector<double>> State::parameter_values(const Command& c, Own
     const bool in_range =
         value >= info->smallest && value <= info->largest && !(is_cutoff && value > 90 && value != 180);
     if (info->meaning == Meaning::kScalar && !in_range) {
-        const std::string range = is_cutoff ? "in [0, 90] or 180"
-                                  : std::isinf(info->largest)
-                                      ? "0 or more"
-                                      : fmt::format("in [{}, {}]", info->smallest, info->largest);
+        const std::string range = is_cutoff                   ? tr("in [0, 90] or 180")
+                                  : std::isinf(info->largest) ? tr("0 or more")
+                                                              : tr("in [{}, {}]", info->smallest, info->largest);
         const bool may_be_of_obj = pname == kGL_SHININESS && value > info->largest;
         raise(kGL_INVALID_VALUE, c, "{} is {}; it must be {}{}", enum_name(pname), value, range,
-              may_be_of_obj ? "; for a larger Ns of an OBJ file, use 128" : "");
+              may_be_of_obj ? tr("; for a larger Ns of an OBJ file, use 128") : "");
         return std::nullopt;
     }
     return values;
@@ -305,8 +306,8 @@ void State::extra_light(const Command& c) {
     const Enum pname = c.enumerant(1);
     const ParameterInfo* info = find_parameter(Owner::kLight, pname);
     if (info && c.arguments.size() != 2 + static_cast<std::size_t>(info->count)) {
-        return raise(kGL_INVALID_VALUE, c, "{} needs {} value{}, not {}", enum_name(pname), info->count,
-                     info->count == 1 ? "" : "s", c.arguments.size() - 2);
+        return raise(kGL_INVALID_VALUE, c, "{} needs {}, not {}", enum_name(pname),
+                     values_text(static_cast<std::size_t>(info->count)), c.arguments.size() - 2);
     }
     const auto values = parameter_values(c, Owner::kLight, pname);
     if (!values) return;

@@ -86,12 +86,10 @@ Frame frame_of(const CommandList& commands, const StateOptions& options, bool th
     if (frame.draws().empty())
         throw SceneError(
             commands.is_program
-                ? fmt::format(
-                      "{0}: this program's first picture is empty; if it draws after a key: twinlight record {0} "
-                      "--keys TEXT",
-                      commands.name)
-                : fmt::format("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);",
-                              commands.name));
+                ? tr("{0}: this program's first picture is empty; if it draws after a key: twinlight record {0} "
+                     "--keys TEXT",
+                     commands.name)
+                : tr("{}: this scene draws nothing; add a shape, such as glutSolidSphere(1, 64, 32);", commands.name));
     return frame;
 }
 

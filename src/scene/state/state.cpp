@@ -425,18 +425,19 @@ void State::show_shared_buffers() {
 std::optional<GlError> State::unfinished() const {
     if (lists_.open_name != 0)
         return GlError{kGL_INVALID_OPERATION, lists_.opened,
-                       "this glNewList has no glEndList; add it after the commands of the list"};
+                       tr("this glNewList has no glEndList; add it after the commands of the list")};
     if (open_)
-        return GlError{kGL_INVALID_OPERATION, open_->place, "this glBegin has no glEnd; add it after the last vertex"};
+        return GlError{kGL_INVALID_OPERATION, open_->place,
+                       tr("this glBegin has no glEnd; add it after the last vertex")};
     std::vector<const MatrixStack*> stacks{&modelview_, &projection_};
     for (const MatrixStack& one : texture_) stacks.push_back(&one);
     for (const MatrixStack* s : stacks)
         if (s->size() > 1)
             return GlError{kGL_STACK_OVERFLOW, s->back().pushed,
-                           "this glPushMatrix has no glPopMatrix; each push needs a pop"};
+                           tr("this glPushMatrix has no glPopMatrix; each push needs a pop")};
     if (!attribute_stack_.empty())
         return GlError{kGL_STACK_OVERFLOW, attribute_stack_.back().pushed,
-                       "this glPushAttrib has no glPopAttrib; each push needs a pop"};
+                       tr("this glPushAttrib has no glPopAttrib; each push needs a pop")};
     return std::nullopt;
 }
 

@@ -103,13 +103,13 @@ bool State::check_depths(const Command& c, Enum texture, Enum base_format, Enum 
     const bool are_depths = pixels == kGL_DEPTH_COMPONENT, has_depths = base_format == kGL_DEPTH_COMPONENT;
     if (are_depths != has_depths) {
         raise(kGL_INVALID_OPERATION, c, "{} puts pixels of {} into an image of {}", c.name(),
-              are_depths ? "depths" : "colours", has_depths ? "depths" : "colours");
+              are_depths ? tr("depths") : tr("colours"), has_depths ? tr("depths") : tr("colours"));
         return false;
     }
     // OpenGL 3.0 allows depths in cube maps, so drivers do.
     if (!has_depths || (texture != kGL_TEXTURE_3D && texture != kGL_TEXTURE_CUBE_MAP)) return true;
     raise(kGL_INVALID_OPERATION, c, "{} of depths; {} can only have colours", c.name(),
-          texture == kGL_TEXTURE_3D ? "a texture of three dimensions" : "a cube map");
+          texture == kGL_TEXTURE_3D ? tr("a texture of three dimensions") : tr("a cube map"));
     return false;
 }
 
@@ -118,7 +118,7 @@ std::optional<std::span<const std::byte>> State::pixel_memory(const Command& c, 
     const BufferObject* buffer = lists_.nesting > 0 ? nullptr : arrays_.pixel_unpack_buffer();
     if (buffer && (c.memory || buffer->mapped)) {
         raise(kGL_INVALID_OPERATION, c, "{} reads the buffer that is bound to GL_PIXEL_UNPACK_BUFFER, {}", c.name(),
-              c.memory ? "but is given an array; give an offset" : "which is mapped; call glUnmapBuffer first");
+              c.memory ? tr("but is given an array; give an offset") : tr("which is mapped; call glUnmapBuffer first"));
         return std::nullopt;
     }
     const std::span<const std::byte> bytes = buffer     ? std::span(buffer->bytes)

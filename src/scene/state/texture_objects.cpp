@@ -295,7 +295,7 @@ std::shared_ptr<const Texture> State::with_levels(const std::shared_ptr<const Te
 
 bool State::counts(const Command& c, const char* what) {
     if (c.number(0) >= 0) return true;
-    raise(kGL_INVALID_VALUE, c, "{} is given {} {}; the number must be 0 or more", c.name(), c.number(0), what);
+    raise(kGL_INVALID_VALUE, c, "{} is given {} {}; the number must be 0 or more", c.name(), c.number(0), tr(what));
     return false;
 }
 

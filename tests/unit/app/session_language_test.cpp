@@ -2,14 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "../in_chinese.h"
 #include "app/session/keys.h"
 #include "app/session/language.h"
 #include "app/session/presets.h"
@@ -25,12 +28,6 @@
 
 namespace twinlight::session::session_language_test {
 namespace {
-
-// The window's language while this object lives.
-struct InChinese {
-    InChinese() { set_language(lesson::Language::kChinese); }
-    ~InChinese() { set_language(lesson::Language::kEnglish); }
-};
 
 // ---- The sources ----
 
@@ -74,19 +71,45 @@ std::vector<Token> tokens_of(std::string_view source) {
     return tokens;
 }
 
-// What a call is given, from the token after its "(": the strings of all arguments or of the first.
-std::vector<std::string> texts_given(const std::vector<Token>& tokens, std::size_t at, bool all) {
+constexpr int kAll = -1;
+
+// What a call is given, from the token after its "(": the strings of one argument, counted from 0, or of all.
+std::vector<std::string> texts_given(const std::vector<Token>& tokens, std::size_t at, int argument) {
     std::vector<std::string> texts;
-    for (int depth = 0; at < tokens.size() && depth >= 0; ++at) {
+    for (int depth = 0, now = 0; at < tokens.size() && depth >= 0; ++at) {
         const auto& [kind, text] = tokens[at];
-        if (kind == Token::Kind::kText) texts.push_back(text);
+        if (kind == Token::Kind::kText && (now == argument || argument == kAll)) texts.push_back(text);
         if (kind != Token::Kind::kSign) continue;
-        if (text == "(") ++depth;
-        if (text == ")") --depth;
-        if (text == "," && depth == 0 && !all) break;
+        if (text == "(" || text == "{" || text == "[") ++depth;
+        if (text == ")" || text == "}" || text == "]") --depth;
+        if (text == "," && depth == 0) ++now;
     }
     return texts;
 }
+
+// A function that translates a text it is given, and the folder where it does.
+struct Translator {
+    std::string_view name, folder;
+    int argument = 0;
+};
+constexpr Translator kTranslators[] = {
+    {"tr", "src"},
+    {"checkbox", "src/app/demo", kAll},
+    {"header", "src/app/demo", kAll},
+    {"button", "src/app/demo", kAll},
+    {"of_model", "src/app/demo", kAll},
+    {"described", "src/app/demo", kAll},
+    // Those that make errors get a format.
+    {"fail", "src/scene/command", 1},
+    {"expect", "src/scene/command", 1},
+    {"raise", "src/scene/state", 2},
+    {"refused", "src/scene/state", 2},
+    {"undefined", "src/scene/state", 2},
+    {"counts", "src/scene/state", 1},
+    {"refuse", "src/scene/shape", 0},
+    {"refuse_unless", "src/scene/shape", 2},
+    {"refuse", "src/scene/mesh", 1},
+};
 
 bool is_source(const std::filesystem::path& path) {
     return path.filename() != "chinese.def" &&
@@ -156,25 +179,23 @@ std::set<std::string> texts_of_tables() {
 
 TEST(Chinese, HasEachTextOfTheSources) {
     const std::set<std::string> known = rows();
-    // These pass what they get to tr().
-    constexpr std::array<std::string_view, 5> kPassOn = {"checkbox", "header", "button", "of_model", "described"};
-    std::size_t count = 0;
-    for (const char* folder : {"src/app", "src/judge", "src/render"})
-        for_each_source(folder, [&](const std::string& file, const std::vector<Token>& tokens) {
-            for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-                const bool is_tr = tokens[i].text == "tr",
-                           passes_on = std::ranges::find(kPassOn, tokens[i].text) != kPassOn.end();
-                if (tokens[i].kind != Token::Kind::kWord || tokens[i + 1].text != "(" || !(is_tr || passes_on))
+    std::map<std::string_view, std::size_t> found;
+    for_each_source("src", [&](const std::string& file, const std::vector<Token>& tokens) {
+        for (std::size_t i = 0; i + 1 < tokens.size(); ++i)
+            for (const auto& [name, folder, argument] : kTranslators) {
+                if (tokens[i].kind != Token::Kind::kWord || tokens[i].text != name || tokens[i + 1].text != "(" ||
+                    !file.starts_with(folder))
                     continue;
-                for (const std::string& text : texts_given(tokens, i + 2, passes_on)) {
-                    if (file.starts_with("src/app/demo") || is_tr) {
-                        EXPECT_TRUE(known.contains(text)) << file << ": " << text;
-                        ++count;
-                    }
+                for (const std::string& text : texts_given(tokens, i + 2, argument)) {
+                    EXPECT_TRUE(known.contains(text) || (name != "tr" && !has_words(text))) << file << ": " << text;
+                    ++found[name];
                 }
             }
-        });
-    EXPECT_GT(count, 300);  // the test does find them
+    });
+    for (const Translator& one : kTranslators) EXPECT_GT(found[one.name], 0U) << one.name;
+    EXPECT_GT(found["tr"], 300U);
+    EXPECT_GT(found["fail"], 200U);
+    EXPECT_GT(found["raise"], 100U);
 }
 
 TEST(Chinese, HasEachTextOfTheTables) {
@@ -193,6 +214,9 @@ TEST(Chinese, HasNoTextThatNothingShows) {
         for (const Token& token : tokens)
             if (token.kind == Token::Kind::kText) shown.insert(token.text);
     });
+    for (const int error :
+         {ENOENT, EACCES, EISDIR, ENOTDIR, EEXIST, ENAMETOOLONG, ELOOP, EMFILE, EROFS, ENOSPC, EDQUOT, EIO})
+        shown.insert(std::strerror(error));
     for (const std::string& row : rows()) EXPECT_TRUE(shown.contains(row)) << row;
     EXPECT_EQ(rows().size(), chinese().size()) << "a text has two rows";
 }
@@ -203,7 +227,9 @@ std::multiset<std::string> fields_of(std::string_view text) {
     int next = 0;
     bool is_counted = false, is_numbered = false;
     for (std::size_t at = 0; at < text.size(); ++at) {
-        if (text[at] == '{') {
+        if (text.substr(at).starts_with("{{")) {
+            ++at;
+        } else if (text[at] == '{') {
             const std::size_t end = text.find('}', at), colon = std::min(text.find(':', at), end);
             std::string number(text.substr(at + 1, colon - at - 1));
             (number.empty() ? is_counted : is_numbered) = true;
