@@ -38,7 +38,7 @@ double step_of(const session::ArgumentInfo& info, double value) {
 
 // The number that the text means: any constant expression of C. Throws SceneError.
 double number_of(const std::string& text) {
-    const CommandList read = read_scene("glTranslated(" + text + ", 0, 0);", "the number", "the number");
+    const CommandList read = read_scene("glTranslated(" + text + ", 0, 0);", tr("the number"), tr("the number"));
     if (read.commands.size() != 1) throw std::invalid_argument(tr("type one number"));
     return read.commands.front().number(0);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/text/translation.h"
 #include "render/context/gl.h"
 
 // X's headers come after render/context/gl.h, which declares GL.
@@ -29,7 +30,7 @@ struct DrawingContext::X {
 
 DrawingContext::DrawingContext() : x_(std::make_unique<X>()) {
     x_->display = XOpenDisplay(nullptr);
-    if (!x_->display) throw std::runtime_error("X gives no second connection");
+    if (!x_->display) throw std::runtime_error(tr("X gives no second connection"));
     constexpr int kAttributes[] = {GLX_DRAWABLE_TYPE,
                                    GLX_PBUFFER_BIT,
                                    GLX_RENDER_TYPE,
@@ -56,7 +57,7 @@ DrawingContext::DrawingContext() : x_(std::make_unique<X>()) {
     if (configs && count > 0) x_->config = configs[0];
     if (configs) XFree(configs);
     if (x_->config) x_->context = glXCreateNewContext(x_->display, x_->config, GLX_RGBA_TYPE, nullptr, True);
-    if (!x_->context) throw std::runtime_error("X gives no context without a window");
+    if (!x_->context) throw std::runtime_error(tr("X gives no context without a window"));
 }
 
 DrawingContext::~DrawingContext() = default;
@@ -69,7 +70,7 @@ void DrawingContext::make_current(int width, int height) {
     const int attributes[] = {GLX_PBUFFER_WIDTH, width, GLX_PBUFFER_HEIGHT, height, GLX_PRESERVED_CONTENTS, True, None};
     const GLXPbuffer buffer = glXCreatePbuffer(x_->display, x_->config, attributes);
     if (buffer == 0 || !glXMakeContextCurrent(x_->display, buffer, buffer, x_->context))
-        throw std::runtime_error("X gives no buffer without a window");
+        throw std::runtime_error(tr("X gives no buffer without a window"));
     if (x_->buffer != 0) glXDestroyPbuffer(x_->display, x_->buffer);
     x_->buffer = buffer;
     x_->width = width;

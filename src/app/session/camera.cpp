@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/math/directions.h"
+#include "base/text/translation.h"
 #include "scene/command/command_set.h"
 
 namespace twinlight::session {
@@ -132,7 +133,7 @@ std::optional<Enum> look_at_mode(const CommandList& commands) {
 
 // The file of inserted commands.
 const std::shared_ptr<const std::string>& window_camera() {
-    static const auto kFile = std::make_shared<const std::string>("the window's camera");
+    static const auto kFile = std::make_shared<const std::string>(tr("the window's camera"));
     return kFile;
 }
 

@@ -42,7 +42,7 @@ bool is_initially_on(Enum cap) { return State().capability(cap).value_or(false);
 
 // The place of commands that the window made.
 const std::shared_ptr<const std::string>& windows_file() {
-    static const auto kFile = std::make_shared<const std::string>("the window");
+    static const auto kFile = std::make_shared<const std::string>(tr("the window"));
     return kFile;
 }
 

@@ -116,7 +116,7 @@ CommandList corrected(const CommandList& commands, const Finding& finding) {
             written = {commands.commands[*from]};
             changes[*from].removed = true;
         } else if (!edit.insert.empty()) {
-            written = read_scene(edit.insert, "the window", "the window").commands;
+            written = read_scene(edit.insert, tr("the window"), tr("the window")).commands;
             // They keep the place of what they replace.
             for (Command& command : written) {
                 if (edit.removes)

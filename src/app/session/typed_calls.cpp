@@ -10,7 +10,7 @@
 namespace twinlight::session {
 
 void insert_calls(Session& session, std::string_view text, std::optional<std::size_t> replaced) {
-    const CommandList typed = read_scene(text, "the typed call", "the typed call");
+    const CommandList typed = read_scene(text, tr("the typed call"), tr("the typed call"));
     CommandList edited = commands(session);
     std::size_t at = edited.commands.size();
     if (session.selected_command && *session.selected_command < at)

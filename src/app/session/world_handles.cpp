@@ -11,6 +11,7 @@
 #include "app/session/world.h"
 #include "base/math/as_float.h"
 #include "base/math/directions.h"
+#include "base/text/translation.h"
 
 namespace twinlight::session {
 namespace {
@@ -54,7 +55,7 @@ CommandList with_values(const CommandList& commands, int light, Enum pname, cons
     for (int i = 0; i < Vector::length(); ++i) numbers.push_back(value[i]);
     CommandList result = commands;
     if (typed.is_initial()) {
-        static const auto kFile = std::make_shared<const std::string>("the window's light");
+        static const auto kFile = std::make_shared<const std::string>(tr("the window's light"));
         const bool is_extra = light >= kMaxLights;
         const Enum name = static_cast<Enum>(light) + (is_extra ? 0 : kGL_LIGHT0);
         Command command{is_extra ? CommandId::pragma_light : CommandId::glLightfv,

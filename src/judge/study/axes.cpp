@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/text/translation.h"
 #include "judge/study/choice.h"
 
 namespace twinlight::study {
@@ -111,7 +112,7 @@ constexpr Axis kSlices = {.name = "slices",
                           .value =
                               [](const Choice& choice) {
                                   if (choice.slices == 0) return Value{"", "as in the scene", false};
-                                  return Value{std::to_string(choice.slices), fmt::format("{} slices", choice.slices)};
+                                  return Value{std::to_string(choice.slices), tr("{} slices", choice.slices)};
                               },
                           .set =
                               [](Choice& choice, std::string_view key) {
@@ -169,7 +170,8 @@ const std::vector<Axis>& axes() {
 std::string Choice::words() const {
     std::string text;
     for (const Axis& axis : axes())
-        if (const Value value = axis.value(*this); value.is_mentioned) text += (text.empty() ? "" : ", ") + value.words;
+        if (const Value value = axis.value(*this); value.is_mentioned)
+            text += (text.empty() ? "" : tr(", ")) + tr(value.words);
     return text;
 }
 

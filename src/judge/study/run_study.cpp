@@ -7,6 +7,7 @@
 
 #include "base/image/difference.h"
 #include "base/image/png.h"
+#include "base/text/translation.h"
 #include "judge/study/study.h"
 
 namespace twinlight::study {
@@ -138,7 +139,7 @@ class Run {
                 const double whole = std::max(settings_.seconds, rounds > 0 ? gone / rounds * least : 0);
                 constexpr int kParts = 100;
                 const int part = whole > 0 ? std::min(kParts, static_cast<int>(kParts * gone / whole)) : 0;
-                const std::string next = "timing, round " + std::to_string(study_.series[0].rounds + 1);
+                const std::string next = tr("timing, round {}", study_.series[0].rounds + 1);
                 if (!goes_on(part, kParts, next, std::max(0.0, whole - gone))) return;
                 study_.points[i].seconds.push_back(time_of(i));
             }

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/text/input_text.h"
+#include "base/text/translation.h"
 #include "render/context/gl.h"
 #include "render/programmable/numbers/vertex_attributes.h"
 
@@ -39,7 +40,7 @@ std::string log_of(GLuint object, decltype(glGetShaderiv) get, decltype(glGetSha
 
 [[noreturn]] void refuse(const char* what, const std::string& log, const std::string& source,
                          const EffectSet& effects) {
-    throw ShaderRefused(fmt::format("the driver refuses {}: {}", what, log.substr(0, log.find('\n'))),
+    throw ShaderRefused(tr("the driver refuses {}: {}", what, log.substr(0, log.find('\n'))),
                         fmt::format("{}\n{}\nfor these effects:\n{}", log, source, describe(effects)));
 }
 
@@ -93,8 +94,7 @@ void check_lights_fit(const std::string& source, GLenum limit_name) {
     std::set<std::string> kinds;
     for (const UniformNumbers::Array& array : numbers.arrays)
         if (kinds.insert(array.light).second) fitting += std::min(array.length, longest);
-    throw ShaderRefused(
-        fmt::format("a draw has more lights than the {} that this driver can have in a shader", fitting), "");
+    throw ShaderRefused(tr("a draw has more lights than the {} that this driver can have in a shader", fitting), "");
 }
 
 GLuint start_compiling(GLenum type, const std::string& source) {
@@ -150,14 +150,14 @@ bool ShaderProgram::is_ready() const {
 }
 
 void ShaderProgram::link() {
-    check_compiled(vertex_, "a vertex shader", source_.vertex, effects_);
-    check_compiled(fragment_, "a fragment shader", source_.fragment, effects_);
+    check_compiled(vertex_, tr("a vertex shader"), source_.vertex, effects_);
+    check_compiled(fragment_, tr("a fragment shader"), source_.fragment, effects_);
     GLint linked = GL_FALSE;
     glGetProgramiv(program_, GL_LINK_STATUS, &linked);
     if (!linked) {
         check_lights_fit(source_.vertex, GL_MAX_VERTEX_UNIFORM_COMPONENTS);
         check_lights_fit(source_.fragment, GL_MAX_FRAGMENT_UNIFORM_COMPONENTS);
-        refuse("a program", log_of(program_, glGetProgramiv, glGetProgramInfoLog),
+        refuse(tr("a program"), log_of(program_, glGetProgramiv, glGetProgramInfoLog),
                numbered(source_.vertex) + "\n" + numbered(source_.fragment), effects_);
     }
     for (GLuint* shader : {&vertex_, &fragment_}) glDeleteShader(std::exchange(*shader, 0));

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/text/translation.h"
 #include "render/context/context.h"
 #include "render/context/gl.h"
 #include "render/context/render_target.h"
@@ -53,9 +54,8 @@ void upload(const Texture& texture) {
         else
             glTexImage2D(target, level, format, image.width, image.height, 0, pixels, GL_FLOAT, data);
         if (const GLenum error = glGetError(); error != GL_NO_ERROR)
-            throw std::runtime_error(
-                fmt::format("the driver refuses level {} of a texture, {} x {} x {} texels: GL error {:#x}", level,
-                            image.width, image.height, image.depth, error));
+            throw std::runtime_error(tr("the driver refuses level {} of a texture, {} x {} x {} texels: GL error {:#x}",
+                                        level, image.width, image.height, image.depth, error));
     };
     for (std::size_t face = 0; face < texture.face_count(); ++face)
         for (std::size_t i = 0; i < texture.face(face).size(); ++i) upload_level(face, i);

@@ -22,6 +22,7 @@
 #include "base/image/file.h"
 #include "base/text/translation.h"
 #include "judge/lint/lint.h"
+#include "judge/study/choice.h"
 #include "scene/scenes/caption.h"
 #include "scene/scenes/load.h"
 #include "scene/scenes/scene_groups.h"
@@ -260,6 +261,14 @@ TEST(Chinese, IsShownByTheWindowOnly) {
     EXPECT_EQ(tr("{} of {} follows glColor; glMaterial cannot change it", "GL_SPECULAR", tr("both faces")),
               "两面的 GL_SPECULAR 跟随 glColor；glMaterial 改变不了它");
     EXPECT_EQ(tr("no such text"), std::string("no such text"));
+}
+
+TEST(Chinese, NamesWhatTheTabAccuracyMeasures) {
+    const InChinese chinese_now;
+    const auto words = [](Shading shading) { return study::Choice{.shading = shading, .slices = 16}.words(); };
+    EXPECT_EQ(words(Shading::kGouraud), "使用 uniform 的着色器，Gouraud 着色，16 个 slices");
+    EXPECT_EQ(words(Shading::kPhong), "使用 uniform 的着色器，Phong 着色，16 个 slices");
+    EXPECT_EQ(words(Shading::kExact), "使用 uniform 的着色器，精确曲面，16 个 slices");
 }
 
 TEST(Chinese, CaptionsAreTranslatedOnlyForBuiltInScenes) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/text/translation.h"
 #include "scene/command/names.h"
 
 namespace twinlight::programmable {
@@ -46,11 +47,12 @@ Code kept_code(const Draw& draw, const Plan& plan, Glsl version) {
 std::string why_not_kept(const Frame& frame) {
     for (const Draw* draw : frame.draws()) {
         if (!draw->lighting.enabled) continue;
-        if (draw->lighting.light_model.spectrum) return "it multiplies colours as spectra (#pragma twinlight spectrum)";
+        if (draw->lighting.light_model.spectrum)
+            return tr("it multiplies colours as spectra (#pragma twinlight spectrum)");
         for (std::size_t i = kMostKeptLights; i < draw->lighting.lights.size(); ++i)
             if (draw->lighting.lights[i].enabled)
-                return fmt::format("it uses {}, and they have at most {} lights", light_name(static_cast<int>(i)),
-                                   kMostKeptLights);
+                return tr("it uses {}, and they have at most {} lights", light_name(static_cast<int>(i)),
+                          kMostKeptLights);
     }
     return "";
 }

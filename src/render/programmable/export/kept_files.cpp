@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/text/translation.h"
 #include "render/programmable/export/c_text.h"
 #include "render/programmable/export/core_elements.h"
 #include "render/programmable/export/kept_code.h"
@@ -305,21 +306,21 @@ class Writer {
 
 std::string why_not_in_files(const Frame& frame) {
     if (std::string why = why_not_kept(frame); !why.empty()) return why;
-    if (frame.copies_pixels) return "it copies pixels of its picture (glCopyPixels)";
-    if (accumulates(frame)) return "it uses the accumulation buffer (glAccum), which core GL lacks";
+    if (frame.copies_pixels) return tr("it copies pixels of its picture (glCopyPixels)");
+    if (accumulates(frame)) return tr("it uses the accumulation buffer (glAccum), which core GL lacks");
     for (const Draw* draw : frame.draws()) {
-        if (!draw->further_units.empty()) return "it uses more than one texture unit (glActiveTexture)";
-        if (draw->combines_textures()) return "it combines textures with GL_COMBINE (glTexEnv)";
+        if (!draw->further_units.empty()) return tr("it uses more than one texture unit (glActiveTexture)");
+        if (draw->combines_textures()) return tr("it combines textures with GL_COMBINE (glTexEnv)");
         if (draw->raster.point_parameters.depends_on_distance())
-            return "its points become smaller with the distance (glPointParameter)";
-        if (draw->texture.texture && draw->texture.texture->is_cube()) return "it uses a cube map";
+            return tr("its points become smaller with the distance (glPointParameter)");
+        if (draw->texture.texture && draw->texture.texture->is_cube()) return tr("it uses a cube map");
         if (draw->column(VertexAttribute::kSecondaryColor))
-            return "it adds secondary colours without lighting (glSecondaryColor)";
-        if (draw->column(VertexAttribute::kFogCoord)) return "it uses fog coordinates (glFogCoord)";
-        if (draw->raster.line_stipple) return "it uses a line stipple, which core GL lacks";
-        if (draw->raster.polygon_stipple) return "it uses a polygon stipple, which core GL lacks";
-        if (draw->raster.point_sprite) return "it uses point sprites (GL_POINT_SPRITE)";
-        if (draw->raster.point_smooth) return "it uses smooth points, which core GL lacks";
+            return tr("it adds secondary colours without lighting (glSecondaryColor)");
+        if (draw->column(VertexAttribute::kFogCoord)) return tr("it uses fog coordinates (glFogCoord)");
+        if (draw->raster.line_stipple) return tr("it uses a line stipple, which core GL lacks");
+        if (draw->raster.polygon_stipple) return tr("it uses a polygon stipple, which core GL lacks");
+        if (draw->raster.point_sprite) return tr("it uses point sprites (GL_POINT_SPRITE)");
+        if (draw->raster.point_smooth) return tr("it uses smooth points, which core GL lacks");
     }
     return "";
 }
