@@ -118,24 +118,6 @@ TEST(BadInput, Pictures) {
     });
 }
 
-// ---- In Chinese ----
-
-// English words of an error's message in Chinese. Words of the input may be there, lists of names, and code in a translation, such as
-// "twinlight record".
-std::string english_left(const TextError& error, const std::string& input) {
-    std::string message = error.message;
-    for (std::string words; !(words = english_words_in(message)).empty();) {
-        const auto is_code = [&](const Translation& row) {
-            return std::string_view(row.translated).find(words) != std::string_view::npos;
-        };
-        if (input.find(words) == input.npos && words.find(',') == words.npos &&
-            std::ranges::none_of(session::chinese(), is_code))
-            return words;
-        message.erase(message.find(words), words.size());
-    }
-    return "";
-}
-
 TEST(BadInput, IsReportedInChinese) {
     const InChinese chinese;
     std::size_t count = 0;
@@ -147,7 +129,7 @@ TEST(BadInput, IsReportedInChinese) {
                                              {.width = 16, .height = 16}));
             } catch (const SceneError& error) {
                 for (const TextError& one : error.errors)
-                    EXPECT_EQ(english_left(one, row.input), "") << one.message << "\nfor " << row.input;
+                    EXPECT_EQ(english_left(one.message, row.input), "") << one.message << "\nfor " << row.input;
                 count += error.errors.size();
             }
         }

@@ -27,29 +27,11 @@ std::string without_marks(std::string_view text) {
     return plain;
 }
 
-// What the rule of a warning says in the window's language; empty in English. Messages, with names and numbers in them, are not
-// translated.
-std::string translated_rule(const lint::Warning& warning) {
-    const std::string what = tr(warning.rule->what);
-    return what == warning.rule->what ? "" : without_marks(what);
-}
-
-// What is wrong, for messages.
-std::string words_of(const lint::Warning& warning) {
-    const std::string rule = translated_rule(warning);
-    return rule.empty() ? warning.message : rule;
-}
-
 // With a capital letter, unless it starts with a name of GL.
 std::string as_sentence(std::string message) {
     if (!message.starts_with("gl") && !message.empty())
         message[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(message[0])));
-    return message + ".";
-}
-
-std::string heading_of(const lint::Warning& warning) {
-    const std::string rule = translated_rule(warning);
-    return rule.empty() ? as_sentence(warning.message) : rule;
+    return message + tr(".");
 }
 
 }  // namespace
@@ -103,7 +85,7 @@ bool LintPanel::show(session::Session& session) {
         ImGui::Dummy({0, ImGui::GetFontSize() / 4});
         ImGui::Separator();
         ImGui::Dummy({0, ImGui::GetFontSize() / 4});
-        bold_text(heading_of(warning));
+        bold_text(as_sentence(warning.message));
         ImGui::PushFont(fonts().code);
         colored_text(kAccent, print_command(commands(session).commands[finding.command]));
         ImGui::PopFont();
@@ -130,7 +112,7 @@ bool LintPanel::show(session::Session& session) {
     if (to_fix) {
         const session::Finding& finding = findings_[*to_fix];
         edit(session, session::corrected(commands(session), finding), tr("fix {}", finding.warning.rule->name));
-        say(session, tr("corrected: {}; z undoes it", words_of(finding.warning)));
+        say(session, tr("corrected: {}; z undoes it", finding.warning.message));
     }
     return selected;
 }

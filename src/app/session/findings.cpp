@@ -41,19 +41,22 @@ std::string where(const Command& command) {
     return place.line > 0 && place.column > 0 ? tr("line {}", place.line) : tr("inserted here");
 }
 
-// The linter saw the numbers of commands as lines. "(line 12)" becomes the line of command 12.
+// The linter saw the numbers of commands as lines. "(line 12)" becomes the line of command 12, in any language.
 std::string with_lines(const std::string& message, const CommandList& commands) {
-    constexpr std::string_view kLine = "line ";
+    const std::string_view line = translation_of("line {}"), before = line.substr(0, line.find('{')),
+                           after = line.substr(line.find('}') + 1);
     std::string text;
     for (std::size_t at = 0; at < message.size();) {
         int number = 0;
-        const char* digits = message.data() + at + kLine.size();
+        const char* digits = message.data() + at + before.size();
         const char* end = message.data() + message.size();
-        if (message.compare(at, kLine.size(), kLine) == 0) {
+        if (message.compare(at, before.size(), before) == 0) {
             const auto read = std::from_chars(digits, end, number);
-            if (read.ec == std::errc() && number >= 1 && static_cast<std::size_t>(number) <= commands.commands.size()) {
+            const auto next = static_cast<std::size_t>(read.ptr - message.data());
+            if (read.ec == std::errc() && number >= 1 && static_cast<std::size_t>(number) <= commands.commands.size() &&
+                message.compare(next, after.size(), after) == 0) {
                 text += where(commands.commands[static_cast<std::size_t>(number) - 1]);
-                at = static_cast<std::size_t>(read.ptr - message.data());
+                at = next + after.size();
                 continue;
             }
         }
@@ -88,6 +91,7 @@ std::vector<Finding> findings_of(const CommandList& commands, WindowSize size) {
         if (!index) continue;
         const bool fixes = can_fix(warning, commands.commands.size());
         warning.message = with_lines(warning.message, commands);
+        warning.fix = with_lines(warning.fix, commands);
         findings.push_back({std::move(warning), *index, where(commands.commands[*index]), fixes});
     }
     if (commands.text) {

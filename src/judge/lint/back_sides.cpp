@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text/translation.h"
 #include "judge/lint/seen.h"
 #include "render/reference/vertices/draw_lighting.h"
 
@@ -87,9 +88,9 @@ class BackSeen : public Watch {
         const std::string call = "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);";
         warn({.place = draw.place,
               .message =
-                  "the back of this surface is seen, but its normals point away from the viewer, so no light from "
-                  "this side reaches it",
-              .fix = call + " or, if only this side is seen, turn the normals around",
+                  tr("the back of this surface is seen, but its normals point away from the viewer, so no light from "
+                     "this side reaches it"),
+              .fix = tr("{} or, if only this side is seen, turn the normals around", call),
               .edits = {{.place = draw.place, .insert = call}},
               .key = "back"});
     }

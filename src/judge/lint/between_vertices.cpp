@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/text/translation.h"
 #include "judge/lint/seen.h"
 #include "render/lighting_of.h"
 #include "render/reference/vertices/draw_lighting.h"
@@ -295,11 +296,11 @@ class BetweenVertices : public Watch {
         for (const LostLight& lost : lost_lights(frame)) {
             if (lost.part != kPart) continue;
             warn({.place = lost.draw->place,
-                  .message = fmt::format(
-                      "{} of {} falls between the vertices and is lost: there it would add {:.2f}, "
-                      "but GL lights vertices only, and it adds at most {:.2f} to those of this surface",
-                      words_of(kPart), light_name(lost.light), std::min(lost.between, 1.0), lost.brightest_vertex),
-                  .fix = "divide the surface into smaller pieces, or use shaders (--shading phong)",
+                  .message = tr("{} of {} falls between the vertices and is lost: there it would add {:.2f}, "
+                                "but GL lights vertices only, and it adds at most {:.2f} to those of this surface",
+                                tr(words_of(kPart)), light_name(lost.light), std::min(lost.between, 1.0),
+                                lost.brightest_vertex),
+                  .fix = tr("divide the surface into smaller pieces, or use shaders (--shading phong)"),
                   .key = light_name(lost.light)});
         }
     }

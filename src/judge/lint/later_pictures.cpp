@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text/translation.h"
 #include "judge/lint/watch.h"
 #include "render/reference/reference.h"
 #include "scene/frame/parameter_rows.h"
@@ -217,9 +218,9 @@ class LeftForNextPicture : public Watch {
         const Command& command = left.command;
         const Change& change = left.changes.front();
         Warning warning{.place = command.place,
-                        .message = fmt::format("this {} still holds when the next picture starts: {} is drawn without "
-                                               "it in the first picture, and with it in all others",
-                                               short_call(command), where(change.place)),
+                        .message = tr("this {} still holds when the next picture starts: {} is drawn without "
+                                      "it in the first picture, and with it in all others",
+                                      short_call(command), where(change.place)),
                         .fix = {},
                         .key = fmt::format("{}:{}", command.place.line, command.place.column)};
         if (variable.kind == Variable::Kind::kEnable) {
@@ -227,13 +228,13 @@ class LeftForNextPicture : public Watch {
             const bool is_light = variable.first == kGL_LIGHTING || light_number(variable.first);
             const std::string call = fmt::format("{}({});", is_light || change.value[0] != 0 ? "glEnable" : "glDisable",
                                                  enum_name(variable.first));
-            warning.fix = fmt::format("{} before {}", call, where(change.place));
+            warning.fix = tr("{} before {}", call, where(change.place));
             warning.edits = {{.place = change.place, .insert = call}};
         } else {
-            warning.fix = fmt::format(
-                "call it before {} in each picture, or set the value back after the object that "
-                "it is for",
-                where(change.place));
+            warning.fix =
+                tr("call it before {} in each picture, or set the value back after the object that "
+                   "it is for",
+                   where(change.place));
         }
         warn(std::move(warning));
     }
@@ -328,11 +329,11 @@ class LightBeforeIdentity : public MovingLights {
     void loaded() override {
         for (const Command& command : waiting_)
             warn({.place = command.place,
-                  .message = fmt::format(
-                      "the {} of {} is set before glLoadIdentity ({}): from the second picture on the "
-                      "matrix that the previous picture left moves it",
-                      enum_name(pname_of(command)), light_name(light_of(command).value_or(0)), where(*reset())),
-                  .fix = "call glLoadIdentity before it, and set the camera there",
+                  .message =
+                      tr("the {} of {} is set before glLoadIdentity ({}): from the second picture on the "
+                         "matrix that the previous picture left moves it",
+                         enum_name(pname_of(command)), light_name(light_of(command).value_or(0)), where(*reset())),
+                  .fix = tr("call glLoadIdentity before it, and set the camera there"),
                   .edits = {{.place = *reset(), .is_after = true, .moved = command.place}},
                   .key = fmt::format("{}:{}", command.place.line, command.place.column)});
         waiting_.clear();
@@ -369,13 +370,13 @@ class LightTurnsWithObjects : public MovingLights {
             if (!light.camera && !is_one_object) continue;
             if (!std::ranges::all_of(steps_, [&](const DrawnStep& step) { return same_matrix(step.step, light.step); }))
                 continue;
-            Warning warning{.place = light.place,
-                            .message = fmt::format(
-                                "{} turns with the objects, so the same sides are always lit: its position is set "
-                                "after their glRotate ({})",
-                                light.name, where(light.turn)),
-                            .fix = "set its position before the glRotate, right after the camera",
-                            .key = light.name};
+            Warning warning{
+                .place = light.place,
+                .message = tr("{} turns with the objects, so the same sides are always lit: its position is set "
+                              "after their glRotate ({})",
+                              light.name, where(light.turn)),
+                .fix = tr("set its position before the glRotate, right after the camera"),
+                .key = light.name};
             if (light.camera) warning.edits = {{.place = *light.camera, .is_after = true, .moved = light.place}};
             warn(std::move(warning));
         }

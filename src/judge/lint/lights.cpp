@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text/translation.h"
 #include "judge/lint/watch.h"
 #include "scene/command/text.h"
 
@@ -52,10 +53,9 @@ class BeforeCamera : public Watch {
             const Typed& typed = *typed_[at];
             warn({.place = typed.place,
                   .message =
-                      fmt::format("the {} of {} is set before gluLookAt ({}), so the light moves with the camera",
-                                  is_direction ? "spot direction" : "position", light_name(light), where(typed.camera)),
-                  .fix =
-                      fmt::format("call glLightfv({}, {}, ...) after gluLookAt", light_name(light), enum_name(pname_)),
+                      tr("the {} of {} is set before gluLookAt ({}), so the light moves with the camera",
+                         is_direction ? tr("spot direction") : tr("position"), light_name(light), where(typed.camera)),
+                  .fix = tr("call glLightfv({}, {}, ...) after gluLookAt", light_name(light), enum_name(pname_)),
                   .edits = {{.place = typed.camera, .is_after = true, .moved = typed.place}},
                   .key = light_name(light)});
             typed_[at].reset();
@@ -123,11 +123,10 @@ class InEveryDraw : public Watch {
 
     // Warns about a light with w = 0, which w = 1 fixes.
     void warn_directional(int light, const Place& place, std::string message, const Parameters& parameters) {
-        Warning warning{
-            .place = place,
-            .message = std::move(message),
-            .fix = fmt::format("set w of GL_POSITION to 1: glLightfv({}, GL_POSITION, (GLfloat[]){{x, y, z, 1}})",
-                               light_name(light))};
+        Warning warning{.place = place,
+                        .message = std::move(message),
+                        .fix = tr("set w of GL_POSITION to 1: glLightfv({}, GL_POSITION, (GLfloat[]){{x, y, z, 1}})",
+                                  light_name(light))};
         if (const auto found = parameters.find(kGL_POSITION); found != parameters.end()) {
             Command positional = found->second;
             positional.arguments.back() = 1;
@@ -150,10 +149,10 @@ class AttenuationOfDirectional : public InEveryDraw {
             last_of(parameters, {kGL_CONSTANT_ATTENUATION, kGL_LINEAR_ATTENUATION, kGL_QUADRATIC_ATTENUATION});
         if (!place) return;
         warn_directional(light, *place,
-                         fmt::format("the attenuation of {} has no effect, because {}", light_name(light),
-                                     parameters.contains(kGL_POSITION)
-                                         ? "its position has w = 0"
-                                         : "its position is never set, and the initial one (0, 0, 1, 0) has w = 0"),
+                         tr("the attenuation of {} has no effect, because {}", light_name(light),
+                            parameters.contains(kGL_POSITION)
+                                ? tr("its position has w = 0")
+                                : tr("its position is never set, and the initial one (0, 0, 1, 0) has w = 0")),
                          parameters);
     }
 };
@@ -170,10 +169,11 @@ class OnlyAmbientSet : public InEveryDraw {
         const Place* place = last_of(parameters, {kGL_AMBIENT});
         if (light != 0 || !place || parameters.size() != 1) return;
         warn({.place = *place,
-              .message = "only the ambient colour of GL_LIGHT0 is set: it also shines white, from the viewer, with its "
-                         "initial diffuse colour and position",
-              .fix = "glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){x, y, z, 1}); or, for ambient light only, "
-                     "GL_LIGHT_MODEL_AMBIENT instead of this light"});
+              .message =
+                  tr("only the ambient colour of GL_LIGHT0 is set: it also shines white, from the viewer, with its "
+                     "initial diffuse colour and position"),
+              .fix = tr("glLightfv(GL_LIGHT0, GL_POSITION, (GLfloat[]){x, y, z, 1}); or, for ambient light only, "
+                        "GL_LIGHT_MODEL_AMBIENT instead of this light")});
     }
 };
 
@@ -182,11 +182,10 @@ class SpotOfDirectional : public InEveryDraw {
     void report(int light, const Parameters& parameters) override {
         const Place* place = last_of(parameters, {kGL_SPOT_CUTOFF});
         if (!place) return;
-        warn_directional(
-            light, *place,
-            fmt::format("{} is a spotlight with w = 0: it has no place, so its cone contains all points or none",
-                        light_name(light)),
-            parameters);
+        warn_directional(light, *place,
+                         tr("{} is a spotlight with w = 0: it has no place, so its cone contains all points or none",
+                            light_name(light)),
+                         parameters);
     }
 };
 
@@ -197,9 +196,9 @@ class SpotWithoutCutoff : public InEveryDraw {
         if (!place || parameters.contains(kGL_SPOT_CUTOFF)) return;
         const std::string call = fmt::format("glLightf({}, GL_SPOT_CUTOFF, 30);", light_name(light));
         warn({.place = *place,
-              .message = fmt::format("{} shines in all directions: its GL_SPOT_CUTOFF is 180, so its other spot values "
-                                     "have no effect",
-                                     light_name(light)),
+              .message = tr("{} shines in all directions: its GL_SPOT_CUTOFF is 180, so its other spot values "
+                            "have no effect",
+                            light_name(light)),
               .fix = call,
               .edits = {{.place = *place, .insert = call, .is_after = true}}});
     }
@@ -228,7 +227,7 @@ class BlackLight : public Watch {
             const std::string call =
                 fmt::format("glLightfv({}, GL_DIFFUSE, (GLfloat[]){{1, 1, 1, 1}});", light_name(light));
             warn({.place = place,
-                  .message = fmt::format("{} is on but black: only GL_LIGHT0 starts with a colour", light_name(light)),
+                  .message = tr("{} is on but black: only GL_LIGHT0 starts with a colour", light_name(light)),
                   .fix = call,
                   .edits = {{.place = place, .insert = call}}});
         }
@@ -254,7 +253,7 @@ class LightNeverEnabled : public Watch {
             if (switched_.contains(light)) continue;
             const std::string call = fmt::format("glEnable({});", light_name(light));
             warn({.place = place,
-                  .message = fmt::format("{} is set, but never enabled", light_name(light)),
+                  .message = tr("{} is set, but never enabled", light_name(light)),
                   .fix = call,
                   .edits = {{.place = place, .insert = call}}});
         }
@@ -280,9 +279,9 @@ class LightingOff : public Watch {
         const Place& place = has_light ? first_ : material_;
         if (place.line == 0 || is_lit_ || is_chosen_) return;
         warn({.place = place,
-              .message = fmt::format("the scene sets {}, but nothing is lit: GL_LIGHTING is never enabled",
-                                     has_light ? "lights" : "a material"),
-              .fix = has_light ? "glEnable(GL_LIGHTING);" : "glEnable(GL_LIGHTING); and glEnable(GL_LIGHT0);",
+              .message = tr("the scene sets {}, but nothing is lit: GL_LIGHTING is never enabled",
+                            has_light ? tr("lights") : tr("a material")),
+              .fix = has_light ? "glEnable(GL_LIGHTING);" : tr("glEnable(GL_LIGHTING); and glEnable(GL_LIGHT0);"),
               .edits = {
                   {.place = place,
                    .insert = has_light ? "glEnable(GL_LIGHTING);" : "glEnable(GL_LIGHTING); glEnable(GL_LIGHT0);"}}});
@@ -307,7 +306,7 @@ class NoLightOn : public Watch {
     void finish(const Frame&, bool) override {
         if (!is_lit_ || has_light_ || place_.line == 0) return;
         warn({.place = place_,
-              .message = "GL_LIGHTING is enabled, but no light is: there is only dim ambient light",
+              .message = tr("GL_LIGHTING is enabled, but no light is: there is only dim ambient light"),
               .fix = "glEnable(GL_LIGHT0);",
               .edits = {{.place = place_, .insert = "glEnable(GL_LIGHT0);", .is_after = true}}});
     }
@@ -324,9 +323,9 @@ class OddW : public Watch {
         const double w = command.array()[3];
         if (w == 0 || w == 1) return;
         warn({.place = command.place,
-              .message = fmt::format("the fourth number (w) of {}'s position is {}: GL divides x, y and z by it",
-                                     light_name(*light), w),
-              .fix = "give four numbers: w is 1 for a place, 0 for a direction",
+              .message = tr("the fourth number (w) of {}'s position is {}: GL divides x, y and z by it",
+                            light_name(*light), w),
+              .fix = tr("give four numbers: w is 1 for a place, 0 for a direction"),
               .key = light_name(*light)});
     }
 };
@@ -352,9 +351,9 @@ class Color255 : public Watch {
         for (std::size_t i = divided.arguments.size() - values.size(); i < divided.arguments.size(); ++i)
             divided.arguments[i] = std::round(std::min(1.0, divided.arguments[i] / 255) * 1000) / 1000;
         warn({.place = command.place,
-              .message = fmt::format("{} is given the colour {}, {}, {}, but colours here go from 0 to 1",
-                                     command.name(), values[0], values[1], values[2]),
-              .fix = "divide by 255: " + print_command(divided),
+              .message = tr("{} is given the colour {}, {}, {}, but colours here go from 0 to 1", command.name(),
+                            values[0], values[1], values[2]),
+              .fix = tr("divide by 255: {}", print_command(divided)),
               .edits = {{.place = command.place, .removes = true, .insert = print_command(divided)}}});
     }
 };
@@ -379,11 +378,11 @@ class TinyInteger : public Watch {
                              : kind == Kind::kInt    ? 2147483647
                                                      : 4294967295.0;
         warn({.place = command.place,
-              .message = fmt::format("{} is given whole numbers up to {}, but for this type white is {}: the colour is "
-                                     "almost black",
-                                     command.name(), largest, white),
-              .fix = kind == Kind::kUbyte ? "use glColor3f for colours from 0 to 1"
-                                          : "use glColor3ub for colours from 0 to 255, or floats from 0 to 1"});
+              .message = tr("{} is given whole numbers up to {}, but for this type white is {}: the colour is "
+                            "almost black",
+                            command.name(), largest, white),
+              .fix = kind == Kind::kUbyte ? tr("use glColor3f for colours from 0 to 1")
+                                          : tr("use glColor3ub for colours from 0 to 255, or floats from 0 to 1")});
     }
 };
 

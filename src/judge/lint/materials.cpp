@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text/translation.h"
 #include "judge/lint/watch.h"
 
 namespace twinlight::lint {
@@ -38,8 +39,9 @@ class ColorIgnored : public Watch {
         if (ignored_ && !used_) {
             for (const Command& command : open_)
                 warn({.place = command.place,
-                      .message = "this glColor has no effect: the object is lit, and GL_COLOR_MATERIAL is not enabled",
-                      .fix = "glEnable(GL_COLOR_MATERIAL); or glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, ...)",
+                      .message =
+                          tr("this glColor has no effect: the object is lit, and GL_COLOR_MATERIAL is not enabled"),
+                      .fix = tr("glEnable(GL_COLOR_MATERIAL); or glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, ...)"),
                       .edits = {{.place = command.place, .insert = "glEnable(GL_COLOR_MATERIAL);"}}});
         }
         open_.clear();
@@ -83,11 +85,10 @@ class ColorMaterialTooEarly : public Watch {
                            (mode_ != kGL_AMBIENT && now.ambient == left_.ambient);
         if (keeps)
             warn({.place = pending_,
-                  .message =
-                      fmt::format("GL_COLOR_MATERIAL is enabled before glColorMaterial ({}), so the current colour "
-                                  "has already replaced the ambient and diffuse colours",
-                                  where(chosen_)),
-                  .fix = "call glColorMaterial first, then glEnable(GL_COLOR_MATERIAL)",
+                  .message = tr("GL_COLOR_MATERIAL is enabled before glColorMaterial ({}), so the current colour "
+                                "has already replaced the ambient and diffuse colours",
+                                where(chosen_)),
+                  .fix = tr("call glColorMaterial first, then glEnable(GL_COLOR_MATERIAL)"),
                   .edits = {{.place = chosen_, .is_after = true, .moved = pending_}},
                   .key = "early"});
         pending_ = {};
@@ -125,9 +126,9 @@ class MaterialOverridden : public Watch {
                        counts = !draw.lighting.light_model.two_side && named == kGL_FRONT_AND_BACK ? kGL_FRONT : named;
             if (tracking.face != kGL_FRONT_AND_BACK && tracking.face != counts) continue;
             warn({.place = command.place,
-                  .message = fmt::format("this {} has no effect: GL_COLOR_MATERIAL is enabled, so glColor sets it",
-                                         enum_name(pname_of(command))),
-                  .fix = "glDisable(GL_COLOR_MATERIAL); before it, or use glColor",
+                  .message = tr("this {} has no effect: GL_COLOR_MATERIAL is enabled, so glColor sets it",
+                                enum_name(pname_of(command))),
+                  .fix = tr("glDisable(GL_COLOR_MATERIAL); before it, or use glColor"),
                   .edits = {{.place = command.place, .insert = "glDisable(GL_COLOR_MATERIAL);"}}});
         }
         open_.clear();
@@ -151,8 +152,8 @@ class ColorMaterialOfTheBack : public Watch {
         const std::string call = fmt::format("glColorMaterial(GL_FRONT_AND_BACK, {});", enum_name(tracking.mode));
         warn({.place = chosen_->place,
               .message =
-                  "glColor has no effect: this glColorMaterial replaces all earlier ones, and so only the back's "
-                  "material follows glColor, but lighting is one-sided, so both faces have the front's",
+                  tr("glColor has no effect: this glColorMaterial replaces all earlier ones, and so only the back's "
+                     "material follows glColor, but lighting is one-sided, so both faces have the front's"),
               .fix = call,
               .edits = {{.place = chosen_->place, .removes = true, .insert = call}},
               .key = "back"});
@@ -186,9 +187,8 @@ class EmissionStays : public Watch {
         const std::string call = fmt::format("glMaterialfv({}, GL_EMISSION, (GLfloat[]){{0, 0, 0, 1}});",
                                              enum_name(emission_->enumerant(0)));
         warn({.place = emission_->place,
-              .message =
-                  fmt::format("this GL_EMISSION is never taken back: the objects after {} glow, too", where(next_)),
-              .fix = call + " after the object that glows",
+              .message = tr("this GL_EMISSION is never taken back: the objects after {} glow, too", where(next_)),
+              .fix = tr("{} after the object that glows", call),
               .edits = {{.place = next_, .insert = call}}});
         emission_.reset();
     }
@@ -229,7 +229,7 @@ class ShininessWithoutSpecular : public MaterialWatch {
         const std::string call = fmt::format("glMaterialfv({}, GL_SPECULAR, (GLfloat[]){{1, 1, 1, 1}});",
                                              enum_name(shininess->enumerant(0)));
         warn({.place = shininess->place,
-              .message = "GL_SHININESS has no effect: the material's specular colour is black, its initial value",
+              .message = tr("GL_SHININESS has no effect: the material's specular colour is black, its initial value"),
               .fix = call,
               .edits = {{.place = shininess->place, .insert = call}}});
     }
@@ -247,7 +247,7 @@ class SpecularWithoutShininess : public MaterialWatch {
             return;
         const std::string call = fmt::format("glMaterialf({}, GL_SHININESS, 32);", enum_name(specular->enumerant(0)));
         warn({.place = specular->place,
-              .message = "the highlight covers the whole lit side: GL_SHININESS is 0, its initial value",
+              .message = tr("the highlight covers the whole lit side: GL_SHININESS is 0, its initial value"),
               .fix = call,
               .edits = {{.place = specular->place, .insert = call, .is_after = true}},
               .key = "shininess"});
@@ -262,9 +262,9 @@ class ShininessFraction : public MaterialWatch {
         if (!shininess || !has_specular_light(draw) || is_black(front.specular)) return;
         if (front.shininess <= 0 || front.shininess >= 1) return;
         warn({.place = shininess->place,
-              .message = fmt::format("GL_SHININESS is {:.4g}: in tables of materials such values are fractions of 128, "
-                                     "but GL's range is 0 to 128",
-                                     front.shininess),
+              .message = tr("GL_SHININESS is {:.4g}: in tables of materials such values are fractions of 128, "
+                            "but GL's range is 0 to 128",
+                            front.shininess),
               .fix = fmt::format("glMaterialf({}, GL_SHININESS, {:.4g});", enum_name(shininess->enumerant(0)),
                                  front.shininess * 128),
               .edits = {{.place = shininess->place,
@@ -289,7 +289,8 @@ class BackMaterialOneSided : public MaterialWatch {
         if (place_.line == 0 || !is_lit_ || is_two_sided_) return;
         const std::string call = "glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);";
         warn({.place = place_,
-              .message = "the material of GL_BACK has no effect: lighting is one-sided, so both faces have the front's",
+              .message =
+                  tr("the material of GL_BACK has no effect: lighting is one-sided, so both faces have the front's"),
               .fix = call,
               .edits = {{.place = place_, .insert = call}}});
     }
@@ -320,9 +321,10 @@ class AlphaNotDiffuse : public MaterialWatch {
         if (!found && color_ && !tracks_diffuse && draw.vertices.front().color.a < 1) found = &*color_;
         if (!found || found->arguments.empty() || found->arguments.back() >= 1) return;
         warn({.place = found->place,
-              .message =
-                  "this alpha has no effect: a lit vertex has the alpha of the material's diffuse colour, which is 1",
-              .fix = "give the alpha to GL_DIFFUSE: glMaterialfv(GL_FRONT, GL_DIFFUSE, (GLfloat[]){r, g, b, alpha})"});
+              .message = tr(
+                  "this alpha has no effect: a lit vertex has the alpha of the material's diffuse colour, which is 1"),
+              .fix =
+                  tr("give the alpha to GL_DIFFUSE: glMaterialfv(GL_FRONT, GL_DIFFUSE, (GLfloat[]){r, g, b, alpha})")});
     }
 
   private:
@@ -339,8 +341,8 @@ class FlatDropsColors : public Watch {
             if (color == draw.vertices[triangle[1]].color && color == draw.vertices[triangle[2]].color) continue;
             warn({.place = draw.place,
                   .message =
-                      "the vertices of a polygon have different colours, but GL_FLAT shows only one of them: that "
-                      "of the last vertex (of a GL_POLYGON: the first)",
+                      tr("the vertices of a polygon have different colours, but GL_FLAT shows only one of them: that "
+                         "of the last vertex (of a GL_POLYGON: the first)"),
                   .fix = "glShadeModel(GL_SMOOTH);",
                   .edits = {{.place = draw.place, .insert = "glShadeModel(GL_SMOOTH);"}}});
             return;
@@ -355,7 +357,7 @@ class TextureReplacesLight : public Watch {
         if (draw.texture.env_mode != kGL_REPLACE || format == kGL_ALPHA || draw.combines_textures()) return;
         warn(
             {.place = draw.place,
-             .message = "lighting has no effect on this object: its texture replaces the lit colour (GL_REPLACE)",
+             .message = tr("lighting has no effect on this object: its texture replaces the lit colour (GL_REPLACE)"),
              .fix = "glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);",
              .edits = {{.place = draw.place, .insert = "glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);"}},
              .key = "replace"});
@@ -380,8 +382,9 @@ class TextureIncomplete : public Watch {
         const std::string call =
             fmt::format("glTexParameteri({}, GL_TEXTURE_MIN_FILTER, GL_LINEAR);", enum_name(target));
         warn({.place = image->second,
-              .message = "this texture has no effect: its GL_TEXTURE_MIN_FILTER needs mipmaps, and not all levels are "
-                         "there",
+              .message =
+                  tr("this texture has no effect: its GL_TEXTURE_MIN_FILTER needs mipmaps, and not all levels are "
+                     "there"),
               .fix = call,
               .edits = {{.place = image->second, .insert = call, .is_after = true}}});
     }
@@ -405,7 +408,7 @@ class TextureDimsHighlight : public MaterialWatch {
             return;
         const std::string call = "glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);";
         warn({.place = shininess->place,
-              .message = "the texture darkens the highlight: it multiplies the specular colour too",
+              .message = tr("the texture darkens the highlight: it multiplies the specular colour too"),
               .fix = call,
               .edits = {{.place = shininess->place, .insert = call}},
               .key = "texture"});
@@ -454,9 +457,9 @@ class SetAfterDrawing : public Watch {
             // A function that also sets values for objects.
             if (used_.contains({command.place.line, command.place.column})) continue;
             warn({.place = command.place,
-                  .message = fmt::format("this {} comes after the last object ({}), so no object uses it",
-                                         enum_name(pname_of(command)), where(last_)),
-                  .fix = "call it before the object that it is for",
+                  .message = tr("this {} comes after the last object ({}), so no object uses it",
+                                enum_name(pname_of(command)), where(last_)),
+                  .fix = tr("call it before the object that it is for"),
                   .edits = {{.place = last_, .moved = command.place}}});
         }
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/math/normal_matrix.h"
+#include "base/text/translation.h"
 #include "judge/lint/watch.h"
 
 namespace twinlight::lint {
@@ -45,10 +46,9 @@ class ScaledNormals : public Watch {
         const double length = worst_length(eye_normals(draw));
         if (length == 1) return;
         warn({.place = draw.place,
-              .message =
-                  fmt::format("the modelview matrix scales this object, and its normals with it: to length {:.2g} "
-                              "instead of 1, so it is too {}",
-                              length, length < 1 ? "dark" : "bright"),
+              .message = tr("the modelview matrix scales this object, and its normals with it: to length {:.2g} "
+                            "instead of 1, so it is too {}",
+                            length, length < 1 ? tr("dark") : tr("bright")),
               .fix = "glEnable(GL_NORMALIZE);",
               .edits = {normalize_before(draw.place)},
               .key = fmt::format("{:.1f}", length)});
@@ -61,8 +61,8 @@ class LongNormals : public Watch {
         const double length = worst_length(object_normals(draw));
         if (length == 1 || worst_length(eye_normals(draw)) == 1) return;
         warn({.place = draw.place,
-              .message = fmt::format("normals of this object have length {:.2g} instead of 1, so it is too {}", length,
-                                     length < 1 ? "dark" : "bright"),
+              .message = tr("normals of this object have length {:.2g} instead of 1, so it is too {}", length,
+                            length < 1 ? tr("dark") : tr("bright")),
               .fix = "glEnable(GL_NORMALIZE);",
               .edits = {normalize_before(draw.place)},
               .key = fmt::format("{:.1f}", length)});
@@ -83,13 +83,13 @@ class ZeroNormal : public Watch {
         if (!has_zero) return;
         if (zero_.line > 0)
             warn({.place = zero_,
-                  .message = "this normal is (0, 0, 0): no light reaches the vertex",
-                  .fix = "give the direction that the surface faces, such as glNormal3f(0, 0, 1)",
+                  .message = tr("this normal is (0, 0, 0): no light reaches the vertex"),
+                  .fix = tr("give the direction that the surface faces, such as glNormal3f(0, 0, 1)"),
                   .key = "zero"});
         else if (state.arrays().client().normal.enabled)
             warn({.place = draw.place,
-                  .message = "the array of glNormalPointer has normals (0, 0, 0): no light reaches these vertices",
-                  .fix = "fill the array with the direction that the surface faces at each vertex",
+                  .message = tr("the array of glNormalPointer has normals (0, 0, 0): no light reaches these vertices"),
+                  .fix = tr("fill the array with the direction that the surface faces at each vertex"),
                   .key = "array"});
     }
 
@@ -133,13 +133,13 @@ class NormalDoesNotFit : public Watch {
             return !(cosine > (wants_never_set_ ? 0.87 : 0.5));
         };
         if (std::ranges::none_of(triangles_of(draw), lies_along)) return;
-        const char* message =
-            wants_never_set_
-                ? "this object is lit, but no glNormal was called: all its normals are (0, 0, 1)"
-                : "a polygon has a normal that lies along it: a glNormal is missing, and the last one is still in use";
+        const char* message = wants_never_set_
+                                  ? tr("this object is lit, but no glNormal was called: all its normals are (0, 0, 1)")
+                                  : tr("a polygon has a normal that lies along it: a glNormal is missing, and the last "
+                                       "one is still in use");
         warn({.place = draw.place,
               .message = message,
-              .fix = "call glNormal3f before the vertices of each face, with the direction that it faces"});
+              .fix = tr("call glNormal3f before the vertices of each face, with the direction that it faces")});
     }
 
   private:
@@ -166,10 +166,9 @@ class NormalArrayOff : public Watch {
         const glm::dvec3 normal = draw.vertices.front().normal_object;
         const std::string call = "glEnableClientState(GL_NORMAL_ARRAY);";
         warn({.place = pointer_,
-              .message =
-                  fmt::format("this array has no effect: GL_NORMAL_ARRAY is not enabled, so all vertices have the "
-                              "current normal ({:.3g}, {:.3g}, {:.3g})",
-                              normal.x, normal.y, normal.z),
+              .message = tr("this array has no effect: GL_NORMAL_ARRAY is not enabled, so all vertices have the "
+                            "current normal ({:.3g}, {:.3g}, {:.3g})",
+                            normal.x, normal.y, normal.z),
               .fix = call,
               .edits = {{.place = pointer_, .insert = call, .is_after = true}},
               .key = "off"});
@@ -210,11 +209,11 @@ class WindingAgainstNormals : public Watch {
             shape_ && shape_->place == draw.place && shape_->name().find("Tea") != std::string_view::npos;
         const std::string other = draw.raster.front_face == kGL_CCW ? "glFrontFace(GL_CW);" : "glFrontFace(GL_CCW);";
         warn({.place = draw.place,
-              .message = fmt::format("{}: GL takes the outside of this object for its back{}",
-                                     is_tea ? "the triangles of GLUT's tea set are clockwise"
-                                            : "the vertices' order does not match the normals",
-                                     culls ? ", and culls it" : ", and lights it with the turned normal"),
-              .fix = other + " before it, and back after it",
+              .message = tr("{}: GL takes the outside of this object for its back{}",
+                            is_tea ? tr("the triangles of GLUT's tea set are clockwise")
+                                   : tr("the vertices' order does not match the normals"),
+                            culls ? tr(", and culls it") : tr(", and lights it with the turned normal")),
+              .fix = tr("{} before it, and back after it", other),
               .edits = {{.place = draw.place, .insert = other}}});
     }
 
@@ -232,8 +231,8 @@ class FlattenedNormals : public Watch {
     void drawn(const Draw& draw, const State&) override {
         if (scale_.line == 0 || !uses_normals(draw) || !is_singular(glm::dmat3(draw.eye_from_object))) return;
         warn({.place = scale_,
-              .message = "this glScale has a factor of 0, so normals cannot be computed and the object is dark",
-              .fix = "use a small factor such as 0.001 and glEnable(GL_NORMALIZE)",
+              .message = tr("this glScale has a factor of 0, so normals cannot be computed and the object is dark"),
+              .fix = tr("use a small factor such as 0.001 and glEnable(GL_NORMALIZE)"),
               .key = "flat"});
     }
 
@@ -250,9 +249,10 @@ class LitShadow : public Watch {
     void drawn(const Draw& draw, const State&) override {
         if (has_scale_of_0_ || !uses_normals(draw) || !is_flattened(draw)) return;
         warn({.place = draw.place,
-              .message = "the modelview matrix flattens this object, as for a shadow, but it is lit: normals that are "
-                         "flattened have no meaning",
-              .fix = "glDisable(GL_LIGHTING); and the shadow's glColor before it, glEnable(GL_LIGHTING); after it",
+              .message =
+                  tr("the modelview matrix flattens this object, as for a shadow, but it is lit: normals that are "
+                     "flattened have no meaning"),
+              .fix = tr("glDisable(GL_LIGHTING); and the shadow's glColor before it, glEnable(GL_LIGHTING); after it"),
               .key = "shadow"});
     }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text/translation.h"
 #include "judge/lint/watch.h"
 
 namespace twinlight::lint {
@@ -64,8 +65,8 @@ class LeftOn : public Watch {
             edits.push_back({.place = first_, .insert = enable});
         warn({.place = open_->start,
               .message = message(open_->is_text),
-              .fix = fmt::format("{} before {}, {} after {}", disable, open_->is_text ? "glRasterPos" : "it", enable,
-                                 open_->is_text ? "the text" : "it"),
+              .fix = tr("{} before {}, {} after {}", disable, open_->is_text ? "glRasterPos" : tr("it"), enable,
+                        open_->is_text ? tr("the text") : tr("it")),
               .edits = std::move(edits),
               .key = "left"});
         open_.reset();
@@ -86,9 +87,10 @@ class LitOverlay : public LeftOn {
     }
     bool uses(const Draw& draw) const override { return draw.lighting.enabled; }
     std::string message(bool is_text) const override {
-        return is_text ? "this text has the colour of a lit surface, not that of glColor: GL_LIGHTING is still enabled "
-                         "at glRasterPos"
-                       : "this overlay is lit like the scene: GL_LIGHTING is still enabled";
+        return is_text
+                   ? tr("this text has the colour of a lit surface, not that of glColor: GL_LIGHTING is still enabled "
+                        "at glRasterPos")
+                   : tr("this overlay is lit like the scene: GL_LIGHTING is still enabled");
     }
 
     LitOverlays lit_;
@@ -118,9 +120,10 @@ class TextureLeftOn : public LeftOn {
     }
     bool uses(const Draw& draw) const override { return draw.texture.texture != nullptr; }
     std::string message(bool is_text) const override {
-        return is_text ? "a texture is still enabled, so this text has the colour of one of its texels"
-                       : "a texture is still enabled, but this object has no texture coordinates, so all of it has the "
-                         "colour of one texel";
+        return is_text
+                   ? tr("a texture is still enabled, so this text has the colour of one of its texels")
+                   : tr("a texture is still enabled, but this object has no texture coordinates, so all of it has the "
+                        "colour of one texel");
     }
 
     // Whether the texel there changes a colour.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text/translation.h"
 #include "judge/lint/between_vertices.h"
 #include "judge/lint/seen.h"
 #include "render/lighting_of.h"
@@ -83,8 +84,8 @@ class NothingInView : public Watch {
         if (*most == 0) return;
         const Side& side = kSides[most - view.beyond.begin()];
         warn({.place = frame.draws().front()->place,
-              .message = fmt::format("nothing is in view: the objects are {}", side.words),
-              .fix = side.fix});
+              .message = tr("nothing is in view: the objects are {}", tr(side.words)),
+              .fix = tr(side.fix)});
     }
 };
 
@@ -94,10 +95,9 @@ class EverythingCulled : public Watch {
         if (view.in_view > 0 || view.culled == 0) return;
         const Draw& first = *frame.draws().front();
         warn({.place = first.place,
-              .message =
-                  fmt::format("everything in view is culled: glCullFace({}) removes the faces that the camera sees",
-                              enum_name(first.raster.cull_face)),
-              .fix = "glFrontFace with the order of your vertices, or glDisable(GL_CULL_FACE)",
+              .message = tr("everything in view is culled: glCullFace({}) removes the faces that the camera sees",
+                            enum_name(first.raster.cull_face)),
+              .fix = tr("glFrontFace with the order of your vertices, or glDisable(GL_CULL_FACE)"),
               .edits = {{.place = first.place, .insert = "glDisable(GL_CULL_FACE);"}}});
     }
 };
@@ -125,7 +125,7 @@ class NoDepthTest : public Watch {
         }
         if (differing * 200 < with.pixels.size()) return;
         warn({.place = (*first)->place,
-              .message = "far faces are drawn over near ones: the depth test is never enabled",
+              .message = tr("far faces are drawn over near ones: the depth test is never enabled"),
               .fix = "glEnable(GL_DEPTH_TEST);",
               .edits = {{.place = (*first)->place, .insert = "glEnable(GL_DEPTH_TEST);"}}});
     }
@@ -266,7 +266,7 @@ class NotLit : public Watch {
         if (dark.why != kWhy || dark.light >= kMaxLights || view_of(frame).in_view == 0) return;
         if (kWhy == Dark::kOutsideCone && !lost_lights(frame, kInvisible).empty()) return;
         const NotLitText text = not_lit_text(kWhy);
-        warn({.place = dark.place, .message = fmt::format("no object is lit: {}", text.message), .fix = text.fix});
+        warn({.place = dark.place, .message = tr("no object is lit: {}", tr(text.message)), .fix = tr(text.fix)});
     }
 };
 
@@ -307,10 +307,9 @@ class HighlightEverywhere : public Watch {
                 if (most - least < 0.25) continue;
                 const std::string call = "glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, GL_TRUE);";
                 warn({.place = first.place,
-                      .message =
-                          fmt::format("this flat surface has the same highlight everywhere: {} is directional, and "
-                                      "GL_LIGHT_MODEL_LOCAL_VIEWER is off",
-                                      light_name(number)),
+                      .message = tr("this flat surface has the same highlight everywhere: {} is directional, and "
+                                    "GL_LIGHT_MODEL_LOCAL_VIEWER is off",
+                                    light_name(number)),
                       .fix = call,
                       .edits = {{.place = first.place, .insert = call}},
                       .key = "flat"});
@@ -363,10 +362,10 @@ class Overexposed : public Watch {
             if (!first) first = draw;
         }
         if (!first) return;
-        warn(
-            {.place = first->place,
-             .message = "lit objects are plain white: at every vertex the sum of the lights is above 1, and is clamped",
-             .fix = "make the lights or the material darker: GL_LIGHT_MODEL_AMBIENT, GL_AMBIENT, GL_DIFFUSE"});
+        warn({.place = first->place,
+              .message =
+                  tr("lit objects are plain white: at every vertex the sum of the lights is above 1, and is clamped"),
+              .fix = tr("make the lights or the material darker: GL_LIGHT_MODEL_AMBIENT, GL_AMBIENT, GL_DIFFUSE")});
     }
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text/translation.h"
 #include "judge/lint/watch.h"
 #include "render/reference/reference.h"
 #include "scene/command/text.h"
@@ -80,8 +81,8 @@ class ColorsNotCleared : public Watch {
     void redrawn(const Redraw& redraw) override {
         if (redraw.shows_first(Redraw::Buffer::kColor))
             warn(not_cleared(redraw, kGL_COLOR_BUFFER_BIT,
-                             "the colours are not cleared: the second picture is drawn over the first, which still "
-                             "shows"));
+                             tr("the colours are not cleared: the second picture is drawn over the first, which still "
+                                "shows")));
     }
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <regex>
 
+#include "base/text/translation.h"
 #include "judge/lint/source.h"
 #include "judge/lint/watch.h"
 
@@ -39,11 +40,11 @@ class ScaledShininess : public Watch {
             const std::string call =
                 fmt::format("glMaterialf({}, GL_SHININESS, {:.4g});", enum_name(command.enumerant(0)),
                             std::min(128.0, command.arguments.back() * 1000 / 128));
-            Warning warning{.place = command.place,
-                            .message =
-                                "this shininess is scaled from 0..1000 to 0..128, but Ns of an OBJ file is the "
-                                "exponent itself: the highlight is too large",
-                            .fix = call + " (Ns as it is, at most 128)"};
+            Warning warning{
+                .place = command.place,
+                .message = tr("this shininess is scaled from 0..1000 to 0..128, but Ns of an OBJ file is the "
+                              "exponent itself: the highlight is too large"),
+                .fix = tr("{} (Ns as it is, at most 128)", call)};
             if (is_here) warning.edits = {{.place = command.place, .removes = true, .insert = call}};
             warn(std::move(warning));
             if (!is_here) return;  // the scale is elsewhere: once is enough

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text/translation.h"
 #include "judge/lint/picture_set.h"
 #include "judge/lint/watch.h"
 #include "render/reference/reference.h"
@@ -282,9 +283,8 @@ std::optional<Warning> around_object(const Recording& recording, const Warning& 
     if (back.empty() || edit.removes || edit.is_after || std::ranges::count(edit.insert, ';') != 1) return std::nullopt;
     Warning around = warning;
     around.edits.push_back({.place = end_of(recording, warning.draw), .insert = back, .is_after = true});
-    around.fix =
-        fmt::format("{} before {}, and {} after {}", edit.insert,
-                    edit.place == warning.place ? "it" : where(edit.place), back, where(around.edits[1].place));
+    around.fix = tr("{} before {}, and {} after {}", edit.insert,
+                    edit.place == warning.place ? tr("it") : where(edit.place), back, where(around.edits[1].place));
     return around;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "base/text/translation.h"
 #include "judge/lint/seen.h"
 
 namespace twinlight::lint {
@@ -231,10 +232,10 @@ class TurnedNormals : public Watch {
     void report(const SurfaceFace& face) {
         const glm::dvec3 normal = face.draw->vertices[face.vertex].normal_object;
         warn({.place = face.draw->place,
-              .message = fmt::format("some normals, such as ({}), point to the back of the surface, unlike those of "
-                                     "the faces beside them, so the side that is seen is lit from behind",
-                                     printed(normal)),
-              .fix = fmt::format("turn these normals around: this one to glNormal3f({})", printed(-plane_object(face))),
+              .message = tr("some normals, such as ({}), point to the back of the surface, unlike those of "
+                            "the faces beside them, so the side that is seen is lit from behind",
+                            printed(normal)),
+              .fix = tr("turn these normals around: this one to glNormal3f({})", printed(-plane_object(face))),
               .key = "turned"});
     }
 };
@@ -282,12 +283,11 @@ class OneNormal : public Watch {
         const Draw& draw = *face.draw;
         const glm::dvec3 normal = draw.vertices[face.vertex].normal_object;
         warn({.place = draw.place,
-              .message =
-                  fmt::format("all faces of this object have the normal ({}), although they face different ways: they "
-                              "all get the same light",
-                              printed(normal)),
-              .fix = fmt::format("call glNormal before each face, such as glNormal3f({}); for the first",
-                                 printed(plane_object(face))),
+              .message = tr("all faces of this object have the normal ({}), although they face different ways: they "
+                            "all get the same light",
+                            printed(normal)),
+              .fix = tr("call glNormal before each face, such as glNormal3f({}); for the first",
+                        printed(plane_object(face))),
               .key = "one"});
     }
 };

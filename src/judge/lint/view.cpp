@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/text/translation.h"
 #include "judge/lint/watch.h"
 #include "scene/command/text.h"
 
@@ -18,8 +19,8 @@ class ProjectionInModelview : public Watch {
     void after(const Command& command, const State& state) override {
         if (!is_perspective(command) || state.attributes().matrix_mode != kGL_MODELVIEW) return;
         warn({.place = command.place,
-              .message = fmt::format("{} changes the modelview matrix: glMatrixMode is GL_MODELVIEW", command.name()),
-              .fix = "glMatrixMode(GL_PROJECTION); before it, glMatrixMode(GL_MODELVIEW); after it",
+              .message = tr("{} changes the modelview matrix: glMatrixMode is GL_MODELVIEW", command.name()),
+              .fix = tr("glMatrixMode(GL_PROJECTION); before it, glMatrixMode(GL_MODELVIEW); after it"),
               .edits = {{.place = command.place, .insert = "glMatrixMode(GL_PROJECTION);"},
                         {.place = command.place, .insert = "glMatrixMode(GL_MODELVIEW);", .is_after = true}}});
     }
@@ -35,9 +36,9 @@ class CameraInProjection : public Watch {
     void drawn(const Draw& draw, const State&) override {
         if (pending_.line == 0 || (enabled_lights(draw).empty() && !draw.fog.enabled)) return;
         warn({.place = pending_,
-              .message =
-                  "gluLookAt changes the projection matrix: lights and fog then see another camera than the objects",
-              .fix = "glMatrixMode(GL_MODELVIEW); before it",
+              .message = tr(
+                  "gluLookAt changes the projection matrix: lights and fog then see another camera than the objects"),
+              .fix = tr("glMatrixMode(GL_MODELVIEW); before it"),
               .edits = {{.place = pending_, .insert = "glMatrixMode(GL_MODELVIEW);"}},
               .key = "camera"});
         pending_ = {};
@@ -52,8 +53,8 @@ class ProjectionNotReset : public Watch {
         if (!is_perspective(command) || state.attributes().matrix_mode != kGL_PROJECTION) return;
         if (state.projection()[2][3] == 0) return;  // no perspective yet
         warn({.place = command.place,
-              .message = fmt::format("{} is multiplied to a perspective that is already there", command.name()),
-              .fix = "glLoadIdentity(); before it",
+              .message = tr("{} is multiplied to a perspective that is already there", command.name()),
+              .fix = tr("glLoadIdentity(); before it"),
               .edits = {{.place = command.place, .insert = "glLoadIdentity();"}}});
     }
 };
@@ -77,13 +78,12 @@ class AspectOfViewport : public Watch {
         const std::string call = fmt::format("gluPerspective({}, {}.0 / {}, {}, {});", number(0), viewport.width,
                                              viewport.height, number(2), number(3));
         const bool is_integer_division = aspect == std::floor(right);
-        warn(
-            {.place = perspective_->place,
-             .message = fmt::format("the picture is squeezed: the aspect of gluPerspective is {:.4g}, but the viewport "
-                                    "has {} x {} pixels, which is {:.4g}",
-                                    aspect, viewport.width, viewport.height, right),
-             .fix = call + (is_integer_division ? " or, where integers are divided, (double)width / height" : ""),
-             .edits = {{.place = perspective_->place, .removes = true, .insert = call}}});
+        warn({.place = perspective_->place,
+              .message = tr("the picture is squeezed: the aspect of gluPerspective is {:.4g}, but the viewport "
+                            "has {} x {} pixels, which is {:.4g}",
+                            aspect, viewport.width, viewport.height, right),
+              .fix = is_integer_division ? tr("{} or, where integers are divided, (double)width / height", call) : call,
+              .edits = {{.place = perspective_->place, .removes = true, .insert = call}}});
     }
 
   private:
@@ -123,12 +123,12 @@ class NearPlane : public Watch {
         std::vector<Edit> edits;
         if (has_angle) edits = {{.place = command.place, .removes = true, .insert = print_command(nearer)}};
         warn({.place = command.place,
-              .message = z_near <= 0 ? fmt::format("the near plane of {} is {}: depths cannot be distinguished",
-                                                   command.name(), z_near)
-                                     : fmt::format("the far plane is {:.2g} times as far as the near plane: depths far "
-                                                   "away cannot be distinguished",
-                                                   z_far / z_near),
-              .fix = "put the near plane as far away as possible, at least at a thousandth of the far plane",
+              .message = z_near <= 0
+                             ? tr("the near plane of {} is {}: depths cannot be distinguished", command.name(), z_near)
+                             : tr("the far plane is {:.2g} times as far as the near plane: depths far "
+                                  "away cannot be distinguished",
+                                  z_far / z_near),
+              .fix = tr("put the near plane as far away as possible, at least at a thousandth of the far plane"),
               .edits = std::move(edits)});
     }
 };
@@ -137,8 +137,8 @@ class EmptyDepthRange : public Watch {
     void drawn(const Draw& draw, const State&) override {
         if (draw.raster.depth_near != draw.raster.depth_far || !draw.raster.depth_test || place_.line == 0) return;
         warn({.place = place_,
-              .message = fmt::format("glDepthRange maps all depths to {}, so the depth test cannot compare objects",
-                                     draw.raster.depth_near),
+              .message = tr("glDepthRange maps all depths to {}, so the depth test cannot compare objects",
+                            draw.raster.depth_near),
               .fix = "glDepthRange(0, 1);",
               .edits = {{.place = place_, .removes = true, .insert = "glDepthRange(0, 1);"}}});
     }
@@ -166,7 +166,7 @@ class DepthNotCleared : public Watch {
         if (redraw.shows_first(Redraw::Buffer::kDepth)) {
             Warning warning =
                 not_cleared(redraw, kGL_DEPTH_BUFFER_BIT,
-                            "the depth buffer is not cleared: the first picture hides parts of the second");
+                            tr("the depth buffer is not cleared: the first picture hides parts of the second"));
             warning.key = "clear";
             warn(std::move(warning));
         }
@@ -178,7 +178,7 @@ class DepthNotCleared : public Watch {
         const std::string call = fmt::format("glClear({} | GL_DEPTH_BUFFER_BIT);", bit_names(mask_));
         warn({.place = pending_,
               .message =
-                  "the depth buffer is not cleared: the depth test compares with the depths of the picture before",
+                  tr("the depth buffer is not cleared: the depth test compares with the depths of the picture before"),
               .fix = call,
               .edits = {{.place = pending_, .removes = true, .insert = call}},
               .key = "clear"});
@@ -196,8 +196,8 @@ class ClearMasked : public Watch {
         if (!is_effect(command, "clear") || !(command.enumerant(0) & kGL_DEPTH_BUFFER_BIT) || state.raster().depth_mask)
             return;
         warn({.place = command.place,
-              .message = "this glClear does not clear the depth buffer: glDepthMask(GL_FALSE) is in force",
-              .fix = "glDepthMask(GL_TRUE); before it",
+              .message = tr("this glClear does not clear the depth buffer: glDepthMask(GL_FALSE) is in force"),
+              .fix = tr("glDepthMask(GL_TRUE); before it"),
               .edits = {{.place = command.place, .insert = "glDepthMask(GL_TRUE);"}}});
     }
 };
@@ -216,9 +216,8 @@ class Radians : public Watch {
         Command in_degrees = command;
         in_degrees.arguments[0] = std::round(command.number(0) * 180 / std::numbers::pi * 100) / 100;
         warn({.place = command.place,
-              .message =
-                  fmt::format("{} is given an angle of {:.5g}: angles are in degrees, and this looks like radians",
-                              command.name(), command.number(0)),
+              .message = tr("{} is given an angle of {:.5g}: angles are in degrees, and this looks like radians",
+                            command.name(), command.number(0)),
               .fix = print_command(in_degrees),
               .edits = {{.place = command.place, .removes = true, .insert = print_command(in_degrees)}}});
     }
@@ -229,8 +228,8 @@ class NoAxis : public Watch {
         if (!is_effect(command, "rotate") || command.number(0) == 0) return;
         if (command.number(1) != 0 || command.number(2) != 0 || command.number(3) != 0) return;
         warn({.place = command.place,
-              .message = "glRotate has the axis (0, 0, 0), so the rotation is undefined",
-              .fix = "give an axis, such as glRotatef(angle, 0, 1, 0)"});
+              .message = tr("glRotate has the axis (0, 0, 0), so the rotation is undefined"),
+              .fix = tr("give an axis, such as glRotatef(angle, 0, 1, 0)")});
     }
 };
 

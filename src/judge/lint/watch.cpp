@@ -5,6 +5,7 @@
 
 #include "base/math/directions.h"
 #include "base/math/normal_matrix.h"
+#include "base/text/translation.h"
 #include "render/reference/geometry/primitive_assembly.h"
 #include "render/reference/vertices/vertex_stage.h"
 #include "scene/frame/resized.h"
@@ -41,7 +42,7 @@ std::optional<int> light_of(const Command& command) {
 
 std::string where(const Place& place) {
     if (place.calls) return fmt::format("{}:{}", *place.file, place.line);  // the program may have several files
-    return fmt::format("{} {}", place.column == Place::kCallNumber ? "call" : "line", place.line);
+    return place.column == Place::kCallNumber ? tr("call {}", place.line) : tr("line {}", place.line);
 }
 
 std::vector<int> enabled_lights(const Draw& draw) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "../in_chinese.h"
 #include "app/session/edits.h"
 #include "app/session/findings.h"
 #include "scene/command/text.h"
@@ -93,6 +94,34 @@ TEST(SessionFindings, NameLinesOfTheFile) {
     ASSERT_FALSE(findings.empty());
     EXPECT_NE(findings[0].warning.message.find("before gluLookAt (line 4)"), std::string::npos)
         << findings[0].warning.message;
+    const InChinese chinese;
+    EXPECT_EQ(findings_of(commands, kSize)[0].warning.message,
+              "GL_LIGHT0 的位置在 gluLookAt（第 4 行）之前设置，所以光源跟着相机移动");
+}
+
+TEST(SessionFindings, AreInChinese) {
+    for (const lint::Rule& rule : lint::rules()) {
+        SCOPED_TRACE(rule.name);
+        const std::string text = lint::wrong_scene(rule);
+        const auto in_english = findings_of(read(text), kSize);
+        const InChinese chinese;
+        const auto findings = findings_of(read(text), kSize);
+        ASSERT_EQ(findings.size(), in_english.size());
+        std::vector<lint::Warning> warnings;
+        for (std::size_t i = 0; i < findings.size(); ++i) {
+            EXPECT_EQ(findings[i].can_fix, in_english[i].can_fix);
+            warnings.push_back(findings[i].warning);
+        }
+        // Those of later pictures, too.
+        const auto all =
+            lint::lint(make_scene(std::make_shared<CommandList>(read(text)), {.width = 160, .height = 120}));
+        warnings.insert(warnings.end(), all.begin(), all.end());
+        EXPECT_FALSE(warnings.empty());
+        for (const lint::Warning& warning : warnings) {
+            EXPECT_EQ(english_left(warning.message, text), "") << warning.message;
+            EXPECT_EQ(english_left(warning.fix, text), "") << warning.fix;
+        }
+    }
 }
 
 TEST(SessionFindings, ObeyTheCommentsThatSilenceRules) {

@@ -174,7 +174,7 @@ std::set<std::string> texts_of_tables() {
     texts.insert(kRendererTitles.begin(), kRendererTitles.end());
     for (const MaterialPreset& preset : material_presets()) texts.insert(std::string(preset.name));
     for (const SceneGroup& group : scene_groups()) texts.insert(std::string(group.heading));
-    for (const lint::Rule& rule : lint::rules()) texts.insert({std::string(rule.what), std::string(rule.why)});
+    for (const lint::Rule& rule : lint::rules()) texts.insert(std::string(rule.why));
     return texts;
 }
 
