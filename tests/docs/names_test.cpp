@@ -55,9 +55,9 @@ class Known {
             for (std::sregex_iterator match(text.begin(), text.end(), instantiated), end; match != end; ++match)
                 tests_.push_back(match->str(1) + "/" + match->str(2) + ".");
         }
-        makefile_ =
-            "\n" + read_file("Makefile") + read_file("tools/install/install.mk") + read_file("src/app/web/web.mk") +
-            read_file("src/judge/conformance/suite/Makefile");  // in a folder of `check --write-cases`
+        makefile_ = "\n" + read_file("Makefile") + read_file("tools/install/install.mk") +
+                    read_file("src/app/web/web.mk") +
+                    read_file("src/judge/conformance/suite/Makefile");  // in a folder of `check --write-cases`
         const std::string help = help_of("twinlight", "");
         const std::regex command("\n  ([a-z]+) +[A-Z]");
         const std::string list = help.substr(help.find("ubcommands:"));
@@ -342,6 +342,18 @@ TEST(LinksOfDocs, LeadSomewhere) {
     EXPECT_GT(count, 100);
     EXPECT_EQ(anchor_of("What `check` does, and why-not"), "what-check-does-and-why-not");
     EXPECT_EQ(anchor_of("\u7b2c\u4e09\u8bb2\uff1a\u5149 (GL_LIGHT0)"), "\u7b2c\u4e09\u8bb2\u5149-gl_light0");
+}
+
+// `make nightly PART=recipes` builds and tests what they make; here one notices that a change has made them old.
+TEST(RecipesOfDocs, HavePatchesThatApply) {
+    if (run_shell("", "git --version").status != 0) GTEST_SKIP() << "git is not installed";
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator("tests/recipes")) {
+        const ProgramResult run = run_shell("", "git apply --check " + quoted(entry.path().string()));
+        EXPECT_EQ(run.status, 0) << "Make this change again by the recipe that the patch names: " << run.err;
+        ++count;
+    }
+    EXPECT_GE(count, 2);
 }
 
 }  // namespace
