@@ -12,6 +12,6 @@ shoot world lab --view world
 shoot probe report --view grid --probe 250,170
 shoot overlays report --view single --keys "mn---" --panel overlays
 shoot tutor --tutor light
-shoot scenes report --keys $'\x0f' # Ctrl+O
+shoot scenes report --keys '<Ctrl+O>'
 shoot lesson --lesson shininess
 shoot lint tests/window/mistakes.gl --view grid --panel lint

@@ -61,7 +61,7 @@ constexpr const char* kViewsWithTexts[] = {"lab --panel commands",
                                            "tests/window/mistakes.gl --panel lint",
                                            "--tutor spot",
                                            "materials --keys '?'",
-                                           "report --keys '\x0f'"};
+                                           "report --keys '<Ctrl+O>'"};
 
 // Two lights, one of them the camera's, a flat and a smooth object with highlights, so that every key changes something.
 constexpr const char* kScene = R"(
@@ -357,7 +357,7 @@ TEST_F(DemoWindow, HasNoEnglishSentenceInChinese) {
     // This scene is not built in, so its comment stays English.
     const std::string kOwnComment = caption_of(read_file("tests/window/mistakes.gl")).title;
     std::vector<std::string> views(std::begin(kViewsWithTexts), std::end(kViewsWithTexts));
-    for (const char* view : {"report --keys '\x13'", "report --keys '\x06'", "report --keys '1\x1b'",
+    for (const char* view : {"report --keys '<Ctrl+S>'", "report --keys '<Ctrl+F>'", "report --keys '1<Esc>'",
                              "report --panel lesson", "spotlight --view single --panel lights", "terms --panel probe",
                              "normals --keys 'n1m'", "interpolation --keys '.'", "report --view grid --keys 'fz'"})
         views.emplace_back(view);
@@ -775,6 +775,7 @@ TEST_F(DemoWindow, RefusesBadInputInOneLine) {
     expect_refusal(run(program() + " --size 0x5"), "--size");
     expect_refusal(run(program() + " --view cube"), "--view");
     expect_refusal(run(program() + " --quit-after 0"), "--quit-after: '0' is not a whole number from 1 to 1000000");
+    expect_refusal(run(program() + " --keys '<F12>'"), "--keys: '<F12>' is no key of the window");
     expect_refusal(run(program() + " --lesson shinines"), "there is no lesson 'shinines'; did you mean 'shininess'?");
     expect_refusal(run(program() + " report --lesson shininess"), "give either SCENE or --lesson");
     expect_refusal(run(program() + " report --tutor light"), "give either SCENE or --tutor");

@@ -50,6 +50,9 @@ class Window {
     void draw();
     void frame();
     void key(int code);
+    void press_keys();
+    void press_timed_keys();
+    void come_to_rest();
     void mouse(int button, int state, int x, int y);
     void motion(int x, int y);
     void passive_motion(int x, int y);
@@ -98,6 +101,11 @@ class Window {
         bool is_pending = false;
     };
     void after(unsigned ms, Timer& timer);
+    // From a key to the end of the next frame, and to the end of the first one with all pictures that the driver draws.
+    struct KeyTime {
+        std::string key;
+        double answer_ms = 0, picture_ms = 0;
+    };
 
     WindowOptions options_;
     session::Preferences preferences_;
@@ -133,6 +141,7 @@ class Window {
     std::optional<std::filesystem::file_time_type> file_time_;
     std::vector<double> frame_ms_;  // for options_.times
     std::array<std::vector<double>, session::kPanes> pane_ms_;
+    std::vector<KeyTime> key_times_;
     std::vector<std::array<int, 2>> cut_letters_, overlapping_letters_;  // in the last frame, for options_.times
     std::vector<std::string> texts_;                                     // the same
     Dialogs dialogs_;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/demo/theme.h"
 #include "app/demo/window.h"
@@ -46,6 +48,25 @@ session::Probe probe_at(const std::string& text) {
     if (std::sscanf(text.c_str(), "%d,%d%c", &probe.x, &probe.y, &rest) != 2 || probe.x < 0 || probe.y < 0)
         throw CLI::ValidationError("--probe", "'" + text + "' is not X,Y, such as 320,240");
     return probe;
+}
+
+// The codes of keys such as f1<Left><Ctrl+O>.
+std::vector<int> keys_in(const std::string& text) {
+    std::vector<int> keys;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '<') {
+            keys.push_back(static_cast<unsigned char>(text[i]));
+            continue;
+        }
+        const std::size_t end = std::min(text.find('>', i), text.size());
+        const std::string name = text.substr(i + 1, end - i - 1);
+        const auto key = session::find_key(name);
+        if (!key)
+            throw CLI::ValidationError("--keys", "'<" + name + ">' is no key of the window, as <Left> or <Ctrl+O> is");
+        keys.push_back(*key);
+        i = end;
+    }
+    return keys;
 }
 
 // Chinese needs a font with its letters.
@@ -112,7 +133,10 @@ int run(int argc, char** argv) {
     app.add_option("--scale", options.scale, "the size of letters: 1 for 96 dots per inch (default: the screen's)")
         ->check(number_from(0.5, kMaxScale))
         ->option_text("NUMBER");
-    app.add_option("--keys", options.keys, "press these keys at the start")->option_text("STRING");
+    app.add_option_function<std::string>(
+           "--keys", [&](const std::string& text) { options.keys = keys_in(text); },
+           "press these keys at the start; <Left>, <F1> and <Ctrl+O> name keys")
+        ->option_text("STRING");
     app.add_option("--screenshot", options.screenshot,
                    "the PNG file that the key p and --quit-after write: the whole window")
         ->option_text("FILE")
@@ -121,8 +145,8 @@ int run(int argc, char** argv) {
         ->check(number_from(1, kMaxFrames))
         ->option_text("FRAMES");
     app.add_option("--times", options.times,
-                   "write the milliseconds of each frame to this JSON file, and the texts of the last one and where "
-                   "they are cut or overlap")
+                   "write the milliseconds of each frame to this JSON file, those from each key of --keys to the "
+                   "frame that answers it, and the texts of the last frame and where they are cut or overlap")
         ->option_text("FILE")
         ->check(not_empty());
 

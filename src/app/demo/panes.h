@@ -55,9 +55,12 @@ class Panes {
         return is_late_ || worker_.is_busy() || lacks_images(session) || small_wanted_;
     }
     void wait() const {
-        painter_.wait();
+        wait_for_driver();
         worker_.wait();
     }
+    // Whether the last frame lacks a picture that the driver is drawing, and to wait for it.
+    bool is_late() const { return is_late_; }
+    void wait_for_driver() const { painter_.wait(); }
 
     // The texture of a small picture of a built-in scene, which is drawn when nothing else is; 0 until then.
     unsigned small_picture(const std::string& scene);

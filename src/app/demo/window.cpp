@@ -58,6 +58,10 @@ constexpr unsigned kRecoveryMs = 250;  // from a change to the recovery file
     std::_Exit(2);  // without freeglut's last words to a display that refused it
 }
 
+double ms_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
 // A script is not asked, and leaves nothing.
 std::string recovery_folder_of(const WindowOptions& options) {
     return options.quit_after > 0 ? "" : session::recovery_folder();
@@ -168,14 +172,7 @@ int Window::run() {
 
     register_callbacks();
 
-    guarded(this, [](Window& self) {
-        for (const char code : self.options_.keys) {
-            const bool is_ctrl = code >= 1 && code <= 26 && code != '\b' && code != '\t' && code != '\r';
-            session::press(self.session_, is_ctrl ? session::kCtrl + 'a' + code - 1 : static_cast<unsigned char>(code));
-            self.carry_out_requests();
-            refresh(self.session_, self.session_.width, self.session_.height);
-        }
-    });
+    if (options_.times.empty()) guarded(this, [](Window& self) { self.press_keys(); });
     if (status_ == EXIT_SUCCESS && !session_.quit_requested) {
         auto lost = session::find_lost_scenes(recovery_folder_of(options_));
         if (lost) dialogs_.offer(session_, std::move(*lost));
@@ -206,7 +203,46 @@ void Window::set_timers() {
 // GLUT calls it when no event waits, so the changes that came before the button are made.
 void Window::display() {
     if (std::exchange(close_pressed_, false)) session::request_end(session_);
+    if (!options_.times.empty() && frames_shown_ == 0) press_timed_keys();
+    if (!imgui_runs_) return;
+    ++frames_shown_;
     draw();
+}
+
+// Before the first frame.
+void Window::press_keys() {
+    for (const int code : options_.keys) {
+        session::press(session_, code);
+        carry_out_requests();
+        refresh(session_, session_.width, session_.height);
+    }
+}
+
+// Each key is pressed when nothing is at work.
+void Window::press_timed_keys() {
+    for (const int code : options_.keys) {
+        come_to_rest();
+        if (!imgui_runs_) return;
+        const Clock::time_point start = Clock::now();
+        key(code);
+        if (!imgui_runs_) return;
+        draw();
+        KeyTime& times =
+            key_times_.emplace_back(KeyTime{.key = session::name_of_key(code), .answer_ms = ms_since(start)});
+        while (panes_->is_late()) {
+            panes_->wait_for_driver();
+            draw();
+        }
+        times.picture_ms = ms_since(start);
+    }
+}
+
+// What is animated never rests.
+void Window::come_to_rest() {
+    while (imgui_runs_ && (frames_wanted_ > 0 || (panes_->is_busy(session_) && !session_.animating))) {
+        panes_->wait();
+        draw();
+    }
 }
 
 void Window::draw() {
@@ -217,7 +253,6 @@ void Window::draw() {
         session::animate(session_, std::min(seconds, 0.2));
     }
     frame();
-    ++frames_shown_;
     // A script's last frame shows the reference's final picture.
     const bool last = options_.quit_after > 0 && frames_shown_ >= std::max(options_.quit_after, kFramesAfterEvent);
     if (last) {
@@ -241,7 +276,7 @@ void Window::draw() {
     }
     glutSwapBuffers();
     if (!options_.times.empty()) {
-        frame_ms_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+        frame_ms_.push_back(ms_since(start));
         for (std::size_t i = 0; i < session::kPanes; ++i) pane_ms_[i].push_back(panes_->last_ms(i).value_or(0));
     }
 
@@ -309,8 +344,12 @@ void Window::save_screenshot() {
 
 void Window::write_times() const {
     if (options_.times.empty()) return;
+    nlohmann::json keys = nlohmann::json::array();
+    for (const KeyTime& time : key_times_)
+        keys.push_back({{"key", time.key}, {"answer_ms", time.answer_ms}, {"picture_ms", time.picture_ms}});
     const nlohmann::json json = {{"frame_ms", frame_ms_},
                                  {"pane_ms", pane_ms_},
+                                 {"keys", keys},
                                  {"cut_letters", cut_letters_},
                                  {"overlapping_letters", overlapping_letters_},
                                  {"texts", texts_}};

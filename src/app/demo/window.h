@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/session/session.h"
 #include "judge/lesson/lesson.h"
@@ -21,10 +22,12 @@ struct WindowOptions {
     lesson::Language language = lesson::Language::kEnglish;  // of the tab Lesson
     std::optional<double> scale{};      // of letters and lines; empty: from the screen's dots per inch
     std::optional<std::string> file{};  // the scene's file, which is read again when it is saved
-    std::string keys;                   // pressed before the first frame
+    std::vector<int> keys;              // their codes; pressed before the first frame, or one by one if they are timed
     std::string screenshot;             // the file that the key p and --quit-after write
     int quit_after = 0;                 // frames; 0: until the user quits
-    std::string times;  // a JSON file for the milliseconds of all frames: {"frame_ms": [...], "pane_ms": [[...], ...]}
+    // A JSON file for the milliseconds of all frames, and from each key to its answer:
+    // {"frame_ms": [...], "pane_ms": [[...], ...], "keys": [{"key": "f", "answer_ms": 31.5, "picture_ms": 31.5}, ...]}
+    std::string times;
 };
 
 // Shows the scene until the user quits, and returns the exit status. Throws SceneError for a scene with a GL error. If GLUT

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <utility>
 
 #include "app/session/camera.h"
 #include "app/session/edits.h"
@@ -228,6 +230,26 @@ bool press(Session& session, int code) {
         }
     }
     return false;
+}
+
+std::string name_of_key(int code) {
+    if (code == kShiftTab) return "Shift+Tab";
+    for (const auto& [modifiers, name] : {std::pair{kCtrlShift, "Ctrl+Shift+"}, {kCtrl, "Ctrl+"}})
+        if (code > modifiers) return name + std::string(1, static_cast<char>(std::toupper(code - modifiers)));
+    constexpr std::array<const char*, 4> kArrows = {"Left", "Up", "Right", "Down"};
+    if (code >= kLeft && code < kLeft + 4) return kArrows[static_cast<std::size_t>(code - kLeft)];
+    if (code >= kF1) return fmt::format("F{}", code - kSpecialKey);
+    if (code == '\t') return "Tab";
+    if (code == ' ') return "Space";
+    if (code == kEscape) return "Esc";
+    return {static_cast<char>(code)};
+}
+
+std::optional<int> find_key(const std::string& name) {
+    for (const Key& key : keys())
+        for (int code = key.first; code <= key.last; ++code)
+            if (name_of_key(code) == name) return code;
+    return {};
 }
 
 std::string keys_help() {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,7 +34,10 @@ struct Key {
 
 std::span<const Key> keys();
 bool press(Session& session, int code);  // false for a key without a function
-std::string keys_help();                 // one line for each key
+// "f", "Tab", "Ctrl+O": the name of a key in the table.
+std::string name_of_key(int code);
+std::optional<int> find_key(const std::string& name);
+std::string keys_help();  // one line for each key
 
 // ---- The mouse over a picture, in pixels (y down) ----
 

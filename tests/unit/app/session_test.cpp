@@ -177,6 +177,17 @@ TEST(SessionKeys, EachHasOneMeaning) {
     EXPECT_FALSE(press(session, '9'));
 }
 
+TEST(SessionKeys, HaveNames) {
+    std::string names;
+    for (const int code : {int{'f'}, int{' '}, int{'\t'}, kEscape, kShiftTab, kSpecialKey + 11, kCtrl + 'o',
+                           kCtrl + '+', kCtrlShift + 's', kSpecialKey + 100, kSpecialKey + 103})
+        names += name_of_key(code) + " ";
+    EXPECT_EQ(names, "f Space Tab Esc Shift+Tab F11 Ctrl+O Ctrl++ Ctrl+Shift+S Left Down ");
+    for (const Key& key : keys())
+        for (int code = key.first; code <= key.last; ++code) EXPECT_EQ(find_key(name_of_key(code)), code);
+    EXPECT_FALSE(find_key("F12"));
+}
+
 TEST(SessionKeys, ThatEditSayWhatTheyDidAndCanBeUndone) {
     const auto report = load_commands("report");
     for (const char key : std::string("12345678flvtx+-wasd")) {
