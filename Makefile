@@ -402,7 +402,7 @@ $(PROGRAMS)/twinlight-tests: $(OFFSCREEN) $(call object,$(SOURCES_some_tests)) $
     $(call object,$(SOURCES_bench_meshes) $(SOURCES_subcommands) $(SOURCES_session) $(SOURCES_web)) $(OBJECT_version)
 	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
 
-$(PROGRAMS)/twinlight-bench: $(call object,$(SOURCES_bench) $(SOURCES_bench_library)) $(OFFSCREEN)
+$(PROGRAMS)/twinlight-bench: $(call object,$(SOURCES_bench) $(SOURCES_bench_library) $(SOURCES_session)) $(OFFSCREEN)
 	$(link) $(LIBS_offscreen) $(LIBS)
 
 OBJECTS_fuzz := $(call object,$(SOURCES_fuzz_common) $(SOURCES_fuzz_library)) $(patsubst %,$(BUILD)/embedded/%.o,scenes scene_assets recorder)

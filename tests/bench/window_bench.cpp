@@ -6,10 +6,12 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "../unit/run_program.h"
 #include "../window/xvfb.h"
+#include "app/session/keys.h"
 #include "base/image/file.h"
 #include "base/text/json.h"
 #include "ratios.h"
@@ -73,36 +75,101 @@ void measure_window(bench::Results& results) {
     results.ratio("window_changing_shaders_over_fixed", bench::median(ratios), bench::Bar{1});
 }
 
-// Without the driver's cache of shaders, so that each key is the first of its kind: the longest frame after the first one, which is what
-// the window needs for an answer.
-double longest_cold_frame(const Xvfb& server, bool is_quick) {
+// ---- Keys: from a key to the end of the frame that answers it ----
+
+constexpr std::size_t kKeysOfQuickRun = 3;
+constexpr int kCycle = 5;  // presses until the longest cycle, that of the tutors, begins again
+
+// What a key needs, to be pressed again and again: before the first time, and after each. Others do the same, or go around, each time.
+struct Needs {
+    std::string_view key, after_each = "", before = "", scene = "report";
+};
+constexpr Needs kNeeds[] = {
+    {"[", "]"},
+    {"]", "["},
+    {"+", "-"},
+    {"=", "-"},
+    {"-", "+"},
+    {",", ".", "", "interpolation"},
+    {".", ",", "", "interpolation"},
+    {"r", "f", "f"},
+    {"z", "f", "f"},
+    {"Ctrl+Z", "f", "f"},
+    {"y", "z", "fz"},
+    {"Ctrl+Y", "z", "fz"},
+    {"Ctrl+Shift+Z", "z", "fz"},
+    {"Ctrl+F", "<Esc>"},
+    {"Ctrl+O", "<Esc>"},
+    {"Ctrl+S", "1", "1", "saved.gl"},
+    {"Ctrl+Shift+S", "<Esc>"},
+    {"Ctrl++", "<Ctrl+->"},
+    {"Ctrl+=", "<Ctrl+->"},
+    {"Ctrl+-", "<Ctrl++>"},
+    {"Esc", "?", "?"},
+};
+
+// The window system answers F11 with an event of its own.
+bool is_timed(std::string_view key) { return key != "F11"; }
+
+struct KeyTimes {
+    // The longest time to the next frame, of the first kCycle presses; to the new picture, of as many again.
+    double cold_ms = 0, warm_ms = 0;
+};
+
+// In a window of its own and without the driver's cache of shaders, so that the first presses are the first of their kind.
+KeyTimes times_of_key(const Xvfb& server, const std::string& key) {
     const TemporaryFolder folder;
-    const std::string file = folder / "times.json", display = "DISPLAY=" + server.display() + " ";
-    std::string keys;
-    for (const char* key : {"f", "g", "t", "g", "x", "l", "r"})
-        keys += fmt::format("key {} sleep {} ", key, is_quick ? 0 : 2);
+    const auto found = std::ranges::find(kNeeds, key, &Needs::key);
+    const Needs needs = found == std::end(kNeeds) ? Needs{key} : *found;
+    std::string keys(needs.before);
+    for (int i = 0; i < 2 * kCycle; ++i) keys += fmt::format("<{}>{}", key, needs.after_each);
+    write_file_atomically(folder / "saved.gl", read_file("src/scene/scenes/report.gl"));
     const std::string command = fmt::format(
-        "env -u LP_NUM_THREADS MESA_SHADER_CACHE_DISABLE=true LIBGL_ALWAYS_SOFTWARE=1 XDG_CONFIG_HOME={0} "
-        "XDG_STATE_HOME={0} "
-        "{1}{2}/twinlight-demo report --size 1280x800 --scale 1 --times {3} & {1}xdotool search --sync --onlyvisible "
-        "--name "
-        "twinlight sleep 4 mousemove 900 300 {4} key Escape > /dev/null 2>&1; wait",
-        folder / "config", display, build_folder(), file, keys);
+        "program=$(realpath {}/twinlight-demo); cd {} && env -u LP_NUM_THREADS MESA_SHADER_CACHE_DISABLE=true "
+        "LIBGL_ALWAYS_SOFTWARE=1 LC_ALL=C DISPLAY={} $program {} --size 1280x800 --scale 1 --keys '{}' "
+        "--quit-after 1 --times times.json > /dev/null 2>&1",
+        build_folder(), folder / "", server.display(), needs.scene, keys);
     if (std::system(command.c_str()) != 0) throw std::runtime_error("the window failed: " + command);
-    const auto frames = nlohmann::json::parse(read_file(file)).at("frame_ms").get<std::vector<double>>();
-    return *std::max_element(frames.begin() + 1, frames.end());
+    KeyTimes times;
+    const auto json = nlohmann::json::parse(read_file(folder / "times.json"));
+    int presses = 0;
+    for (const auto& press : json.at("keys")) {
+        if (press.at("key") != key) continue;
+        if (presses++ < kCycle)
+            times.cold_ms = std::max(times.cold_ms, press.at("answer_ms").get<double>());
+        else
+            times.warm_ms = std::max(times.warm_ms, press.at("picture_ms").get<double>());
+    }
+    if (presses < 2 * kCycle) throw std::runtime_error(key + " was not pressed");
+    return times;
 }
 
-void measure_cold_keys(bench::Results& results) {
+void measure_keys(bench::Results& results) {
     const Xvfb server;
-    if (!server.running() || std::system("command -v xdotool > /dev/null") != 0) {
-        results.remark("cold keys are not measured: Xvfb or xdotool is missing");
+    if (!server.running()) {
+        results.remark("the keys are not measured: " + server.reason());
         return;
     }
-    results.ratio("window_cold_key_ms_most", longest_cold_frame(server, results.is_quick()), bench::Bar{150, true});
+    std::vector<std::string> names;
+    for (const session::Key& row : session::keys())
+        for (int code = row.first; code <= row.last; ++code) names.push_back(session::name_of_key(code));
+    std::erase_if(names, [](const std::string& key) { return !is_timed(key); });
+    if (results.is_quick()) names.resize(kKeysOfQuickRun);
+    std::string slowest_cold, slowest_warm;
+    KeyTimes slowest;
+    for (const std::string& key : names) {
+        const KeyTimes times = times_of_key(server, key);
+        results.remark(fmt::format("{:12} cold {:5.0f} ms, warm {:5.0f} ms", key, times.cold_ms, times.warm_ms));
+        if (times.cold_ms > slowest.cold_ms) slowest_cold = key;
+        if (times.warm_ms > slowest.warm_ms) slowest_warm = key;
+        slowest = {std::max(slowest.cold_ms, times.cold_ms), std::max(slowest.warm_ms, times.warm_ms)};
+    }
+    results.remark(fmt::format("the slowest key is {} cold and {} warm", slowest_cold, slowest_warm));
+    results.ratio("window_key_ms_cold_most", slowest.cold_ms, bench::Bar{150, true});
+    results.ratio("window_key_ms_warm_most", slowest.warm_ms, bench::Bar{100, true});
 }
 
-const bool added_cold_keys = bench::add_part("cold_keys", measure_cold_keys);
+const bool added_keys = bench::add_part("keys", measure_keys);
 const bool added = bench::add_part("window", measure_window);
 
 }  // namespace
