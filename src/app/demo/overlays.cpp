@@ -263,19 +263,38 @@ void show_labels(const OverlayPicture& overlays, const Rectangle& picture) {
     draw.PopClipRect();
 }
 
-void OverlaidPicture::update(const session::Session& session, const Look& look, unsigned texture, int version) {
-    const Made wanted{session.overlays, session.revision, version, look.shading, look.lecture_variants};
-    if (made_ == wanted) return;
-    Made same_lines = wanted;
-    same_lines.version = made_.version;
-    if (same_lines != made_) {
+std::optional<PaneJob> OverlaidPicture::next_job(const session::Session& session, const Look& look, int version,
+                                                 std::function<void(Texture&)> upload) {
+    const Wanted wanted{session.overlays, session.revision, version, look.shading, look.lecture_variants};
+    if (wanted_ == wanted) return {};
+    Wanted same_lines = wanted;
+    same_lines.version = wanted_.version;
+    if (same_lines != wanted_) {
         PlanOptions options;
         static_cast<Look&>(options) = look;
-        overlays_ = overlays_of(session.scene.frame, session.overlays, options);
+        made_ = std::make_shared<const OverlayPicture>(overlays_of(session.scene.frame, session.overlays, options));
     }
-    made_ = wanted;
-    draw_overlays(overlays_, texture, session.width, session.height);
-    texture_.copy_back_buffer(session.width, session.height);
+    wanted_ = wanted;
+    PaneJob job;
+    job.size = {session.width, session.height};
+    job.overlays = made_;
+    job.draw = [overlays = made_, size = job.size, upload = std::move(upload)](Renderers&) {
+        Texture picture(GL_NEAREST);
+        upload(picture);
+        draw_overlays(*overlays, picture.name(), size.width, size.height);
+    };
+    return job;
+}
+
+void OverlaidPicture::take(const PanePicture& picture) {
+    shown_ = picture.job.overlays;
+    texture_.upload(picture.rgba, picture.job.size.width, picture.job.size.height);
+}
+
+void OverlaidPicture::forget() {
+    wanted_ = {};
+    made_.reset();
+    shown_.reset();
 }
 
 void overlays_panel(session::Session& session) {

@@ -1,8 +1,11 @@
 // Overlays: wireframes, normals and marks over a picture, drawn with plain GL; their labels, drawn by ImGui.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
 
+#include "app/demo/pane_worker.h"
 #include "app/demo/texture.h"
 #include "app/session/layout.h"
 #include "app/session/overlays.h"
@@ -26,24 +29,29 @@ void show_labels(const session::OverlayPicture& overlays, const Rectangle& pictu
 // A texture that keeps a picture with its overlays, made again when either changed.
 class OverlaidPicture {
   public:
-    // `texture` holds a picture of session.scene; `version` changes whenever its content does. `look` is the pane's.
-    void update(const session::Session& session, const Look& look, unsigned texture, int version);
+    // The job that makes it, if something changed. `draw_picture` makes a texture of session.scene's picture, whose `version` changes
+    // whenever its content does. `look` is the pane's.
+    std::optional<PaneJob> next_job(const session::Session& session, const Look& look, int version,
+                                    std::function<void(Texture&)> upload);
+    void take(const PanePicture& picture);
+    void forget();
+    // Whether the picture that is shown lacks what was chosen last.
+    bool is_behind() const { return made_ != shown_; }
+    // Null until a picture is there.
+    const session::OverlayPicture* overlays() const { return shown_.get(); }
     unsigned texture() const { return texture_.name(); }
-    // Whether it was made from this version of the picture.
-    bool shows(int version) const { return made_.version == version; }
-    const session::OverlayPicture& overlays() const { return overlays_; }
 
   private:
-    struct Made {
+    struct Wanted {
         session::Overlays overlays;
         int revision = -1, version = -1;
         std::optional<Shading> shading;
         bool lecture_variants = false;
 
-        friend bool operator==(const Made&, const Made&) = default;
+        friend bool operator==(const Wanted&, const Wanted&) = default;
     };
-    Made made_{};
-    session::OverlayPicture overlays_{};
+    Wanted wanted_{};
+    std::shared_ptr<const session::OverlayPicture> made_{}, shown_{};
     Texture texture_{GL_LINEAR};
 };
 

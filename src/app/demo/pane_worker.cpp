@@ -14,28 +14,22 @@
 namespace twinlight::demo {
 namespace {
 
-PanePicture drawn_picture(const PaneJob& job, programmable::Renderer& renderer) {
+PanePicture drawn_picture(const PaneJob& job, Renderers& renderers) {
     using Clock = std::chrono::steady_clock;
     PanePicture picture{job};
-    const Scene& scene = *job.scene;
     // The first picture of a renderer includes compiling.
     for (int times = job.is_first ? 2 : 1; times > 0 && picture.error.empty(); --times) {
         glFinish();
         const Clock::time_point start = Clock::now();
         try {
-            if (job.renderer == Path::kFixed) {
-                fixed::draw(scene, {job.look.shading});
-            } else {
-                // For drawing frame after frame: numbers that do not change are baked into the shaders.
-                renderer.draw(scene.frame, {{job.look}, programmable::Tier::kAuto});
-            }
+            job.draw(renderers);
         } catch (const std::exception& error) {
             picture.error = reason_of(error);
         }
         glFinish();
         picture.ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     }
-    const int width = scene.frame.width, height = scene.frame.height;
+    const auto [width, height] = job.size;
     const fixed::InitialState initial(width, height);
     picture.rgba.resize(std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
@@ -90,11 +84,11 @@ std::vector<PaneJob>::iterator PaneWorker::next_job() {
     return found == jobs_.end() ? jobs_.begin() : found;
 }
 
-void PaneWorker::wait(std::optional<std::chrono::milliseconds> most) const {
+void PaneWorker::wait(std::optional<std::chrono::steady_clock::time_point> end) const {
     std::unique_lock lock(mutex_);
     const auto is_done = [this] { return !is_drawing_now(); };
-    if (most)
-        changed_.wait_for(lock, *most, is_done);
+    if (end)
+        changed_.wait_until(lock, *end, is_done);
     else
         changed_.wait(lock, is_done);
 }
@@ -106,7 +100,7 @@ std::vector<PanePicture> PaneWorker::take() {
         by_itself = draws_by_itself_;
     }
     if (!by_itself) {
-        if (!of_window_) of_window_ = std::make_unique<programmable::Renderer>();
+        if (!of_window_) of_window_ = std::make_unique<Renderers>();
         draw_jobs(*of_window_, [](int, int) {});
     }
     const std::lock_guard lock(mutex_);
@@ -117,7 +111,7 @@ void PaneWorker::run() {
     try {
         DrawingContext context;
         context.make_current(1, 1);
-        programmable::Renderer renderer;
+        Renderers renderers;
         const auto prepare = [&](int width, int height) { context.make_current(width, height); };
         for (;;) {
             {
@@ -125,7 +119,7 @@ void PaneWorker::run() {
                 changed_.wait(lock, [this] { return is_ending_ || !jobs_.empty(); });
                 if (is_ending_) return;
             }
-            draw_jobs(renderer, prepare);
+            draw_jobs(renderers, prepare);
         }
     } catch (const std::exception&) {
         // There is no context, or no buffer of this size.
@@ -135,7 +129,7 @@ void PaneWorker::run() {
     changed_.notify_all();
 }
 
-void PaneWorker::draw_jobs(programmable::Renderer& renderer, const std::function<void(int, int)>& prepare) {
+void PaneWorker::draw_jobs(Renderers& renderers, const std::function<void(int, int)>& prepare) {
     for (;;) {
         PaneJob job;
         {
@@ -144,17 +138,16 @@ void PaneWorker::draw_jobs(programmable::Renderer& renderer, const std::function
             const auto next = next_job();
             job = std::move(*next);
             jobs_.erase(next);
-            is_drawing_ = !job.is_small();
+            is_drawing_ = !job.is_small;
         }
-        if (job.is_small()) job.scene = job.make_scene();
         try {
-            prepare(job.scene->frame.width, job.scene->frame.height);
+            prepare(job.size.width, job.size.height);
         } catch (const std::exception&) {
             const std::lock_guard lock(mutex_);
             jobs_.insert(jobs_.begin(), std::move(job));
             throw;
         }
-        PanePicture picture = drawn_picture(job, renderer);
+        PanePicture picture = drawn_picture(job, renderers);
         {
             const std::lock_guard lock(mutex_);
             is_drawing_ = false;

@@ -1,6 +1,6 @@
-// PaneWorker: draws the pictures of the fixed function and of the shaders in a thread and a context of its own. A driver compiles when it
-// first draws, which takes up to seconds, and the window shows the last picture meanwhile. Without a thread or a second context the
-// window's own context draws.
+// PaneWorker: draws the driver's pictures in a thread and a context of its own: of the fixed function and of the shaders, with overlays, and
+// from outside. A driver compiles when it first draws, which takes up to seconds, and the window shows the last picture meanwhile. Without a
+// thread or a second context the window's own context draws.
 #pragma once
 
 #include <chrono>
@@ -15,25 +15,31 @@
 #include <thread>
 #include <vector>
 
+#include "app/session/overlays.h"
 #include "render/look.h"
 #include "render/path.h"
 #include "render/programmable/programmable.h"
-#include "scene/frame/scene.h"
+#include "scene/command/command.h"
 
 namespace twinlight::demo {
 
-// A picture of the size of the scene's frame.
-struct PaneJob {
-    std::size_t pane = 0;  // its number
-    std::shared_ptr<const Scene> scene;
-    Path renderer = Path::kFixed;  // not the reference
-    Look look{};
-    int revision = -1;      // of the session
-    bool is_first = false;  // by this renderer with this look: it is drawn twice and the second is timed
-    // A picture for which nothing waits. Its scene is made when it is drawn.
-    std::function<std::shared_ptr<const Scene>()> make_scene{};
+// The worker's renderers, in its context. The world has its own, so that the panes' constants stay (kept_programs.h).
+struct Renderers {
+    programmable::Renderer panes, world;
+};
 
-    bool is_small() const { return make_scene != nullptr; }
+// A picture that a function draws into the current context's back buffer, which has its size.
+struct PaneJob {
+    std::size_t pane = 0;  // its number; jobs of one number replace each other
+    WindowSize size;
+    std::function<void(Renderers&)> draw;
+    bool is_first = false;                                      // it is drawn twice and the second is timed
+    bool is_small = false;                                      // nothing waits for it
+    std::shared_ptr<const session::OverlayPicture> overlays{};  // that it shows
+    // Of a pane's picture without them.
+    Path renderer = Path::kFixed;
+    Look look{};
+    int revision = -1;  // of the session
 };
 
 struct PanePicture {
@@ -54,14 +60,14 @@ class PaneWorker {
     void request(PaneJob job);
     // Whether anything is still to be drawn, not counting small pictures.
     bool is_drawing() const;
-    // Waits until that is drawn, or at most so long.
-    void wait(std::optional<std::chrono::milliseconds> most = {}) const;
+    // Waits until that is drawn, or until then.
+    void wait(std::optional<std::chrono::steady_clock::time_point> end = {}) const;
     // What was drawn since the last call, the oldest first. Without a thread it is drawn now, into the back buffer's lower left corner.
     std::vector<PanePicture> take();
 
   private:
     void run();
-    void draw_jobs(programmable::Renderer& renderer, const std::function<void(int width, int height)>& prepare);
+    void draw_jobs(Renderers& renderers, const std::function<void(int width, int height)>& prepare);
     std::vector<PaneJob>::iterator next_job();
     bool is_drawing_now() const;
 
@@ -70,9 +76,9 @@ class PaneWorker {
     std::vector<PaneJob> jobs_;
     std::vector<PanePicture> pictures_;
     bool is_drawing_ = false, is_ending_ = false;
-    bool draws_by_itself_ = false;                       // in a thread with a context
-    std::unique_ptr<programmable::Renderer> of_window_;  // draws in the window's context without such a thread
-    std::thread thread_;                                 // the last member: it uses the others
+    bool draws_by_itself_ = false;          // in a thread with a context
+    std::unique_ptr<Renderers> of_window_;  // draw in the window's context without such a thread
+    std::thread thread_;                    // the last member: it uses the others
 };
 
 }  // namespace twinlight::demo

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
 #include "app/session/scenes.h"
 #include "judge/study/measure.h"
 #include "render/context/gl.h"
+#include "render/fixed/fixed.h"
 #include "render/reference/reference.h"
 
 namespace twinlight::demo {
@@ -22,7 +24,10 @@ using session::Session;
 using Clock = std::chrono::steady_clock;
 
 // How long a frame waits for pictures. Later ones are shown when they are ready: the driver compiles, or the scene is large.
-constexpr std::chrono::milliseconds kPatience{100};
+constexpr std::chrono::milliseconds kPatience{80};
+
+// The numbers of jobs: panes have their own, then the world, the small pictures and the panes with overlays.
+constexpr std::size_t kSmallJob = session::kWorldPane + 1, kFirstOverlaidJob = kSmallJob + 1;
 
 // The image in which row 0 is at the top.
 Image image_of(const std::vector<std::uint8_t>& rgba, int width, int height) {
@@ -69,8 +74,6 @@ std::optional<double> FrameTimes::median_ms() const {
     return study::median(std::move(all));
 }
 
-Panes::Panes() : programmable_(std::make_unique<programmable::Renderer>()) {}
-
 bool Panes::wants_image(const Session& session, std::size_t pane) const {
     const bool in_difference = pane == session.difference.a || pane == session.difference.b;
     return has_probe(session) || (in_difference && shows_difference(session));
@@ -85,35 +88,76 @@ void Panes::request_picture(const Session& session, std::size_t number) {
     scene_revision_ = session.revision;
     const bool is_first = !drawn.wanted || drawn.wanted->pane != wanted.pane || drawn.wanted->look != wanted.look;
     drawn.wanted = wanted;
-    painter_.request({number, scene_, wanted.pane.renderer, wanted.look, wanted.revision, is_first});
+    PaneJob job;
+    job.pane = number;
+    job.size = {session.width, session.height};
+    job.is_first = is_first;
+    job.renderer = wanted.pane.renderer;
+    job.look = wanted.look;
+    job.revision = wanted.revision;
+    job.draw = [scene = scene_, renderer = job.renderer, look = job.look](Renderers& renderers) {
+        if (renderer == Path::kFixed)
+            fixed::draw(*scene, {look.shading});
+        else  // For drawing frame after frame: numbers that do not change are baked into the shaders.
+            renderers.panes.draw(scene->frame, {{look}, programmable::Tier::kAuto});
+    };
+    painter_.request(std::move(job));
+}
+
+// The pane's texture is in the window's context, so the worker gets the pixels.
+void Panes::request_overlaid(const Session& session, std::size_t number) {
+    Drawn& drawn = drawn_[number];
+    if (drawn.revision != session.revision) return;
+    std::function<void(Texture&)> upload;
+    if (drawn.reference)
+        upload = [reference = drawn.reference](Texture& texture) {
+            texture.upload(reference->image);
+            if (reference->divisor > 1) texture.set_magnification(GL_LINEAR);
+        };
+    else
+        upload = [rgba = drawn.rgba, width = drawn.width, height = drawn.height](Texture& texture) {
+            texture.upload(*rgba, width, height);
+        };
+    auto job = drawn.overlaid.next_job(session, drawn.look, drawn.version, std::move(upload));
+    if (!job) return;
+    job->pane = kFirstOverlaidJob + number;
+    painter_.request(std::move(*job));
+}
+
+void Panes::take_pictures() {
+    for (PanePicture& picture : painter_.take()) {
+        const std::size_t number = picture.job.pane;
+        if (number < kPanes)
+            take_picture(picture);
+        else if (number == session::kWorldPane)
+            world_.take(picture);
+        else if (number == kSmallJob)
+            take_small_picture(picture);
+        else
+            drawn_[number - kFirstOverlaidJob].overlaid.take(picture);
+    }
 }
 
 // A picture of an earlier revision is shown until the next one is there.
-void Panes::take_pictures() {
-    for (PanePicture& picture : painter_.take()) {
-        const PaneJob& job = picture.job;
-        if (job.is_small()) {
-            take_small_picture(picture);
-            continue;
-        }
-        Drawn& drawn = drawn_[job.pane];
-        if (!drawn.wanted || drawn.wanted->pane.renderer != job.renderer || drawn.wanted->look != job.look) continue;
-        drawn.error = picture.error;
-        if (job.is_first) drawn.times = {};
-        drawn.times.add(picture.ms);
-        drawn.image = {};
-        drawn.is_new = true;
-        drawn.rgba = std::move(picture.rgba);
-        drawn.width = job.scene->frame.width;
-        drawn.height = job.scene->frame.height;
-        drawn.texture.upload(drawn.rgba, drawn.width, drawn.height);
-        drawn.texture.set_magnification(GL_NEAREST);
-        ++drawn.version;
-        drawn.pane = drawn.wanted->pane;
-        drawn.look = job.look;
-        drawn.revision = job.revision;
-        drawn.reference.reset();
-    }
+void Panes::take_picture(PanePicture& picture) {
+    const PaneJob& job = picture.job;
+    Drawn& drawn = drawn_[job.pane];
+    if (!drawn.wanted || drawn.wanted->pane.renderer != job.renderer || drawn.wanted->look != job.look) return;
+    drawn.error = picture.error;
+    if (job.is_first) drawn.times = {};
+    drawn.times.add(picture.ms);
+    drawn.image = {};
+    drawn.is_new = true;
+    drawn.rgba = std::make_shared<const std::vector<std::uint8_t>>(std::move(picture.rgba));
+    drawn.width = job.size.width;
+    drawn.height = job.size.height;
+    drawn.texture.upload(*drawn.rgba, drawn.width, drawn.height);
+    drawn.texture.set_magnification(GL_NEAREST);
+    ++drawn.version;
+    drawn.pane = drawn.wanted->pane;
+    drawn.look = job.look;
+    drawn.revision = job.revision;
+    drawn.reference.reset();
 }
 
 // One at a time, so that a pane's picture never waits for more than one.
@@ -122,8 +166,10 @@ unsigned Panes::small_picture(const std::string& scene) {
     if (small_wanted_) return 0;
     small_wanted_ = scene;
     PaneJob job;
-    job.pane = kPanes;  // none
-    job.make_scene = [scene] { return session::small_scene(scene, kSmallPicture); };
+    job.pane = kSmallJob;
+    job.size = kSmallPicture;
+    job.is_small = true;
+    job.draw = [scene](Renderers&) { fixed::draw(*session::small_scene(scene, kSmallPicture)); };
     painter_.request(std::move(job));
     return 0;
 }
@@ -139,8 +185,8 @@ void Panes::make_images(const Session& session) {
     for (std::size_t i = 0; i < kPanes; ++i) {
         Drawn& drawn = drawn_[i];
         const bool is_new = std::exchange(drawn.is_new, false);
-        if (drawn.rgba.empty() || !drawn.image.pixels.empty() || !wants_image(session, i)) continue;
-        if (!is_new || compares_live(session)) drawn.image = image_of(drawn.rgba, drawn.width, drawn.height);
+        if (!drawn.rgba || !drawn.image.pixels.empty() || !wants_image(session, i)) continue;
+        if (!is_new || compares_live(session)) drawn.image = image_of(*drawn.rgba, drawn.width, drawn.height);
     }
 }
 
@@ -180,7 +226,7 @@ void Panes::take_reference(const Session& session) {
         if ((*found)->revision != drawn.revision) drawn.since = Clock::now();
         drawn.reference = *found;
         drawn.wanted.reset();
-        drawn.rgba.clear();
+        drawn.rgba.reset();
         drawn.pane = pane;
         drawn.look = look;
         drawn.revision = (*found)->revision;
@@ -265,23 +311,26 @@ void Panes::update(const Session& session, const session::Layout& layout, bool w
     if (has_probe(session)) shown.fill(true);
     for (std::size_t i = 0; i < kPanes; ++i)
         if (shown[i] && session.panes[i].renderer != Path::kReference) request_picture(session, i);
-    if (waits)
-        painter_.wait();
-    else if (!is_late_)
-        painter_.wait(kPatience);
-    is_late_ = painter_.is_drawing();
-    take_pictures();
+    if (session.view == session::View::kWorld || session.view == session::View::kTutor)
+        if (auto job = world_.next_job(session)) painter_.request(std::move(*job));
+    const Clock::time_point end = Clock::now() + (is_late_ ? Clock::duration::zero() : kPatience);
+    const auto take = [&] {
+        painter_.wait(waits ? std::nullopt : std::optional(end));
+        take_pictures();
+    };
+    take();
     make_images(session);
     request_reference(session, shown);
     take_reference(session);
     if (shows_difference(session)) update_difference(session);
     for (std::size_t i = 0; i < kPanes; ++i) {
-        Drawn& drawn = drawn_[i];
-        if (shown[i] && any(session.overlays) && drawn.revision == session.revision)
-            drawn.overlaid.update(session, drawn.look, drawn.texture.name(), drawn.version);
+        if (!any(session.overlays))
+            drawn_[i].overlaid.forget();
+        else if (shown[i])
+            request_overlaid(session, i);
     }
-    if (session.view == session::View::kWorld || session.view == session::View::kTutor)
-        world_.update(session, *programmable_);
+    take();
+    is_late_ = painter_.is_drawing();
 }
 
 std::array<std::optional<Rgba>, kPanes> Panes::colors_at(int x, int y) const {

@@ -21,7 +21,6 @@
 #include "app/session/reference_worker.h"
 #include "app/session/session.h"
 #include "base/image/difference.h"
-#include "render/programmable/programmable.h"
 
 namespace twinlight::demo {
 
@@ -40,11 +39,11 @@ class FrameTimes {
 class Panes {
   public:
     // Needs the window's context to be current, here and until the end.
-    Panes();
+    Panes() = default;
     Panes(const Panes&) = delete;
     Panes& operator=(const Panes&) = delete;
 
-    // Draws what changed, and waits for it for a short time or, if `waits`, until it is drawn. The back buffer's lower left corner is
+    // Draws what changed, and waits for it for a short time or, if `waits`, until it is drawn. The back buffer's lower left corner may be
     // overwritten.
     void update(const session::Session& session, const session::Layout& layout, bool waits);
     // Puts the pictures on ImGui's background, between the bars.
@@ -88,11 +87,11 @@ class Panes {
         int revision = -1;
         int width = 0, height = 0;
         Texture texture{GL_NEAREST};
-        int version = 0;                   // counts the texture's pictures
-        OverlaidPicture overlaid{};        // the texture with the overlays
-        std::vector<std::uint8_t> rgba{};  // not of the reference
-        bool is_new = false;               // since the last frame
-        Image image{};                     // empty unless it was needed
+        int version = 0;                                          // counts the texture's pictures
+        OverlaidPicture overlaid{};                               // the texture with the overlays
+        std::shared_ptr<const std::vector<std::uint8_t>> rgba{};  // not of the reference
+        bool is_new = false;                                      // since the last frame
+        Image image{};                                            // empty unless it was needed
         std::shared_ptr<const session::ReferencePicture> reference{};
         std::chrono::steady_clock::time_point since{};  // the reference's picture is from then
         std::string error{};                            // of the renderer
@@ -112,7 +111,9 @@ class Panes {
     bool lacks_images(const session::Session& session) const;
     bool wants_image(const session::Session& session, std::size_t pane) const;
     void request_picture(const session::Session& session, std::size_t pane);
+    void request_overlaid(const session::Session& session, std::size_t pane);
     void take_pictures();
+    void take_picture(PanePicture& picture);
     void take_small_picture(const PanePicture& picture);
     void make_images(const session::Session& session);
     bool is_behind(const Drawn& drawn) const;
@@ -145,7 +146,6 @@ class Panes {
     session::ReferenceWorker worker_;
     std::vector<std::shared_ptr<const session::ReferencePicture>> references_;  // the newest of each look
     std::shared_ptr<const session::ReferenceAllowed> allowed_;
-    std::unique_ptr<programmable::Renderer> programmable_;  // for the world
 };
 
 }  // namespace twinlight::demo

@@ -163,7 +163,7 @@ void right_text(const Rectangle& bar, ImU32 color, const std::string& text) {
 }  // namespace
 
 bool Panes::shows_overlays(const Session& session, std::size_t pane) const {
-    return any(session.overlays) && drawn_[pane].overlaid.shows(drawn_[pane].version);
+    return any(session.overlays) && drawn_[pane].overlaid.overlays();
 }
 
 unsigned Panes::shown_texture(const Session& session, std::size_t pane) const {
@@ -182,7 +182,8 @@ std::string Panes::time_of(const Session& session, std::size_t number) const {
     }
     const auto ms = drawn.times.median_ms();
     // What is drawn fast is late only if the driver compiles.
-    if (is_late_ && is_behind(drawn)) return ms && *ms > kSlowMs ? tr("drawing ...") : tr("compiling ...");
+    if (is_late_ && (is_behind(drawn) || drawn.overlaid.is_behind()))
+        return ms && *ms > kSlowMs ? tr("drawing ...") : tr("compiling ...");
     return ms ? ms_text(*ms) : "";
 }
 
@@ -303,7 +304,7 @@ void Panes::show_slider(Session& session, const Cell& cell) {
     const auto half = [&](std::size_t pane, float from, float to) {
         draw.PushClipRect({from, static_cast<float>(box.y)}, {to, far_corner(box).y}, true);
         add_picture(draw, shown_texture(session, pane), corner(box), far_corner(box));
-        if (shows_overlays(session, pane)) show_labels(drawn_[pane].overlaid.overlays(), box);
+        if (shows_overlays(session, pane)) show_labels(*drawn_[pane].overlaid.overlays(), box);
         draw.PopClipRect();
     };
     half(session.slider.a, static_cast<float>(box.x), x);
@@ -361,7 +362,7 @@ void Panes::show_picture(Session& session, const Cell& cell) {
     const unsigned texture = is_difference ? difference_.texture.name() : shown_texture(session, cell.pane);
     add_picture(draw, texture, corner(cell.picture), far_corner(cell.picture));
     if (!is_difference && shows_overlays(session, cell.pane))
-        show_labels(drawn_[cell.pane].overlaid.overlays(), cell.picture);
+        show_labels(*drawn_[cell.pane].overlaid.overlays(), cell.picture);
     if (session.labels_shown) show_scene_labels(session.scene.frame.labels, cell.picture);
     show_header(session, cell);
     show_footer(session, cell);

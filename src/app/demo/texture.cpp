@@ -36,12 +36,6 @@ void Texture::upload(const std::vector<std::uint8_t>& rgba, int width, int heigh
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void Texture::copy_back_buffer(int width, int height) {
-    glBindTexture(GL_TEXTURE_2D, name_);
-    glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, width, height, 0);
-    glBindTexture(GL_TEXTURE_2D, 0);
-}
-
 void Texture::set_magnification(GLint filter) {
     glBindTexture(GL_TEXTURE_2D, name_);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);

@@ -1,4 +1,4 @@
-// A GL texture that holds a picture of the window. Needs the window's context, from its making to its end.
+// A GL texture that holds a picture of the window. Needs its context, from its making to its end.
 #pragma once
 
 #include <imgui.h>
@@ -22,8 +22,6 @@ class Texture {
     void upload(const Image& image);
     // Four bytes for each pixel, the bottom row first.
     void upload(const std::vector<std::uint8_t>& rgba, int width, int height);
-    // Takes the back buffer's lower left corner.
-    void copy_back_buffer(int width, int height);
     // How it is enlarged from now on.
     void set_magnification(GLint filter);
     unsigned name() const { return name_; }

@@ -6,16 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <exception>
+#include <utility>
 #include <vector>
 
 #include "app/demo/overlays.h"
 #include "app/demo/theme.h"
 #include "app/demo/widgets.h"
-#include "base/text/reason.h"
 #include "base/text/translation.h"
-#include "render/context/gl.h"
-#include "render/fixed/fixed.h"
 
 namespace twinlight::demo {
 namespace {
@@ -55,22 +52,29 @@ void draw_bulb(ImDrawList& draw, const ImVec2& at, const LightMarker& light, boo
 
 }  // namespace
 
-void WorldView::update(const session::Session& session, programmable::Renderer& renderer) {
-    const Made wanted{session.revision, view_.camera, session.width, session.height};
-    if (made_ == wanted) return;
+std::optional<PaneJob> WorldView::next_job(const session::Session& session) {
+    const Wanted wanted{session.revision, view_.camera, session.width, session.height};
+    if (wanted_ == wanted) return {};
     view_.follow(session);
-    made_ = wanted;
-    made_.camera = view_.camera;
-    error_.clear();
-    try {
-        renderer.draw(as_seen_from_outside(session.scene.frame, view_.world, view_.projection),
-                      {{{.shading = Shading::kPhong, .lecture_variants = true}}, programmable::Tier::kAuto});
-    } catch (const std::exception& error) {
-        error_ = reason_of(error);
-    }
-    draw_lines(world_lines(view_.world, view_.projection), session.width, session.height);
-    const fixed::InitialState initial(session.width, session.height);
-    texture_.copy_back_buffer(session.width, session.height);
+    wanted_ = wanted;
+    wanted_.camera = view_.camera;
+    is_waiting_ = true;
+    PaneJob job;
+    job.pane = session::kWorldPane;
+    job.size = {session.width, session.height};
+    job.draw = [frame = as_seen_from_outside(session.scene.frame, view_.world, view_.projection),
+                lines = world_lines(view_.world, view_.projection)](Renderers& renderers) {
+        renderers.world.draw(frame,
+                             {{{.shading = Shading::kPhong, .lecture_variants = true}}, programmable::Tier::kAuto});
+        draw_lines(lines, frame.width, frame.height);
+    };
+    return job;
+}
+
+void WorldView::take(const PanePicture& picture) {
+    is_waiting_ = false;
+    error_ = picture.error;
+    texture_.upload(picture.rgba, picture.job.size.width, picture.job.size.height);
 }
 
 void WorldView::carry_out_mouse(session::Session& session, const Rectangle& box) {
@@ -256,6 +260,8 @@ void WorldView::show(session::Session& session, const session::Cell& cell, unsig
     const LightMarker* light = shown_light();
     if (!error_.empty())
         bar(cell.footer, ImDrawFlags_RoundCornersBottom, kBad, error_.substr(0, error_.find('\n')), fonts().text);
+    else if (is_waiting_)
+        bar(cell.footer, ImDrawFlags_RoundCornersBottom, kDim, tr("compiling ..."), fonts().text);
     else if (light)
         bar(cell.footer, ImDrawFlags_RoundCornersBottom, kText, described(session, *light), fonts().text);
     else
