@@ -93,6 +93,11 @@ void PaneWorker::wait(std::optional<std::chrono::steady_clock::time_point> end) 
         changed_.wait(lock, is_done);
 }
 
+void PaneWorker::wait_until_idle() const {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return !draws_by_itself_ || (!is_working_ && jobs_.empty()); });
+}
+
 std::vector<PanePicture> PaneWorker::take() {
     bool by_itself = true;
     {
@@ -124,7 +129,7 @@ void PaneWorker::run() {
     } catch (const std::exception&) {
         // There is no context, or no buffer of this size.
         const std::lock_guard lock(mutex_);
-        draws_by_itself_ = is_drawing_ = false;
+        draws_by_itself_ = is_working_ = is_drawing_ = false;
     }
     changed_.notify_all();
 }
@@ -138,6 +143,7 @@ void PaneWorker::draw_jobs(Renderers& renderers, const std::function<void(int, i
             const auto next = next_job();
             job = std::move(*next);
             jobs_.erase(next);
+            is_working_ = true;
             is_drawing_ = !job.is_small;
         }
         try {
@@ -147,11 +153,19 @@ void PaneWorker::draw_jobs(Renderers& renderers, const std::function<void(int, i
             jobs_.insert(jobs_.begin(), std::move(job));
             throw;
         }
+        // Baking waits until there is nothing else to do, and another picture of the pane takes its place.
+        renderers.allow_baking(job.only_bakes);
         PanePicture picture = drawn_picture(job, renderers);
         {
             const std::lock_guard lock(mutex_);
-            is_drawing_ = false;
-            pictures_.push_back(std::move(picture));
+            is_working_ = is_drawing_ = false;
+            if (renderers.want_to_bake() && std::ranges::find(jobs_, job.pane, &PaneJob::pane) == jobs_.end() &&
+                !is_ending_) {
+                PaneJob& baking = jobs_.emplace_back(job);
+                baking.is_small = baking.only_bakes = true;
+                baking.is_first = false;
+            }
+            if (!job.only_bakes) pictures_.push_back(std::move(picture));
         }
         changed_.notify_all();
     }

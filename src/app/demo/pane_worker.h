@@ -26,6 +26,12 @@ namespace twinlight::demo {
 // The worker's renderers, in its context. The world has its own, so that the panes' constants stay (kept_programs.h).
 struct Renderers {
     programmable::Renderer panes, world;
+
+    void allow_baking(bool is_allowed) {
+        panes.allow_baking(is_allowed);
+        world.allow_baking(is_allowed);
+    }
+    bool want_to_bake() const { return panes.wants_to_bake() || world.wants_to_bake(); }
 };
 
 // A picture that a function draws into the current context's back buffer, which has its size.
@@ -33,8 +39,9 @@ struct PaneJob {
     std::size_t pane = 0;  // its number; jobs of one number replace each other
     WindowSize size;
     std::function<void(Renderers&)> draw;
-    bool is_first = false;                                      // it is drawn twice and the second is timed
-    bool is_small = false;                                      // nothing waits for it
+    bool is_first = false;    // it is drawn twice and the second is timed
+    bool is_small = false;    // nothing waits for it
+    bool only_bakes = false;  // its picture is there already; shaders with constants are compiled for the next ones
     std::shared_ptr<const session::OverlayPicture> overlays{};  // that it shows
     // Of a pane's picture without them.
     Path renderer = Path::kFixed;
@@ -62,6 +69,8 @@ class PaneWorker {
     bool is_drawing() const;
     // Waits until that is drawn, or until then.
     void wait(std::optional<std::chrono::steady_clock::time_point> end = {}) const;
+    // Waits until nothing at all is to be done.
+    void wait_until_idle() const;
     // What was drawn since the last call, the oldest first. Without a thread it is drawn now, into the back buffer's lower left corner.
     std::vector<PanePicture> take();
 
@@ -75,7 +84,7 @@ class PaneWorker {
     mutable std::condition_variable changed_;
     std::vector<PaneJob> jobs_;
     std::vector<PanePicture> pictures_;
-    bool is_drawing_ = false, is_ending_ = false;
+    bool is_working_ = false, is_drawing_ = false, is_ending_ = false;
     bool draws_by_itself_ = false;          // in a thread with a context
     std::unique_ptr<Renderers> of_window_;  // draw in the window's context without such a thread
     std::thread thread_;                    // the last member: it uses the others

@@ -54,7 +54,7 @@ class Panes {
         return is_late_ || worker_.is_busy() || lacks_images(session) || small_wanted_;
     }
     void wait() const {
-        wait_for_driver();
+        painter_.wait_until_idle();
         worker_.wait();
     }
     // Whether the last frame lacks a picture that the driver is drawing, and to wait for it.

@@ -120,7 +120,10 @@ void KeptPrograms::choose_constants(const Kind& kind, History& history) {
     Uniforms still = history.numbers.filtered([&](std::size_t i) { return history.used[i] && history.moved[i] == 0; });
     // At most one program is baked per frame, because compiling delays the frame.
     const bool is_there = still.empty() || entries_.contains(Key{kind.effects, kind.form, still});
-    if (!is_there && std::exchange(has_baked_, true)) return;
+    if (!is_there && (!may_bake_ || std::exchange(has_baked_, true))) {
+        wants_to_bake_ = true;
+        return;
+    }
     history.is_current = true;
     history.constants = std::move(still);
     history.entry = nullptr;

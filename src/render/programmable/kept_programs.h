@@ -28,6 +28,12 @@ class KeptPrograms {
     // Makes the program for this Draw current and sets its uniforms.
     void use(const EffectSet& effects, const Form& form, const Uniforms& numbers, Tier tier);
     void end_frame();
+    // See Renderer.
+    void allow_baking(bool is_allowed) {
+        may_bake_ = is_allowed;
+        wants_to_bake_ = false;
+    }
+    bool wants_to_bake() const { return wants_to_bake_; }
 
     const Counters& counters() const { return counters_; }
 
@@ -81,6 +87,7 @@ class KeptPrograms {
     std::vector<Kind*> order_;    // the Kinds of the last frame's Draws, then of this frame's
     std::size_t draw_count_ = 0;  // in this frame
     bool has_baked_ = false;      // a program was baked in this frame
+    bool may_bake_ = true, wants_to_bake_ = false;
     std::uint64_t uses_ = 0;
     Counters counters_;
 };

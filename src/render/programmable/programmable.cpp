@@ -514,6 +514,10 @@ Image Renderer::render(const Frame& frame, const Options& options) {
     return read_pixels(frame.width, frame.height);
 }
 
+void Renderer::allow_baking(bool is_allowed) { impl_->programs.allow_baking(is_allowed); }
+
+bool Renderer::wants_to_bake() const { return impl_->programs.wants_to_bake(); }
+
 Counters Renderer::counters() const {
     Counters counters = impl_->programs.counters();
     counters.textures = impl_->textures.upload_count();

@@ -72,6 +72,11 @@ class Renderer {
     // The same, and reads the picture back.
     Image render(const Frame& frame, const Options& options);
 
+    // Under Tier::kAuto, compiling a program with constants takes longer than a frame. Where that is not allowed, programs with uniforms
+    // draw until it is, and wants_to_bake() says whether a frame since then would have compiled one.
+    void allow_baking(bool is_allowed);
+    bool wants_to_bake() const;
+
     Counters counters() const;
 
   private:

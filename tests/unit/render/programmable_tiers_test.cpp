@@ -121,6 +121,17 @@ TEST_F(Tiers, BakesOneProgramAFrame) {
     EXPECT_EQ(counters().baked, 2u);
 }
 
+TEST_F(Tiers, BakesOnlyWhenThatIsAllowed) {
+    renderer_.allow_baking(false);
+    draw(square(lit()), Tier::kAuto, 20);
+    EXPECT_EQ(counters().baked, 0u);
+    EXPECT_TRUE(renderer_.wants_to_bake());
+    renderer_.allow_baking(true);
+    draw(square(lit()), Tier::kAuto);
+    EXPECT_EQ(counters().baked, 1u);
+    EXPECT_FALSE(renderer_.wants_to_bake());
+}
+
 // Many Draws whose programs would differ only in numbers, or in which light reaches them.
 Frame frame_of_many(int count) {
     Frame frame = frame_of(square(lit()));
