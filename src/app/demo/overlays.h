@@ -52,7 +52,7 @@ class OverlaidPicture {
     };
     Wanted wanted_{};
     std::shared_ptr<const session::OverlayPicture> made_{}, shown_{};
-    Texture texture_{GL_LINEAR};
+    Texture texture_{GL_NEAREST};
 };
 
 // The check boxes of all overlays, with a line of help for each. Emits widgets only.

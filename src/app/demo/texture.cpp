@@ -9,8 +9,11 @@ Texture::Texture(GLint filter) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    const std::vector<std::uint8_t> dark{28, 31, 37, 255};  // until there is a picture
-    upload(dark, 1, 1);
+    // Until there is a picture. Three pixels wide, since llvmpipe compiles other shaders for powers of two.
+    constexpr int kSide = 3;
+    std::vector<std::uint8_t> dark;
+    for (int i = 0; i < kSide * kSide; ++i) dark.insert(dark.end(), {28, 31, 37, 255});
+    upload(dark, kSide, kSide);
 }
 
 Texture::~Texture() { glDeleteTextures(1, &name_); }

@@ -13,7 +13,7 @@ namespace twinlight::demo {
 
 class Texture {
   public:
-    // GL_NEAREST or GL_LINEAR. Pictures that are shown pixel for pixel need GL_NEAREST; linear filters would round.
+    // GL_NEAREST or GL_LINEAR. Pictures that are shown pixel for pixel need GL_NEAREST; linear filters would round, and need other shaders.
     explicit Texture(GLint filter);
     ~Texture();
     Texture(const Texture&) = delete;

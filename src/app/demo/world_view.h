@@ -42,7 +42,7 @@ class WorldView {
     std::optional<session::HandleDrag> drag_;
     std::optional<session::Handle> under_mouse_;
     bool orbits_ = false, dragged_ = false;  // since the button was pressed
-    Texture texture_{GL_LINEAR};
+    Texture texture_{GL_NEAREST};
 };
 
 }  // namespace twinlight::demo
