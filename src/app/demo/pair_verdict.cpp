@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <chrono>
 #include <exception>
 #include <future>
 
 #include "base/text/translation.h"
 #include "judge/compare/allowances.h"
 #include "judge/report/words.h"
-#include "render/context/drawing_precision.h"
 #include "scene/frame/lecture_variants.h"
 
 namespace twinlight::demo {
@@ -21,18 +21,6 @@ std::array<const session::Pane*, 2> panes_of(const Session& session) {
     return {&session.panes[session.difference.a], &session.panes[session.difference.b]};
 }
 
-// Measured once, beside the window: it needs contexts of its own.
-const DrawingPrecision& drivers_precision() {
-    static const DrawingPrecision precision = std::async(std::launch::async, [] {
-                                                  try {
-                                                      return measure_drawing_precision();
-                                                  } catch (const std::exception&) {
-                                                      return DrawingPrecision{};  // it cannot draw beside the window
-                                                  }
-                                              }).get();
-    return precision;
-}
-
 compare::Render shown_by(const Session& session, const session::Pane& pane, const Look& look) {
     compare::Render render{.path = pane.renderer, .name = {}, .meaning = {}, .image = {}};
     render.name = std::string(name_of(pane.renderer));
@@ -41,6 +29,19 @@ compare::Render shown_by(const Session& session, const session::Pane& pane, cons
 }
 
 }  // namespace
+
+// It needs contexts of its own.
+const DrawingPrecision* drivers_precision() {
+    static const std::shared_future<DrawingPrecision> measured =
+        std::async(std::launch::async, [] {
+            try {
+                return measure_drawing_precision();
+            } catch (const std::exception&) {
+                return DrawingPrecision{};  // it cannot draw beside the window
+            }
+        }).share();
+    return measured.wait_for(std::chrono::seconds(0)) == std::future_status::ready ? &measured.get() : nullptr;
+}
 
 std::optional<Look> common_look(const Session& session) {
     const bool is_flat = session::is_flat(session.scene.frame), has_any = has_variants(session.scene.frame);
@@ -59,7 +60,7 @@ AllowedDifference allowed_of_pair(const Session& session, const Look& look, Allo
                                   const compare::Render& right) {
     const Image* const other_cut = right.other_cut ? &*right.other_cut : nullptr;
     compare::allow_reference(allowed, right.image, other_cut);
-    compare::allow_drawing(allowed, right.image, other_cut, drivers_precision());
+    compare::allow_drawing(allowed, right.image, other_cut, *drivers_precision());
     const auto [a, b] = panes_of(session);
     if (a->renderer != Path::kReference && b->renderer != Path::kReference)
         allowed = compare::allowed_of_drivers(std::move(allowed), right);

@@ -8,6 +8,7 @@
 #include "app/session/session.h"
 #include "base/image/difference.h"
 #include "judge/compare/comparison.h"
+#include "render/context/drawing_precision.h"
 
 namespace twinlight::demo {
 
@@ -25,7 +26,10 @@ PairVerdict verdict_on_pair(const session::Session& session, const ImageDifferen
 // For two pictures that are meant to differ.
 PairVerdict meant_to_differ(const ImageDifference& numbers);
 
-// What the two pictures may differ by: `reference` allows that much between a driver and `right`, which has this look.
+// How exactly the driver draws: measured once, in a thread that the first call starts. Null until then.
+const DrawingPrecision* drivers_precision();
+
+// What the two pictures may differ by, once drivers_precision() is known: `reference` allows that much between a driver and `right`, which has this look.
 AllowedDifference allowed_of_pair(const session::Session& session, const Look& look, AllowedDifference allowed,
                                   const compare::Render& right);
 

@@ -200,7 +200,10 @@ void Panes::request_reference(const Session& session, const std::array<bool, kPa
             std::ranges::find(job.looks, look) == job.looks.end())
             job.looks.push_back(look);
     }
-    if (shows_difference(session)) job.allowed_of = common_look(session);
+    if (shows_difference(session)) {
+        job.allowed_of = common_look(session);
+        drivers_precision();  // starts its thread
+    }
     // The verdict on two pictures of the driver needs the reference's, too.
     if (job.allowed_of && std::ranges::find(job.looks, *job.allowed_of) == job.looks.end())
         job.looks.push_back(*job.allowed_of);
@@ -252,7 +255,7 @@ void Panes::update_difference(const Session& session) {
         return picture->look == look && picture->revision == a.revision && picture->divisor == 1;
     };
     const auto right = std::ranges::find_if(references_, is_right);
-    const bool has_allowed = right != references_.end() && allowed_ && allowed_->look == look &&
+    const bool has_allowed = drivers_precision() && right != references_.end() && allowed_ && allowed_->look == look &&
                              allowed_->revision == a.revision &&
                              allowed_->difference.edge.size() == a.image.pixels.size();
     const std::array<const void*, 2> images = {a.image.pixels.data(), b.image.pixels.data()};
@@ -292,6 +295,11 @@ bool Panes::lacks_images(const Session& session) const {
             drawn_[i].image.pixels.empty() && drawn_[i].error.empty())
             return true;
     return false;
+}
+
+bool Panes::is_busy(const Session& session) const {
+    return is_late_ || worker_.is_busy() || lacks_images(session) || small_wanted_ ||
+           (shows_difference(session) && !drivers_precision());
 }
 
 bool Panes::is_behind(const Drawn& drawn) const {

@@ -50,9 +50,7 @@ class Panes {
     void show(session::Session& session, const session::Layout& layout);
     // Whether another frame would show more: the driver or the reference is at work, or pictures are still to be compared. `wait`
     // waits for them.
-    bool is_busy(const session::Session& session) const {
-        return is_late_ || worker_.is_busy() || lacks_images(session) || small_wanted_;
-    }
+    bool is_busy(const session::Session& session) const;
     void wait() const {
         painter_.wait_until_idle();
         worker_.wait();
