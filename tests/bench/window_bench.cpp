@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "../unit/run_program.h"
@@ -55,6 +57,34 @@ double share_of(std::vector<double> values, double share) {
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
+// From the start to the end of a window that ends when its pictures are complete.
+double seconds_of_start(const Xvfb& server, const char* environment) {
+    using Clock = std::chrono::steady_clock;
+    const std::string command = fmt::format(
+        "env -u LP_NUM_THREADS {} LIBGL_ALWAYS_SOFTWARE=1 DISPLAY={} {}/twinlight-demo report --size 1280x800 --scale "
+        "1 "
+        "--quit-after 1",
+        environment, server.display(), build_folder());
+    const Clock::time_point start = Clock::now();
+    if (std::system(command.c_str()) != 0) throw std::runtime_error("the window failed: " + command);
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void measure_start(bench::Results& results) {
+    const Xvfb server;
+    if (!server.running()) {
+        results.remark("the start is not measured: " + server.reason());
+        return;
+    }
+    constexpr const char *kCold = "MESA_SHADER_CACHE_DISABLE=true", *kWarm = "-u MESA_SHADER_CACHE_DISABLE";
+    for (const auto& [name, environment] : {std::pair{"window_start_s_cold", kCold}, {"window_start_s_warm", kWarm}}) {
+        double least = seconds_of_start(server, environment);
+        for (int i = 1; i < (results.is_quick() ? 1 : 5); ++i)
+            least = std::min(least, seconds_of_start(server, environment));
+        results.ratio(name, least, bench::Bar{0.8, true});
+    }
+}
+
 void measure_window(bench::Results& results) {
     const Xvfb server;
     if (!server.running()) {
@@ -77,6 +107,7 @@ void measure_window(bench::Results& results) {
 
 // ---- Keys: from a key to the end of the frame that answers it ----
 
+constexpr double kColdGoal = 150, kWarmGoal = 100;  // ms
 constexpr std::size_t kKeysOfQuickRun = 3;
 constexpr int kCycle = 5;  // presses until the longest cycle, that of the tutors, begins again
 
@@ -144,6 +175,17 @@ KeyTimes times_of_key(const Xvfb& server, const std::string& key) {
     return times;
 }
 
+// Whoever else uses the machine can only add to the times, so a key that is over a goal is measured again.
+KeyTimes least_times_of_key(const Xvfb& server, const std::string& key) {
+    constexpr int kTries = 3;
+    KeyTimes least = times_of_key(server, key);
+    for (int tries = 1; tries < kTries && (least.cold_ms > kColdGoal || least.warm_ms > kWarmGoal); ++tries) {
+        const KeyTimes again = times_of_key(server, key);
+        least = {std::min(least.cold_ms, again.cold_ms), std::min(least.warm_ms, again.warm_ms)};
+    }
+    return least;
+}
+
 void measure_keys(bench::Results& results) {
     const Xvfb server;
     if (!server.running()) {
@@ -158,17 +200,18 @@ void measure_keys(bench::Results& results) {
     std::string slowest_cold, slowest_warm;
     KeyTimes slowest;
     for (const std::string& key : names) {
-        const KeyTimes times = times_of_key(server, key);
+        const KeyTimes times = results.is_quick() ? times_of_key(server, key) : least_times_of_key(server, key);
         results.remark(fmt::format("{:12} cold {:5.0f} ms, warm {:5.0f} ms", key, times.cold_ms, times.warm_ms));
         if (times.cold_ms > slowest.cold_ms) slowest_cold = key;
         if (times.warm_ms > slowest.warm_ms) slowest_warm = key;
         slowest = {std::max(slowest.cold_ms, times.cold_ms), std::max(slowest.warm_ms, times.warm_ms)};
     }
     results.remark(fmt::format("the slowest key is {} cold and {} warm", slowest_cold, slowest_warm));
-    results.ratio("window_key_ms_cold_most", slowest.cold_ms, bench::Bar{150, true});
-    results.ratio("window_key_ms_warm_most", slowest.warm_ms, bench::Bar{100, true});
+    results.ratio("window_key_ms_cold_most", slowest.cold_ms, bench::Bar{kColdGoal, true});
+    results.ratio("window_key_ms_warm_most", slowest.warm_ms, bench::Bar{kWarmGoal, true});
 }
 
+const bool added_start = bench::add_part("start", measure_start);
 const bool added_keys = bench::add_part("keys", measure_keys);
 const bool added = bench::add_part("window", measure_window);
 
