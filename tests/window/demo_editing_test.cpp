@@ -255,6 +255,38 @@ TEST_F(DemoEditing, OpensAnotherScene) {
     EXPECT_NE(title().find("tutor-material - twinlight"), std::string::npos);
 }
 
+TEST_F(DemoEditing, RecordsAProgramThatItCannotRead) {
+    for (const char* tool : {"apitrace", "g++"})
+        if (run(std::string("command -v ") + tool).status != 0) GTEST_SKIP() << tool << " is not installed";
+    const std::string program = (folder() / "lamp.cpp").string();
+    const auto writes = [&](const std::string& drawing) {
+        write_file_atomically(program,
+                              "#include <vector>\n#include <GL/glut.h>\nstd::vector<float> red = {1, 0, 0};\n"
+                              "void display() {\n    " +
+                                  drawing +
+                                  "\n    glutSwapBuffers();\n}\n"
+                                  "int main(int argc, char** argv) {\n    glutInit(&argc, argv);\n"
+                                  "    glutInitDisplayMode(GLUT_DOUBLE);\n    glutCreateWindow(\"lamp\");\n"
+                                  "    glutDisplayFunc(display);\n    glutMainLoop();\n}\n");
+    };
+    writes("nothing();");
+    open({scene_});
+    const auto title = [&] { return xdo("search --name twinlight getwindowname").output; };
+    xdo("key ctrl+o type --delay 20 " + program);
+    xdo("key Return");
+    EXPECT_TRUE(demo_->comes_to_rest());  // and asks
+    xdo("key Return");                    // it does not compile, and the dialog says so
+    EXPECT_TRUE(demo_->comes_to_rest());
+    EXPECT_NE(title().find("lamp.gl - twinlight"), std::string::npos) << title();
+    writes("glColor3fv(red.data());\n    glRectf(-1, -1, 1, 1);");
+    xdo("key Return");
+    EXPECT_TRUE(wait_for([&] { return title().find("lamp.trace, frame 0 - twinlight") != std::string::npos; }))
+        << title();
+    EXPECT_TRUE(answers());
+    const Image shown = picture();
+    EXPECT_EQ(shown.at(shown.width - 100, shown.height / 2), (Rgba{1, 0, 0, 1}));
+}
+
 TEST_F(DemoEditing, MakesLettersLargerAndTheWindowFull) {
     open({scene_});
     ASSERT_TRUE(demo_->comes_to_rest());  // the linter's count is in its tab

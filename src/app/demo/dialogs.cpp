@@ -44,8 +44,9 @@ constexpr const char* kDialogTitles[] = {"",
                                          "find",
                                          "Save the changes?",
                                          "The file has changed",
-                                         "Changes were not saved"};
-static_assert(std::size(kDialogTitles) == static_cast<std::size_t>(Dialog::kRecovered) + 1);
+                                         "Changes were not saved",
+                                         "Record the program?"};
+static_assert(std::size(kDialogTitles) == static_cast<std::size_t>(Dialog::kRecord) + 1);
 
 bool is_popup(Dialog dialog) { return dialog == Dialog::kMenu || dialog == Dialog::kFind; }
 
@@ -85,6 +86,10 @@ void Dialogs::begin(const Session& session) {
 }
 
 void Dialogs::show(Session& session, Panes& panes) {
+    if (recording_ && session.dialog != Dialog::kRecord) {  // Esc: what there is will do
+        recording_->stop();
+        session.dialog = Dialog::kRecord;
+    }
     if (shown_ != session.dialog) {
         if (shown_ != Dialog::kNone && begin_dialog(shown_)) {
             ImGui::CloseCurrentPopup();
@@ -117,6 +122,7 @@ void Dialogs::show(Session& session, Panes& panes) {
         case Dialog::kEnd: end(session); break;
         case Dialog::kFileChanged: file_changed(session); break;
         case Dialog::kRecovered: recovered(session); break;
+        case Dialog::kRecord: record(session); break;
     }
     if (!error_.empty()) colored_text(kBad, error_);
     ImGui::EndPopup();
@@ -276,7 +282,12 @@ void Dialogs::open_scene(Session& session, Panes& panes) {
         ImGui::PopID();
     }
     ImGui::EndChild();
-    if (chosen) attempt(session, [&] { open_entry(session, *chosen); });
+    if (!chosen) return;
+    attempt(session, [&] { open_entry(session, *chosen); });
+    if (error_.empty() || chosen->group != Group::kFiles || !session::can_be_recorded(chosen->name)) return;
+    program_ = chosen->name;
+    unreadable_ = std::exchange(error_, "");
+    session.dialog = Dialog::kRecord;
 }
 
 void Dialogs::save_as(Session& session) {
@@ -351,6 +362,32 @@ void Dialogs::recovered(Session& session) {
     }
     ImGui::SameLine();
     if (ImGui::Button(tr("Ask again later"))) session.dialog = Dialog::kNone;
+}
+
+void Dialogs::record(Session& session) {
+    const std::string name = fs::path(program_).filename().string();
+    if (!recording_) {
+        ImGui::TextUnformatted(tr("{} cannot be read as a scene:", name).c_str());
+        dim_text(unreadable_);
+        ImGui::TextUnformatted(
+            tr("A recording shows it as well: the program runs for 3 seconds, with all your rights."));
+        if (first_button(tr("Record it"))) {
+            error_.clear();
+            attempt(session, [&] { recording_ = std::make_unique<session::ProgramRecording>(program_); });
+            session.dialog = Dialog::kRecord;
+        }
+        if (ImGui::Button(tr("Cancel"))) session.dialog = Dialog::kNone;
+        return;
+    }
+    ImGui::TextUnformatted(tr("{} runs and is recorded.", name).c_str());
+    if (first_button(tr("That is enough"))) recording_->stop();
+    ImGui::NewLine();
+    if (!recording_->is_done()) return;
+    const auto done = std::exchange(recording_, nullptr);
+    attempt(session, [&] {
+        open(session, done->scene(), std::nullopt);
+        say(session, tr("this is a picture of {}; Ctrl+S saves it as a scene", name));
+    });
 }
 
 }  // namespace twinlight::demo

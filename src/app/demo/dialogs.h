@@ -4,10 +4,12 @@
 #include <imgui.h>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/session/recorded_program.h"
 #include "app/session/recovery.h"
 #include "app/session/session.h"
 
@@ -23,6 +25,8 @@ class Dialogs {
     void show(session::Session& session, Panes& panes);
     // The key Enter: the first button.
     void press_enter() { enter_ = true; }
+    // Whether a program is recorded, so that frames must go on.
+    bool is_busy() const { return recording_ != nullptr; }
 
   private:
     void begin(const session::Session& session);
@@ -33,6 +37,7 @@ class Dialogs {
     void end(session::Session& session);
     void file_changed(session::Session& session);
     void recovered(session::Session& session);
+    void record(session::Session& session);
     bool first_button(const char* label);
     template <class Action>
     void attempt(session::Session& session, const Action& action);
@@ -56,6 +61,8 @@ class Dialogs {
     void open_entry(session::Session& session, const Openable& entry);
     std::vector<Openable> openable_;
     std::optional<session::LostScenes> lost_;
+    std::string program_, unreadable_;  // a program that can be recorded, and why it is no scene
+    std::unique_ptr<session::ProgramRecording> recording_;
 };
 
 }  // namespace twinlight::demo

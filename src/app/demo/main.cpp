@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,10 +14,10 @@
 #include "app/program.h"
 #include "app/session/keys.h"
 #include "app/session/language.h"
+#include "app/session/recorded_program.h"
 #include "app/session/tutor.h"
 #include "judge/lesson/lesson.h"
 #include "scene/command/names.h"
-#include "scene/scenes/load.h"
 
 namespace {
 
@@ -167,9 +166,9 @@ int run(int argc, char** argv) {
         if (app.count("SCENE") > 0) throw UsageError("give either SCENE or --tutor");
         return demo::show(session::tutor_scene(options.tutor), options);
     }
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(scene, ignored)) options.file = scene;
-    return demo::show(load_commands(scene, step), options);
+    session::Opened opened = session::load_openable(scene, step);
+    options.file = std::move(opened.file);
+    return demo::show(std::move(opened.scene), options);
 }
 
 }  // namespace

@@ -195,8 +195,8 @@ void Window::set_timers() {
     if (session_.file) after(kFileMs, file_timer_);
     if (session_.history.revision() != recovery_revision_) after(kRecoveryMs, recovery_timer_);
     // A cursor that blinks in a field, a message that goes, and a panel's own work.
-    const bool wants_frames =
-        ImGui::GetIO().WantTextInput || !session_.message.empty() || (panels_ && panels_->is_busy(session_));
+    const bool wants_frames = ImGui::GetIO().WantTextInput || !session_.message.empty() ||
+                              (panels_ && panels_->is_busy(session_)) || dialogs_.is_busy();
     if (wants_frames) after(kMessageMs, message_timer_);
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/session/recorded_program.h"
 #include "base/text/translation.h"
 #include "scene/scenes/load.h"
 #include "scene/state/state.h"
@@ -17,10 +18,8 @@ namespace fs = std::filesystem;
 void show_scene(Session& session, const std::string& name) {
     if (name == key_of(session)) return;
     if (!reopen(session, name)) {
-        auto scene = load_commands(name);
-        std::error_code ignored;
-        const bool is_file = std::filesystem::is_regular_file(name, ignored);
-        open(session, std::move(scene), is_file ? std::optional(name) : std::nullopt);
+        Opened opened = load_openable(name);
+        open(session, std::move(opened.scene), std::move(opened.file));
     }
     say(session, tr("scene {}", name));
 }

@@ -107,7 +107,7 @@ struct OpenScene {
 };
 
 // What is shown over the pictures, one at a time.
-enum class Dialog : std::uint8_t { kNone, kMenu, kOpen, kSaveAs, kFind, kEnd, kFileChanged, kRecovered };
+enum class Dialog : std::uint8_t { kNone, kMenu, kOpen, kSaveAs, kFind, kEnd, kFileChanged, kRecovered, kRecord };
 
 struct Session : OpenScene {
     explicit Session(std::shared_ptr<const CommandList> scene_opened, std::optional<std::string> scene_file = {});

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../run_program.h"
+#include "app/session/recorded_program.h"
 #include "app/session/scenes.h"
 #include "base/image/file.h"
 #include "scene/scenes/load.h"
@@ -39,6 +40,36 @@ TEST(SessionScenes, SmallPicturesShowTheWholeScene) {
                         &of_whole = whole.frame.draws().back()->raster.viewport;
         EXPECT_EQ(2 * viewport.width, of_whole.width) << name;
     }
+}
+
+// As a scene without a file: saving asks for a name.
+TEST(SessionScenes, OfARecordingAreOneOfItsFrames) {
+    const TemporaryFolder folder;
+    write_file_atomically(folder / "lamp.txt",
+                          "1 glViewport(x = 0, y = 0, width = 30, height = 20)\n"
+                          "2 glXSwapBuffers(dpy = 0x1, drawable = 1)\n"
+                          "3 glColor3f(red = 1, green = 0.5, blue = 0)\n"
+                          "4 glRectf(x1 = 0, y1 = 0, x2 = 1, y2 = 1)\n"
+                          "5 glXSwapBuffers(dpy = 0x1, drawable = 1)\n");
+    Session session(load_commands("terms"));
+    show_scene(session, folder / "lamp.txt");
+    EXPECT_EQ(key_of(session), "lamp.txt, frame 1");
+    EXPECT_EQ(session.file, std::nullopt);
+    EXPECT_EQ(session.opened->window, (WindowSize{30, 20}));
+    EXPECT_NE(session.opened->text->find("glColor3f(1, 0.5, 0);\nglRectf(0, 0, 1, 1);\n"), std::string::npos)
+        << *session.opened->text;
+}
+
+TEST(SessionScenes, OfProgramsThatCanBeRecorded) {
+    const TemporaryFolder folder;
+    for (const char* name : {"lamp.cpp", "lamp.py", "lamp.gl", "lamp"}) write_file_atomically(folder / name, "");
+    std::filesystem::permissions(folder / "lamp", std::filesystem::perms::owner_all);
+    EXPECT_TRUE(can_be_recorded(folder / "lamp.cpp"));
+    EXPECT_TRUE(can_be_recorded(folder / "lamp.py"));
+    EXPECT_TRUE(can_be_recorded(folder / "lamp"));
+    EXPECT_FALSE(can_be_recorded(folder / "lamp.gl"));
+    EXPECT_FALSE(can_be_recorded(folder / "none.cpp"));
+    EXPECT_FALSE(can_be_recorded(folder.str()));
 }
 
 TEST(SessionScenes, RecentFilesAreTheLastOnesThatExist) {
