@@ -58,10 +58,15 @@ std::string client_bit_names(Enum mask) {
     return fmt::format("{:#x}", mask);
 }
 
+bool takes_primitive(const Command& command) {
+    return command.id == CommandId::glBegin || command.id == CommandId::glDrawArrays ||
+           command.id == CommandId::glDrawElements || command.id == CommandId::glDrawRangeElements;
+}
+
 std::string print_value(const Command& command, const Parameter& parameter, double value) {
     if (parameter.kind == Kind::kEnum) {
         const Enum e = static_cast<Enum>(value);
-        return command.id == CommandId::glBegin ? primitive_name(e) : enum_name(e);
+        return parameter.name == "mode" && takes_primitive(command) ? primitive_name(e) : enum_name(e);
     }
     if (command.id == CommandId::glPushClientAttrib) return client_bit_names(static_cast<Enum>(value));
     const bool named = parameter.name.starts_with("param") && takes_names(command) && value > kGL_POLYGON &&

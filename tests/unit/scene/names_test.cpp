@@ -7,6 +7,7 @@
 #include "render/context/gl.h"
 #include "scene/command/command.h"
 #include "scene/command/object_names.h"
+#include "scene/command/text.h"
 
 namespace twinlight::names_test {
 
@@ -33,6 +34,12 @@ TEST(Names, ReadBackAsTheSameValue) {
         }
     }
     for (Enum mode = kGL_POINTS; mode <= kGL_POLYGON; ++mode) EXPECT_EQ(find_gl_name(primitive_name(mode)), mode);
+}
+
+// Their values are also those of GL_FALSE, GL_ZERO and others.
+TEST(Names, OfPrimitivesArePrintedWhereOneIsMeant) {
+    const std::string text = "glDrawArrays(GL_LINES, 0, 0);\nglBegin(GL_POINTS);\nglEnd();\n";
+    EXPECT_EQ(print_scene(read_scene(text, "a.gl", "a")), text);
 }
 
 TEST(Names, FindTheNearestToAMisspeltOne) {
