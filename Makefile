@@ -202,7 +202,7 @@ ROOMS := $(patsubst %/,%,$(sort $(dir $(filter-out $(ALONE),$(SOURCES_all)))))
 object = $(sort $(patsubst %.cpp,$(BUILD)/objects/%.o,$(filter $(ALONE),$(1))) \
     $(patsubst %,$(BUILD)/objects/%.room.o,$(patsubst %/,%,$(dir $(filter-out $(ALONE),$(1))))))
 # The rooms that are optimised less.
-LESS := $(patsubst %,src/%,app app/cli app/demo app/session app/web base/text judge/check judge/conformance judge/explain judge/fuzz judge/lesson judge/lint \
+LESS := $(patsubst %,src/%,app app/cli app/demo app/session app/web judge/check judge/conformance judge/explain judge/fuzz judge/lesson judge/lint \
     judge/report judge/study render/programmable/export render/webgl render/webgpu scene/scenes) \
     $(patsubst %/,%,$(sort $(dir $(SOURCES_tests))))
 OBJECTS_embedded := $(EMBEDDED:.cpp=.o)
