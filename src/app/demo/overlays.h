@@ -29,7 +29,7 @@ void show_labels(const session::OverlayPicture& overlays, const Rectangle& pictu
 // A texture that keeps a picture with its overlays, made again when either changed.
 class OverlaidPicture {
   public:
-    // The job that makes it, if something changed. `draw_picture` makes a texture of session.scene's picture, whose `version` changes
+    // The job that makes it, if something changed. `upload` fills a texture with session.scene's picture, whose `version` changes
     // whenever its content does. `look` is the pane's.
     std::optional<PaneJob> next_job(const session::Session& session, const Look& look, int version,
                                     std::function<void(Texture&)> upload);

@@ -225,7 +225,7 @@ void Reader::assign_result(const Lvalue& target) {
     if (sig.parameters.back().kind == Kind::kQuadric)
         fail(name.place, "{} returns a quadric; declare {} as a GLUquadric*", sig.name, target.object->shown);
     const double value = converted(integer(static_cast<std::int64_t>(command.arguments.back())), target.type->kind,
-                                   name.place, tr("the result of {}", sig.name));
+                                   name.place, [&] { return tr("the result of {}", sig.name); });
     const std::span<std::byte> bytes = writable(*target.object).bytes;
     store(bytes.subspan(target.offset), target.type->kind, value);
     target.object->known =
@@ -289,7 +289,7 @@ void Reader::returns_pragma() {
     advance();
     expect("(", "after #pragma twinlight returns");
     const Place place = token_.place;
-    returns_ = converted(number(), Kind::kUint, place, tr("the number in returns(...)"));
+    returns_ = converted(number(), Kind::kUint, place, [] { return tr("the number in returns(...)"); });
     expect(")", "after the number");
     expect(";", "or the end of the line after returns(...)");
 }

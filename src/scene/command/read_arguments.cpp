@@ -54,8 +54,8 @@ void Reader::argument(Command& command, std::size_t i) {
         return;
     }
     const Place place = token_.place;
-    command.arguments.push_back(
-        converted(number(), parameter.kind, place, tr("the argument {} of {}", parameter.name, command.name())));
+    command.arguments.push_back(converted(number(), parameter.kind, place,
+                                          [&] { return tr("the argument {} of {}", parameter.name, command.name()); }));
 }
 
 void Reader::rest_arguments(Command& command, const Parameter& parameter) {
@@ -63,8 +63,9 @@ void Reader::rest_arguments(Command& command, const Parameter& parameter) {
     for (std::size_t given = 0; given > 0 || !is_first ? accept(",") : !token_.is(")"); ++given) {
         const Place place = token_.place;
         if (given >= kMaxArrayLength) fail(place, "too many arguments");
-        command.arguments.push_back(
-            converted(number(), parameter.kind, place, tr("the argument {} of {}", parameter.name, command.name())));
+        command.arguments.push_back(converted(number(), parameter.kind, place, [&] {
+            return tr("the argument {} of {}", parameter.name, command.name());
+        }));
     }
 }
 

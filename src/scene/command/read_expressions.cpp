@@ -226,8 +226,8 @@ Value Reader::converted_by_cast(Value value, const DataType* type, const Place& 
         if (is_real(type->kind)) return real(value.number(), type->kind == Kind::kFloat);
         const double whole = std::trunc(value.number());
         if (!(std::abs(whole) <= 0x1p53)) fail(place, "this number is too large for the cast");
-        return integer(static_cast<std::int64_t>(
-            converted(integer(static_cast<std::int64_t>(whole)), type->kind, place, tr("the number in this cast"))));
+        return integer(static_cast<std::int64_t>(converted(integer(static_cast<std::int64_t>(whole)), type->kind, place,
+                                                           [] { return tr("the number in this cast"); })));
     }
     if (!value.is_pointer()) {
         if (!value.is_integer() || value.integer < 0)
@@ -433,21 +433,22 @@ std::vector<std::string_view> Reader::visible_names() const {
 // ---- Conversion ----
 
 // The value converted to the C type of `kind`. `what` names it in messages.
-double Reader::converted(const Value& number, Kind kind, const Place& place, std::string_view what) const {
+double Reader::converted(const Value& number, Kind kind, const Place& place,
+                         const std::function<std::string()>& what) const {
     if (program_) return in_kind(number, kind, place).number();
     const double value = number.number();
     if (is_real(kind)) {
         if (!std::isfinite(value) || kind == Kind::kDouble) return value;
         const auto rounded = static_cast<float>(value);
-        if (std::isinf(rounded)) fail(place, "{} is {}, which does not fit into a GLfloat", what, value);
+        if (std::isinf(rounded)) fail(place, "{} is {}, which does not fit into a GLfloat", what(), value);
         return static_cast<double>(rounded);
     }
     if (kind == Kind::kEnum && !number.is_integer())
-        fail(place, "{} must be a GL name such as GL_LIGHT0, not the number {}", what, value);
-    if (!(value == std::trunc(value))) fail(place, "{} must be a whole number, not {}", what, value);
+        fail(place, "{} must be a GL name such as GL_LIGHT0, not the number {}", what(), value);
+    if (!(value == std::trunc(value))) fail(place, "{} must be a whole number, not {}", what(), value);
     const WholeRange range = whole_range(kind);
     if (value < range.smallest || value > range.largest)
-        fail(place, "{} is {}; it must be from {} to {}", what, value, range.smallest, range.largest);
+        fail(place, "{} is {}; it must be from {} to {}", what(), value, range.smallest, range.largest);
     return value;
 }
 

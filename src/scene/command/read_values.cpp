@@ -40,7 +40,7 @@ void Reader::initialise(Object& object, const Token& name) {
     if (!program_ && ahead_.is("(") && find_command_or_extension(token_.text))
         return assign_result({&object, 0, object.type});
     const Value value = number();
-    fill(object, converted(value, object.type->kind, place, tr("the value of {}", object.shown)));
+    fill(object, converted(value, object.type->kind, place, [&] { return tr("the value of {}", object.shown); }));
 }
 
 // An array without a length gets that of its values.
@@ -109,7 +109,7 @@ void Reader::fill_part(Filled& filled, const DataType* type, std::size_t offset,
         assigned({&filled.object, offset, type}, value, place);
         return;
     }
-    const double kept = converted(value, type->kind, place, tr("this value"));
+    const double kept = converted(value, type->kind, place, [] { return tr("this value"); });
     store(std::span(writable(filled.object).bytes).subspan(offset), type->kind, kept);
 }
 

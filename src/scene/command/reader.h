@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -218,7 +219,8 @@ class Reader {
     Value distance(const Token& op, const Value& a, const Value& b) const;
     [[noreturn]] static void fail_outside(const Place& place, std::string_view what, const Value& pointer);
     Object* find_variable(std::string_view name);
-    double converted(const Value& number, Kind kind, const Place& place, std::string_view what) const;
+    double converted(const Value& number, Kind kind, const Place& place,
+                     const std::function<std::string()>& what) const;
     std::vector<std::string_view> visible_names() const;
 
     // -- types (read_types.cpp) --
