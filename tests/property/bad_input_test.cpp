@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "../unit/in_chinese.h"
 #include "../unit/run_program.h"
+#include "bad_input_rows.h"
 #include "base/image/file.h"
 #include "base/text/json.h"
 #include "judge/study/study.h"
@@ -23,41 +23,6 @@
 
 namespace twinlight {
 namespace {
-
-struct Row {
-    std::string message, input;
-};
-
-// \n, \t, \\ and \x1b in a row stand for these bytes.
-std::string unescaped(const std::string& text) {
-    std::string bytes;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] != '\\' || i + 1 == text.size()) {
-            bytes += text[i];
-            continue;
-        }
-        const char c = text[++i];
-        if (c == 'x') {
-            bytes += static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16));
-            i += 2;
-        } else {
-            bytes += c == 'n' ? '\n' : c == 't' ? '\t' : c;
-        }
-    }
-    return bytes;
-}
-
-std::vector<Row> rows_of(const std::string& name) {
-    std::vector<Row> rows;
-    std::istringstream lines(read_file("tests/bad_input/" + name + ".txt"));
-    for (std::string line; std::getline(lines, line);) {
-        if (line.empty() || line[0] == '#') continue;
-        const std::size_t tab = line.find('\t');
-        EXPECT_NE(tab, std::string::npos) << line;
-        rows.push_back({unescaped(line.substr(0, tab)), unescaped(line.substr(tab + 1))});
-    }
-    return rows;
-}
 
 bool has_control_characters(const std::string& text) {
     return std::ranges::any_of(text,
@@ -116,24 +81,6 @@ TEST(BadInput, Pictures) {
         write_file_atomically(folder / "brick.png", bytes);
         static_cast<void>(load_recording(folder / "bad.gl"));
     });
-}
-
-TEST(BadInput, IsReportedInChinese) {
-    const InChinese chinese;
-    std::size_t count = 0;
-    for (const std::string kind : {"scenes", "programs"})
-        for (const Row& row : rows_of(kind)) {
-            try {
-                const ReadOptions options{.step = {}, .window = std::nullopt, .most_steps = 100'000};
-                static_cast<void>(make_frame(read_scene(row.input, "bad.c", "bad.c", no_images, options),
-                                             {.width = 16, .height = 16}));
-            } catch (const SceneError& error) {
-                for (const TextError& one : error.errors)
-                    EXPECT_EQ(english_left(one.message, row.input), "") << one.message << "\nfor " << row.input;
-                count += error.errors.size();
-            }
-        }
-    EXPECT_GT(count, 400U);
 }
 
 // apitrace dumps those of old versions. What it says differs between its versions.
