@@ -74,7 +74,7 @@ bool is_outline(const Letter& before, const Letter& letter) {
 }
 
 // The letter of the fonts that this is, or of which it is a part, and its font. Later releases of ImGui keep their fonts elsewhere.
-std::pair<const ImFontGlyph*, const ImFont*> glyph_of([[maybe_unused]] const Letter& letter) {
+[[maybe_unused]] std::pair<const ImFontGlyph*, const ImFont*> glyph_of([[maybe_unused]] const Letter& letter) {
 #if IMGUI_VERSION_NUM < 19200
     for (const ImFont* const font : ImGui::GetIO().Fonts->Fonts)
         for (const ImFontGlyph& glyph : font->Glyphs)
@@ -136,7 +136,7 @@ std::vector<std::array<int, 2>> overlapping_letters(const ImDrawData& data) {
     return overlapping;
 }
 
-std::vector<std::string> drawn_texts(const ImDrawData& data) {
+std::vector<std::string> drawn_texts([[maybe_unused]] const ImDrawData& data) {
     std::vector<std::string> texts;
 #if IMGUI_VERSION_NUM < 19200
     const ImFont* last_font = nullptr;
