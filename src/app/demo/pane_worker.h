@@ -43,7 +43,7 @@ struct PaneJob {
     bool is_small = false;    // nothing waits for it
     bool only_bakes = false;  // its picture is there already; shaders with constants are compiled for the next ones
     std::shared_ptr<const session::OverlayPicture> overlays{};  // that it shows
-    // Of a pane's picture without them.
+    // Only for a pane's own picture, without overlays.
     Path renderer = Path::kFixed;
     Look look{};
     int revision = -1;  // of the session

@@ -31,10 +31,8 @@ std::shared_ptr<const CommandList> busiest_frame_of(const std::shared_ptr<const 
     if (fs::path(file).extension() == ".trace")
         if (const auto busiest = trace::busiest_frame(file)) choice.number = busiest->number;
     const RecordedFrame recorded = make_recorded_frame(recording, choice);
-    std::string text = fmt::format("// {}.\n", recorded.scene.name());
-    for (const std::string& note : recorded.notes) text += fmt::format("// Note: {}.\n", one_line(note));
-    text += print_scene(commands_to_print(recorded.scene));
-    return std::make_shared<CommandList>(read_text_of("", recorded.scene.name(), text));
+    const std::string& name = recorded.scene.name();
+    return std::make_shared<CommandList>(read_text_of("", name, printed_frame(recorded, name + ".")));
 }
 
 // The program `twinlight` in this program's folder, or else in PATH.

@@ -27,20 +27,6 @@ float contrast(const Scene& scene) {
         resized(frame, PageScene::coarse_side(frame.width), PageScene::coarse_side(frame.height)), {}));
 }
 
-// What the text lacks of the recording.
-std::vector<std::string> notes_of(const RecordedFrame& recorded) {
-    std::vector<std::string> notes = recorded.scene.recording->notes();
-    notes.insert(notes.end(), recorded.notes.begin(), recorded.notes.end());
-    if (recorded.first_error) notes.push_back(note_of_errors(recorded) + "; they are left out");
-    for (const Unsupported& one : recorded.scene.frame.unsupported) {
-        if (one.missing_from != MissingFrom::kEverything) continue;
-        notes.push_back(fmt::format("{} is left out, because Twinlight lacks it: {} {}, first at {}",
-                                    one_line(one.name), one.count, one.count == 1 ? "call" : "calls",
-                                    one_line(one.first.str())));
-    }
-    return notes;
-}
-
 std::shared_ptr<const Recording> recording_in(std::string_view bytes, const std::string& name,
                                               const trace::BlobFiles& files) {
     if (!trace::is_trace(bytes.substr(0, trace::kFrontBytes), name)) return trace::read_dump(bytes, name, files);
@@ -72,10 +58,9 @@ std::string DroppedFiles::scene_of_recording(const std::string& name) {
     const RecordedFrame recorded =
         frame_to_see(recording_in(bytes, name, files), {.number = std::nullopt, .memory = kPageMemory}, contrast);
     const Frame& frame = recorded.scene.frame;
-    std::string scene = fmt::format("// {}: {} x {} pixels. The program twinlight can draw other frames (--frame).\n",
-                                    recorded.scene.name(), frame.width, frame.height);
-    for (const std::string& note : notes_of(recorded)) scene += fmt::format("// Note: {}.\n", one_line(note));
-    scene += print_scene(commands_to_print(recorded.scene));
+    const std::string scene = printed_frame(
+        recorded, fmt::format("{}: {} x {} pixels. The program twinlight can draw other frames (--frame).",
+                              recorded.scene.name(), frame.width, frame.height));
     if (scene.size() > kMaxPageBytes)
         throw SceneError(fmt::format(
             "{}: as a scene, this is {} MiB long, and the limit of this page is {} MiB. The program twinlight can "

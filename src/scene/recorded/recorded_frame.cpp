@@ -495,4 +495,28 @@ CommandList commands_to_print(const Scene& scene) {
     return commands;
 }
 
+namespace {
+
+// What the text lacks of the recording.
+std::vector<std::string> notes_of(const RecordedFrame& recorded) {
+    std::vector<std::string> notes = recorded.scene.recording->notes();
+    notes.insert(notes.end(), recorded.notes.begin(), recorded.notes.end());
+    if (recorded.first_error) notes.push_back(note_of_errors(recorded) + "; they are left out");
+    for (const Unsupported& one : recorded.scene.frame.unsupported) {
+        if (one.missing_from != MissingFrom::kEverything) continue;
+        notes.push_back(fmt::format("{} is left out, because Twinlight lacks it: {} {}, first at {}",
+                                    one_line(one.name), one.count, one.count == 1 ? "call" : "calls",
+                                    one_line(one.first.str())));
+    }
+    return notes;
+}
+
+}  // namespace
+
+std::string printed_frame(const RecordedFrame& recorded, std::string_view comment) {
+    std::string text = fmt::format("// {}\n", comment);
+    for (const std::string& note : notes_of(recorded)) text += fmt::format("// Note: {}.\n", one_line(note));
+    return text + print_scene(commands_to_print(recorded.scene));
+}
+
 }  // namespace twinlight

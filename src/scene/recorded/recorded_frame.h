@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/state/state.h"
@@ -56,5 +57,8 @@ std::string note_of_errors(const RecordedFrame& recorded);
 // All commands up to the frame, to be printed, with the size of its picture as the window's. A command with a GL error has no
 // effect, so it is left out; a scene's text may have none. Throws SceneError if they are too many.
 CommandList commands_to_print(const Scene& scene);
+// The text of a scene that draws this frame: a comment, a note for each thing that it lacks of the recording, and the commands. Throws
+// SceneError if they are too many.
+std::string printed_frame(const RecordedFrame& recorded, std::string_view comment);
 
 }  // namespace twinlight
