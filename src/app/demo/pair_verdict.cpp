@@ -28,10 +28,8 @@ compare::Render shown_by(const Session& session, const session::Pane& pane, cons
     return render;
 }
 
-}  // namespace
-
 // It needs contexts of its own.
-const DrawingPrecision* drivers_precision() {
+const std::shared_future<DrawingPrecision>& measured_precision() {
     static const std::shared_future<DrawingPrecision> measured =
         std::async(std::launch::async, [] {
             try {
@@ -40,8 +38,17 @@ const DrawingPrecision* drivers_precision() {
                 return DrawingPrecision{};  // it cannot draw beside the window
             }
         }).share();
+    return measured;
+}
+
+}  // namespace
+
+const DrawingPrecision* drivers_precision() {
+    const auto& measured = measured_precision();
     return measured.wait_for(std::chrono::seconds(0)) == std::future_status::ready ? &measured.get() : nullptr;
 }
+
+void wait_for_drivers_precision() { measured_precision().wait(); }
 
 std::optional<Look> common_look(const Session& session) {
     const bool is_flat = session::is_flat(session.scene.frame), has_any = has_variants(session.scene.frame);

@@ -28,6 +28,7 @@ PairVerdict meant_to_differ(const ImageDifference& numbers);
 
 // How exactly the driver draws: measured once, in a thread that the first call starts. Null until then.
 const DrawingPrecision* drivers_precision();
+void wait_for_drivers_precision();
 
 // What the two pictures may differ by, once drivers_precision() is known: `reference` allows that much between a driver and `right`, which
 // has this look.

@@ -302,6 +302,12 @@ bool Panes::is_busy(const Session& session) const {
            (shows_difference(session) && !drivers_precision());
 }
 
+void Panes::wait(const Session& session) const {
+    painter_.wait_until_idle();
+    worker_.wait();
+    if (shows_difference(session)) wait_for_drivers_precision();
+}
+
 bool Panes::is_behind(const Drawn& drawn) const {
     return drawn.wanted && (drawn.pane != drawn.wanted->pane || drawn.look != drawn.wanted->look ||
                             drawn.revision != drawn.wanted->revision);

@@ -51,10 +51,7 @@ class Panes {
     // Whether another frame would show more: the driver or the reference is at work, or pictures are still to be compared. `wait`
     // waits for them.
     bool is_busy(const session::Session& session) const;
-    void wait() const {
-        painter_.wait_until_idle();
-        worker_.wait();
-    }
+    void wait(const session::Session& session) const;
     // Whether the last frame lacks a picture that the driver is drawing, and to wait for it.
     bool is_late() const { return is_late_; }
     void wait_for_driver() const { painter_.wait(); }

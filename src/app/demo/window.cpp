@@ -240,7 +240,7 @@ void Window::press_timed_keys() {
 // What is animated never rests.
 void Window::come_to_rest() {
     while (imgui_runs_ && (frames_wanted_ > 0 || (panes_->is_busy(session_) && !session_.animating))) {
-        panes_->wait();
+        panes_->wait(session_);
         draw();
     }
 }
@@ -257,7 +257,7 @@ void Window::draw() {
     const bool last = options_.quit_after > 0 && frames_shown_ >= std::max(options_.quit_after, kFramesAfterEvent);
     if (last) {
         while (panes_->is_busy(session_)) {
-            panes_->wait();
+            panes_->wait(session_);
             frame();
         }
         frame();
