@@ -196,7 +196,7 @@ TEST_F(DemoEditing, KeepsTheEditsOfASceneWhileAnotherIsShown) {
 // The button Insert... of the tab Commands.
 TEST_F(DemoEditing, LettersAreNoShortcutsWhileACallIsTyped) {
     open({scene_});
-    xdo("mousemove 43 113 click 1");
+    xdo("mousemove 43 85 click 1");
     xdo("type --delay 20 'glEnable(GL_FOGF);'");
     xdo("key Return");  // wrong: the field keeps the keys
     xdo("key BackSpace key BackSpace key BackSpace");
@@ -209,7 +209,7 @@ TEST_F(DemoEditing, LettersAreNoShortcutsWhileACallIsTyped) {
 // A click beside a field only leaves it: it does not explain the pixel, and letters within it are no shortcuts.
 TEST_F(DemoEditing, TheClickThatLeavesAFieldDoesNothingElse) {
     open({scene_});
-    xdo("mousemove 43 113 click 1 mousemove 600 440 mousedown 1 key f mouseup 1");
+    xdo("mousemove 43 85 click 1 mousemove 600 440 mousedown 1 key f mouseup 1");
     xdo("key ctrl+s");
     EXPECT_TRUE(answers());
     EXPECT_EQ(read_file(scene_), kLamp);
@@ -353,7 +353,7 @@ TEST_F(DemoEditing, FitsTheScreenAndRemembersItsSizeAndPanel) {
 TEST_F(DemoEditing, AClickCountsIfThePointerMovesOnAtOnce) {
     open({scene_});
     for (int times = 0; times < 3; ++times) {
-        xdo("mousemove 43 113 click 1 mousemove 600 300");
+        xdo("mousemove 43 85 click 1 mousemove 600 300");
         xdo("type --delay 20 'glEnable(GL_FOG);'");
         xdo("key Return mousemove 620 310");
     }

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/image/png.h"
 #include "demo_window.h"
 #include "xvfb.h"
 
@@ -115,6 +116,34 @@ TEST_F(WindowX11, TheTableOfAMeasurementIsAsWideAsItsNumbers) {
     EXPECT_GT(last, 175);
     XDestroyImage(screen);
     OF_X11(XCloseDisplay)(display);
+}
+
+// In a narrow panel, the tabs that do not fit are under "More". Here it is chosen by its place; so is its third line, Accuracy.
+TEST_F(WindowX11, TabsThatDoNotFitAreUnderMore) {
+    const std::string scene = (folder() / "lamp.gl").string(), picture = (folder() / "window.png").string();
+    write_file_atomically(scene, "glEnable(GL_LIGHTING);\nglEnable(GL_LIGHT0);\nglutSolidSphere(0.8, 24, 12);\n");
+    const std::string xdotool = "DISPLAY=" + server_.display() + " xdotool ";
+    const auto panel_after = [&](const std::vector<std::string>& steps, const std::string& tab) {
+        std::filesystem::remove(picture);
+        const demo_window::RunningDemo demo(server_.display(), {scene, "--panel", tab, "--view", "single", "--scale",
+                                                                "1", "--size", "800x600", "--screenshot", picture});
+        run(xdotool + "search --sync --onlyvisible --name twinlight");
+        if (!demo.comes_to_rest()) ADD_FAILURE() << "the window works on";
+        for (const std::string& step : steps) {
+            run(xdotool + step);
+            if (!demo.comes_to_rest()) ADD_FAILURE() << "the window works on";
+        }
+        run(xdotool + "mousemove 600 300 key p");
+        if (!demo_window::wait_for([&] { return std::filesystem::exists(picture); })) ADD_FAILURE() << "no picture";
+        const Image window = read_png(picture);
+        std::vector<Rgba> pixels;
+        for (int y = 0; y < 200; ++y)
+            for (int x = 0; x < 350; ++x) pixels.push_back(window.at(x, y));
+        return pixels;
+    };
+    const auto chosen = panel_after({"mousemove 304 21 click 1", "mousemove 310 90", "click 1"}, "commands");
+    EXPECT_TRUE(chosen == panel_after({}, "accuracy"));
+    EXPECT_FALSE(chosen == panel_after({}, "overlays"));
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ inline constexpr ViewName kViews[] = {{View::kSlider, "slider"},
                                       {View::kTutor, "tutor"}};
 
 // The tabs beside the pictures.
-enum class Panel : std::uint8_t { kCommands, kLights, kProbe, kShaders, kOverlays, kLint, kAccuracy, kSave, kLesson };
+enum class Panel : std::uint8_t { kCommands, kLights, kProbe, kLint, kShaders, kOverlays, kAccuracy, kSave, kLesson };
 struct PanelName {
     Panel value;
     const char* key;
@@ -43,8 +43,8 @@ struct PanelName {
 };
 inline constexpr PanelName kPanels[] = {
     {Panel::kCommands, "commands", "Commands"}, {Panel::kLights, "lights", "Lights"},
-    {Panel::kProbe, "probe", "Probe"},          {Panel::kShaders, "shaders", "Shaders"},
-    {Panel::kOverlays, "overlays", "Overlays"}, {Panel::kLint, "lint", "Lint"},
+    {Panel::kProbe, "probe", "Probe"},          {Panel::kLint, "lint", "Lint"},
+    {Panel::kShaders, "shaders", "Shaders"},    {Panel::kOverlays, "overlays", "Overlays"},
     {Panel::kAccuracy, "accuracy", "Accuracy"}, {Panel::kSave, "save", "Save"},
     {Panel::kLesson, "lesson", "Lesson"}};
 
