@@ -202,15 +202,6 @@ bool is_legal_name(const Command& command) {
     });
 }
 
-// GL's name for a value that several names share.
-std::string name_of_value(const Command& command, Enum value) {
-    const std::string_view effect = effect_of(command);
-    if (effect == "begin" || effect == "draw_arrays") return primitive_name(value);
-    if (effect == "blend_func") return value == kGL_ZERO ? "GL_ZERO" : value == kGL_ONE ? "GL_ONE" : enum_name(value);
-    if (effect == "draw_buffer" && value == kGL_NONE) return "GL_NONE";
-    return enum_name(value);
-}
-
 std::vector<Choice> names_to_try(const Command& command, Kind kind) {
     std::vector<Choice> names;
     const auto add = [&](double value, std::string name) {
@@ -218,7 +209,7 @@ std::vector<Choice> names_to_try(const Command& command, Kind kind) {
         if (!is_known) names.push_back({std::move(name), value});
     };
     for (const NamedValue& row : kind == Kind::kWord ? words() : gl_names())
-        add(row.value, kind == Kind::kWord ? std::string(row.name) : name_of_value(command, row.value));
+        add(row.value, kind == Kind::kWord ? std::string(row.name) : value_name(command.id, row.value));
     return names;
 }
 

@@ -58,16 +58,35 @@ std::string client_bit_names(Enum mask) {
     return fmt::format("{:#x}", mask);
 }
 
-bool takes_primitive(const Command& command) {
-    return command.id == CommandId::glBegin || command.id == CommandId::glDrawArrays ||
-           command.id == CommandId::glDrawElements || command.id == CommandId::glDrawRangeElements;
+}  // namespace
+
+std::string value_name(CommandId command, Enum value) {
+    switch (command) {
+        case CommandId::glBegin:
+        case CommandId::glDrawArrays:
+        case CommandId::glDrawElements:
+        case CommandId::glDrawRangeElements: return primitive_name(value);
+        case CommandId::glBlendFunc:
+        case CommandId::glBlendFuncSeparate:
+            if (value == kGL_ONE) return "GL_ONE";
+            [[fallthrough]];
+        case CommandId::glStencilOp:
+        case CommandId::glStencilOpSeparate:
+            if (value == kGL_ZERO) return "GL_ZERO";
+            break;
+        case CommandId::glDrawBuffer:
+        case CommandId::glReadBuffer:
+            if (value == kGL_NONE) return "GL_NONE";
+            break;
+        default: break;
+    }
+    return enum_name(value);
 }
 
+namespace {
+
 std::string print_value(const Command& command, const Parameter& parameter, double value) {
-    if (parameter.kind == Kind::kEnum) {
-        const Enum e = static_cast<Enum>(value);
-        return parameter.name == "mode" && takes_primitive(command) ? primitive_name(e) : enum_name(e);
-    }
+    if (parameter.kind == Kind::kEnum) return value_name(command.id, static_cast<Enum>(value));
     if (command.id == CommandId::glPushClientAttrib) return client_bit_names(static_cast<Enum>(value));
     const bool named = parameter.name.starts_with("param") && takes_names(command) && value > kGL_POLYGON &&
                        value == std::trunc(value) && value <= 0xFFFF;

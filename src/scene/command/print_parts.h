@@ -20,4 +20,7 @@ struct PrintedPart {
 // `longest_array` values: "(GLubyte[128]){...}".
 std::vector<PrintedPart> print_parts(const Command& command, std::size_t longest_array = 16);
 
+// enum_name(), and the names of 0 to 9 in this command: GL_TRIANGLES in glBegin, GL_ONE in glBlendFunc.
+std::string value_name(CommandId command, Enum value);
+
 }  // namespace twinlight

@@ -36,9 +36,11 @@ TEST(Names, ReadBackAsTheSameValue) {
     for (Enum mode = kGL_POINTS; mode <= kGL_POLYGON; ++mode) EXPECT_EQ(find_gl_name(primitive_name(mode)), mode);
 }
 
-// Their values are also those of GL_FALSE, GL_ZERO and others.
-TEST(Names, OfPrimitivesArePrintedWhereOneIsMeant) {
-    const std::string text = "glDrawArrays(GL_LINES, 0, 0);\nglBegin(GL_POINTS);\nglEnd();\n";
+// 0 to 9 are GL_POINTS, GL_ZERO, GL_NONE, GL_FALSE and others.
+TEST(Names, OfSmallValuesArePrintedByWhatTheCommandMeans) {
+    const std::string text =
+        "glDrawArrays(GL_LINES, 0, 0);\nglBegin(GL_POINTS);\nglEnd();\nglBlendFunc(GL_ONE, GL_ZERO);\n"
+        "glStencilOp(GL_ZERO, GL_KEEP, GL_INVERT);\nglDrawBuffer(GL_NONE);\n";
     EXPECT_EQ(print_scene(read_scene(text, "a.gl", "a")), text);
 }
 
