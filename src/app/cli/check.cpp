@@ -93,10 +93,10 @@ std::string summary(const std::string& driver, const std::vector<Result>& result
 }
 
 // A colour's numbers, or an error's name.
-nlohmann::ordered_json json_of(const std::optional<Seen>& seen) {
+Json json_of(const std::optional<Seen>& seen) {
     if (!seen) return nullptr;
     if (std::holds_alternative<Enum>(*seen)) return text_of(seen);
-    auto list = nlohmann::ordered_json::array();
+    auto list = Json::array();
     const auto& color = std::get<glm::dvec4>(*seen);
     for (int i = 0; i < 4; ++i) {  // JSON has no NaN
         if (std::isfinite(color[i]))
@@ -108,21 +108,21 @@ nlohmann::ordered_json json_of(const std::optional<Seen>& seen) {
 }
 
 std::string json_of(const std::string& driver, const std::vector<Case>& cases, const std::vector<Result>& results) {
-    nlohmann::ordered_json json = {{"driver", driver}, {"library", gl_library()}};
+    Json json = {{"driver", driver}, {"library", gl_library()}};
     const std::string_view release = compare::counts_as(parse_driver_name(driver));
     if (!release.empty()) json["bugs_measured_on"] = release;
-    auto& list = json["cases"] = nlohmann::ordered_json::array();
+    auto& list = json["cases"] = Json::array();
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        nlohmann::ordered_json one = {{"name", cases[i].name},
-                                      {"what", cases[i].what},
-                                      {"text", cases[i].text},
-                                      {"status", cases[i].is_ruling ? "ruling" : "defined"}};
+        Json one = {{"name", cases[i].name},
+                    {"what", cases[i].what},
+                    {"text", cases[i].text},
+                    {"status", cases[i].is_ruling ? "ruling" : "defined"}};
         for (std::size_t path = 0; path < kPaths; ++path)
             one[std::string(kPathNames.at(path))] = word_of(results[i].outcomes.at(path));
         one["non_finite"] = results[i].non_finite;
         one["from_long_double"] = results[i].from_long_double;
         if (!results[i].error.empty()) one["refused"] = results[i].error;
-        auto& findings = one["findings"] = nlohmann::ordered_json::array();
+        auto& findings = one["findings"] = Json::array();
         for (const Finding& finding : results[i].findings) {
             findings.push_back({{"path", kPathNames.at(static_cast<std::size_t>(finding.path))},
                                 {"variant", finding.variant},
@@ -137,8 +137,7 @@ std::string json_of(const std::string& driver, const std::vector<Case>& cases, c
     const Counts counts = counted(results);
     json["failing"] = counts.failing;
     json["non_finite"] = counts.non_finite;
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-           "\n";  // file names may hold any bytes
+    return dumped_lines(json);  // file names may hold any bytes
 }
 
 void write_page(const std::string& folder, Suite& suite, const std::vector<Case>& cases, std::vector<Result>& results) {

@@ -149,7 +149,7 @@ std::string json_text(const Scene& scene, const std::vector<ExplainedDraw>& draw
     json["error_bound"] = error_bound(draws);
     json["plans"] = Json::array();
     for (const ExplainedDraw& draw : draws) json["plans"].push_back(json_of(draw));
-    return explain::dumped(json);
+    return dumped_lines(json);
 }
 
 int run_explain(ExplainArguments& arguments) {

@@ -122,7 +122,7 @@ std::string printed(const Scene& scene, const ExplainOptions& options, const Exp
     auto json = json_of(scene, explanation);
     json["driver"] = name_gl();
     json["library"] = gl_library();
-    return explain::dumped(json);
+    return dumped_lines(json);
 }
 
 }  // namespace

@@ -104,23 +104,23 @@ std::string summary_text(const FuzzArguments& arguments, const Summary& summary,
     return text;
 }
 
-nlohmann::ordered_json left_out_json(const fuzz::LeftOutCounts& counts) {
-    auto list = nlohmann::ordered_json::array();
+Json left_out_json(const fuzz::LeftOutCounts& counts) {
+    auto list = Json::array();
     for (const auto& [departure, count] : counts)
         list.push_back({{"name", departure->name}, {"cases", count.cases}, {"differing", count.differing}});
     return list;
 }
 
 std::string summary_json(const FuzzArguments& arguments, const Summary& summary, double seconds) {
-    nlohmann::ordered_json json = {{"driver", summary.driver},
-                                   {"library", gl_library()},
-                                   {"seed", arguments.options.seed},
-                                   {"first", arguments.options.first},
-                                   {"count", arguments.options.count},
-                                   {"float_states", summary.float_states},
-                                   {"picture_states", summary.picture_states},
-                                   {"seconds", seconds}};
-    auto& pairs = json["pairs"] = nlohmann::ordered_json::array();
+    Json json = {{"driver", summary.driver},
+                 {"library", gl_library()},
+                 {"seed", arguments.options.seed},
+                 {"first", arguments.options.first},
+                 {"count", arguments.options.count},
+                 {"float_states", summary.float_states},
+                 {"picture_states", summary.picture_states},
+                 {"seconds", seconds}};
+    auto& pairs = json["pairs"] = Json::array();
     for (std::size_t pair = 0; pair < fuzz::kPairs; ++pair) {
         pairs.push_back({{"name", fuzz::kPairNames.at(pair)},
                          {"vertices", summary.vertices.at(pair)},
@@ -131,7 +131,7 @@ std::string summary_json(const FuzzArguments& arguments, const Summary& summary,
     }
     json["left_out"] = {{"vertices", left_out_json(summary.vertices_left_out)},
                         {"pictures", left_out_json(summary.pictures_left_out)}};
-    auto& failures = json["failures"] = nlohmann::ordered_json::array();
+    auto& failures = json["failures"] = Json::array();
     for (const fuzz::Failure& failure : summary.failures) {
         failures.push_back({{"state", failure.state},
                             {"pair", failure.pair < fuzz::kPairs ? fuzz::kPairNames.at(failure.pair) : "refused"},
@@ -139,7 +139,7 @@ std::string summary_json(const FuzzArguments& arguments, const Summary& summary,
                             {"file", file_of(arguments, failure.state)}});
     }
     // File names may hold any bytes.
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return dumped_lines(json);
 }
 
 // Shows what a run has done so far: its progress function, for either kind of run.
@@ -205,20 +205,20 @@ std::string summary_text(const FuzzArguments& arguments, const fuzz::OracleSumma
 }
 
 std::string summary_json(const FuzzArguments& arguments, const fuzz::OracleSummary& summary, double seconds) {
-    nlohmann::ordered_json json = {{"driver", summary.driver},
-                                   {"library", gl_library()},
-                                   {"against", kOracle},
-                                   {"seed", arguments.options.seed},
-                                   {"first", arguments.options.first},
-                                   {"count", arguments.options.count},
-                                   {"states", summary.states},
-                                   {"out_of_view", summary.out_of_view},
-                                   {"seconds", seconds}};
-    auto& results = json["results"] = nlohmann::ordered_json::array();
+    Json json = {{"driver", summary.driver},
+                 {"library", gl_library()},
+                 {"against", kOracle},
+                 {"seed", arguments.options.seed},
+                 {"first", arguments.options.first},
+                 {"count", arguments.options.count},
+                 {"states", summary.states},
+                 {"out_of_view", summary.out_of_view},
+                 {"seconds", seconds}};
+    auto& results = json["results"] = Json::array();
     for (const auto& [who, counts] : summary.counts) {
-        nlohmann::ordered_json verdicts = nlohmann::ordered_json::object();
+        Json verdicts = Json::object();
         for (const auto& [verdict, count] : counts.verdicts) verdicts[verdict] = count;
-        nlohmann::ordered_json conditions = nlohmann::ordered_json::object();
+        Json conditions = Json::object();
         for (const auto& [power, count] : counts.conditions) conditions[fmt::format("1e{}", power)] = count;
         results.push_back({{"name", who},
                            {"compared", counts.compared()},
@@ -226,13 +226,13 @@ std::string summary_json(const FuzzArguments& arguments, const fuzz::OracleSumma
                            {"verdicts", std::move(verdicts)},
                            {"conditions", std::move(conditions)}});
     }
-    auto& failures = json["failures"] = nlohmann::ordered_json::array();
+    auto& failures = json["failures"] = Json::array();
     for (const fuzz::OracleFailure& failure : summary.failures)
         failures.push_back({{"state", failure.state},
                             {"name", failure.who},
                             {"what", failure.what},
                             {"file", file_of(arguments, failure.state)}});
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return dumped_lines(json);
 }
 
 int run_against_oracle(const FuzzArguments& arguments) {

@@ -55,7 +55,7 @@ const Words& words_of(Language language) { return language == Language::kChinese
 Lesson load(const LessonArguments& arguments) { return load_lesson(arguments.name, arguments.language); }
 
 int list(const LessonArguments& arguments) {
-    nlohmann::ordered_json json = {{"lessons", nlohmann::ordered_json::array()}};
+    Json json = {{"lessons", Json::array()}};
     std::string text;
     std::size_t width = 0;
     for (const std::string_view name : lesson::names()) width = std::max(width, name.size());
@@ -64,22 +64,21 @@ int list(const LessonArguments& arguments) {
         json["lessons"].push_back({{"name", name}, {"title", lesson.title}});
         text += fmt::format("{:{}}  {}\n", name, width, lesson.title);
     }
-    write_result(arguments.json ? json.dump(2) + "\n" : text);
+    write_result(arguments.json ? dumped_lines(json) : text);
     return kFine;
 }
 
 int print(const LessonArguments& arguments) {
     const Lesson lesson = load(arguments);
     if (arguments.json) {
-        nlohmann::ordered_json json = {
-            {"name", lesson.name},       {"title", lesson.title},
-            {"about", lesson.about},     {"question", lesson.question},
-            {"scene", lesson.scene},     {"prediction", lesson.prediction},
-            {"choices", lesson.choices}, {"right_choice", lesson::letter_of(lesson.right_choice)},
-            {"seen", lesson.seen},       {"changed", lesson.changed},
-            {"task", lesson.task}};
+        Json json = {{"name", lesson.name},       {"title", lesson.title},
+                     {"about", lesson.about},     {"question", lesson.question},
+                     {"scene", lesson.scene},     {"prediction", lesson.prediction},
+                     {"choices", lesson.choices}, {"right_choice", lesson::letter_of(lesson.right_choice)},
+                     {"seen", lesson.seen},       {"changed", lesson.changed},
+                     {"task", lesson.task}};
         for (const lesson::Check& check : lesson.checks) json["checks"][check.key] = check.reason;
-        write_result(json.dump(2) + "\n");
+        write_result(dumped_lines(json));
         return kFine;
     }
     std::string text = fmt::format("{}\n\n{}\n\n{}\n\n{}\n{}\n", lesson.title, lesson.about, lesson.question,
@@ -120,7 +119,7 @@ int check(const LessonArguments& arguments) {
     const Lesson lesson = load(arguments);
     const Words& words = words_of(arguments.language);
     const lesson::Grader grader(lesson);
-    nlohmann::ordered_json json = {{"lesson", lesson.name}, {"answers", nlohmann::ordered_json::array()}};
+    Json json = {{"lesson", lesson.name}, {"answers", Json::array()}};
     std::string text;
     std::size_t width = 0, right = 0;
     bool all_read = true;
@@ -142,17 +141,16 @@ int check(const LessonArguments& arguments) {
         if (!grade.check.empty()) text += fmt::format("  {}:", grade.check);
         if (!grade.reason.empty()) text += fmt::format("{}{}", grade.check.empty() ? "  " : " ", grade.reason);
         text += "\n";
-        nlohmann::ordered_json one = {{"file", file}, {"right", grade.is_right}};
+        Json one = {{"file", file}, {"right", grade.is_right}};
         if (!is_read) one["right"] = nullptr;
-        one["check"] = grade.check.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(grade.check);
+        one["check"] = grade.check.empty() ? Json(nullptr) : Json(grade.check);
         one["reason"] = grade.reason;
         json["answers"].push_back(one);
     }
     json["right"] = right;
     if (arguments.answers.size() > 1) text += fmt::format(fmt::runtime(words.summary), right, arguments.answers.size());
     // A file's name may hold any bytes; JSON is UTF-8.
-    write_result(arguments.json ? json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
-                                : text);
+    write_result(arguments.json ? dumped_lines(json) : text);
     return !all_read ? kBadInput : right == arguments.answers.size() ? kFine : kDifferent;
 }
 

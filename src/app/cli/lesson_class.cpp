@@ -223,7 +223,7 @@ std::string marks_json(const std::vector<Row>& rows) {
                                    {"points", row.points},
                                    {"of", row.most},
                                    {"reasons", row.reasons}});
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return dumped_lines(json);
 }
 
 // ---- The page ----

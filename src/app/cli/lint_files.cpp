@@ -141,12 +141,12 @@ std::string json_of(const std::vector<LintedFile>& files) {
     for (const LintedFile& file : files) {
         Json one = {{"file", file.file}};
         if (file.failure.empty())
-            one.update(Json::parse(lint::json_text(file.scene, file.warnings)));
+            one.update(parsed_json(lint::json_text(file.scene, file.warnings)));
         else
             one["error"] = file.failure;
         json["files"].push_back(one);
     }
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return dumped_lines(json);
 }
 
 }  // namespace

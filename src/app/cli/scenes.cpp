@@ -49,7 +49,7 @@ int list(const ScenesArguments& arguments) {
                                           {"heading", group.heading},
                                           {"description", title_of(name)},
                                           {"steps", load_commands(std::string(name))->steps}});
-        write_result(json.dump(2) + "\n");
+        write_result(dumped_lines(json));
         return kFine;
     }
     std::size_t width = 0;
@@ -68,7 +68,7 @@ int run_scenes(const ScenesArguments& arguments) {
     if (arguments.name.empty()) return list(arguments);
     if (const EmbeddedFile* file = find_built_in(arguments.name)) {
         const Json json = {{"name", arguments.name}, {"description", title_of(arguments.name)}, {"text", file->text}};
-        write_result(arguments.json ? json.dump(2) + "\n" : std::string(file->text));
+        write_result(arguments.json ? dumped_lines(json) : std::string(file->text));
         return kFine;
     }
     std::vector<std::string> names;

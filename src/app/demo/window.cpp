@@ -344,16 +344,16 @@ void Window::save_screenshot() {
 
 void Window::write_times() const {
     if (options_.times.empty()) return;
-    nlohmann::json keys = nlohmann::json::array();
+    Json keys = Json::array();
     for (const KeyTime& time : key_times_)
         keys.push_back({{"key", time.key}, {"answer_ms", time.answer_ms}, {"picture_ms", time.picture_ms}});
-    const nlohmann::json json = {{"frame_ms", frame_ms_},
-                                 {"pane_ms", pane_ms_},
-                                 {"keys", keys},
-                                 {"cut_letters", cut_letters_},
-                                 {"overlapping_letters", overlapping_letters_},
-                                 {"texts", texts_}};
-    write_file_atomically(options_.times, json.dump() + "\n");
+    const Json json = {{"frame_ms", frame_ms_},
+                       {"pane_ms", pane_ms_},
+                       {"keys", keys},
+                       {"cut_letters", cut_letters_},
+                       {"overlapping_letters", overlapping_letters_},
+                       {"texts", texts_}};
+    write_file_atomically(options_.times, dumped(json) + "\n");
 }
 
 // Also remembers what the next window starts with. Textures and programs are deleted while their context is current.

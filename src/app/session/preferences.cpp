@@ -23,7 +23,7 @@ std::string preferences_file() {
 
 Preferences read_preferences(const std::string& file) {
     try {
-        const nlohmann::json json = nlohmann::json::parse(read_file(file));
+        const Json json = parsed_json(read_file(file));
         return {json.at("width"),
                 json.at("height"),
                 json.at("panel"),
@@ -37,16 +37,16 @@ Preferences read_preferences(const std::string& file) {
 
 void write_preferences(const std::string& file, const Preferences& preferences) {
     if (file.empty()) return;
-    const nlohmann::json json = {{"width", preferences.width},
-                                 {"height", preferences.height},
-                                 {"panel", preferences.panel},
-                                 {"solved_lessons", preferences.solved_lessons},
-                                 {"lecture_symbols", preferences.lecture_symbols},
-                                 {"recent_files", preferences.recent_files}};
+    const Json json = {{"width", preferences.width},
+                       {"height", preferences.height},
+                       {"panel", preferences.panel},
+                       {"solved_lessons", preferences.solved_lessons},
+                       {"lecture_symbols", preferences.lecture_symbols},
+                       {"recent_files", preferences.recent_files}};
     std::error_code ignored;
     std::filesystem::create_directories(std::filesystem::path(file).parent_path(), ignored);
     try {
-        write_file_atomically(file, json.dump(2) + "\n");
+        write_file_atomically(file, dumped_lines(json));
     } catch (const FileError&) {
         // The window then starts as it did before.
     }

@@ -48,7 +48,7 @@ std::string time_text(std::filesystem::file_time_type::duration since_now) {
 }
 
 Json read_recovery(const std::string& path) {
-    Json scenes = Json::parse(read_file(path), nullptr, /*allow_exceptions=*/false);
+    Json scenes = parsed_json(read_file(path));
     if (!scenes.is_array()) throw FileError(tr("{}: is not a recovery file; remove it", path));
     return scenes;
 }
@@ -115,7 +115,7 @@ void restore(Session& session, const LostScenes& lost) {
         // As it was opened, so that it is the same scene.
         if (session.file && std::filesystem::absolute(*session.file).string() == file) file = *session.file;
         const std::string name = json.at("name"), text = json.at("text");
-        const std::string step = json.at("step") == 0 ? "" : json.at("step").dump();
+        const std::string step = json.at("step") == 0 ? "" : dumped(json.at("step"));
         const auto opened = std::make_shared<const CommandList>(read_text_of(file, name, json.at("opened"), step));
         OpenScene scene(opened, file.empty() ? std::nullopt : std::optional(file));
         scene.history.edit(with_places_of(*opened, read_text_of(file, name, text, step)), tr("the recovered changes"));

@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 
 #ifdef INCLUDE_NLOHMANN_JSON_HPP_
 #error "include base/text/json.h in place of <nlohmann/json.hpp>"
@@ -24,7 +25,12 @@ namespace twinlight {
 
 using Json = nlohmann::ordered_json;
 
-// A scene's text may hold any bytes, but JSON is UTF-8.
-inline std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+// These are compiled once: json's own functions are templates, which each room would compile again.
+// In one line. A scene's text may hold any bytes, but JSON is UTF-8: what is not becomes U+FFFD.
+std::string dumped(const Json& json);
+// The same with a line for each value, and a newline at the end: a file.
+std::string dumped_lines(const Json& json);
+// Json::is_discarded() if the text is not JSON.
+Json parsed_json(std::string_view text);
 
 }  // namespace twinlight

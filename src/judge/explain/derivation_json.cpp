@@ -7,8 +7,6 @@ namespace twinlight::explain {
 
 Json color_json(const reference::Vec& c) { return {c.x, c.y, c.z}; }
 
-std::string dumped(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
 std::vector<std::string> names_of(const std::vector<int>& lights) {
     std::vector<std::string> names;
     for (const int light : lights) names.push_back(light_name(light));

@@ -81,7 +81,4 @@ std::string text_of(const Scene& scene, const VertexExplanation& explanation, co
 Json json_of(const Scene& scene, const PixelExplanation& explanation);
 Json json_of(const Scene& scene, const VertexExplanation& explanation);
 
-// With a newline. A scene's name may hold any bytes; JSON is UTF-8.
-std::string dumped(const Json& json);
-
 }  // namespace twinlight::explain

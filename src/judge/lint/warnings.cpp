@@ -66,7 +66,7 @@ std::string json_text(const std::string& scene, std::span<const Warning> warning
         json["warnings"].push_back(one);
     }
     // A scene's name may hold any bytes; JSON is UTF-8.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return dumped_lines(json);
 }
 
 std::string markdown() {

@@ -97,11 +97,9 @@ Json json_of(const Comparison& comparison) {
 }
 
 // A scene's name may hold any bytes; JSON is UTF-8.
-std::string dumped(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
 }  // namespace
 
-std::string comparison_json(const Comparison& comparison) { return dumped(json_of(comparison)); }
+std::string comparison_json(const Comparison& comparison) { return dumped_lines(json_of(comparison)); }
 
 compare::Verdict verdict_of(const std::vector<ComparedStep>& steps) {
     Verdict worst = Verdict::kWithin;
@@ -124,7 +122,7 @@ std::string steps_json(const std::vector<ComparedStep>& steps) {
                                  {"title", steps[i].title},
                                  {"folder", step_folder(i)},
                                  {"comparison", json_of(steps[i].comparison)}});
-    return dumped(json);
+    return dumped_lines(json);
 }
 
 }  // namespace twinlight::report

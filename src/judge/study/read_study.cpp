@@ -165,7 +165,7 @@ Extent read_extent(const Node& node) {
 }  // namespace
 
 Study read_study(std::string_view text, const std::string& file) {
-    const Json json = Json::parse(text, nullptr, false);
+    const Json json = parsed_json(text);
     if (json.is_discarded()) throw std::runtime_error(file + ": this is not JSON");
     if (!json.is_object() || json.value("format", Json()) != kFormat)
         throw std::runtime_error(file + ": this is not a study; `twinlight study` writes studies as study.json");

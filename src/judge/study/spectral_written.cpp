@@ -103,7 +103,7 @@ std::string spectral_json(const SpectralStudy& study) {
                                     {"mean", p.off.mean},
                                     {"percentile_95", p.off.percentile_95},
                                     {"max", p.off.max}});
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return dumped_lines(json);
 }
 
 std::string spectral_text(const SpectralStudy& study) {

@@ -29,7 +29,7 @@ std::vector<const Axis*> axes_of(const Study& study) {
 }
 
 std::string page_data(const Study& study) {
-    Json data = Json::parse(study_json(study));
+    Json data = parsed_json(study_json(study));
     data["axes"] = Json::array();
     for (const Axis* axis : axes_of(study)) data["axes"].push_back({{"name", axis->name}, {"words", axis->words}});
     data["measures"] = Json::array();

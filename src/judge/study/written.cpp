@@ -24,13 +24,13 @@ Json json_of(const Series& series) {
         {"library", series.library},
         {"rounds", series.rounds},
         {"findings", series.findings}};
-    if (series.spectral) json["spectral"] = Json::parse(spectral_json(*series.spectral));
+    if (series.spectral) json["spectral"] = parsed_json(spectral_json(*series.spectral));
     return json;
 }
 
 Json value_of(const Axis& axis, const Choice& choice) {
     const std::string key = axis.value(choice).key;
-    if (axis.is_number) return key.empty() ? Json(nullptr) : Json::parse(key);
+    if (axis.is_number) return key.empty() ? Json(nullptr) : parsed_json(key);
     return key;
 }
 
@@ -85,7 +85,7 @@ std::string study_json(const Study& study) {
                  {"points", Json::array()}};
     for (const Series& series : study.series) json["series"].push_back(json_of(series));
     for (const Point& point : study.points) json["points"].push_back(json_of(study, point));
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return dumped_lines(json);
 }
 
 std::string study_csv(const Study& study) {
