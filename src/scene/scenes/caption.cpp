@@ -2,21 +2,28 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string_view>
 #include <vector>
 
 namespace twinlight {
 namespace {
 
-// A sentence ends with a full stop, a question or exclamation mark before a capital letter.
+constexpr std::string_view kStop = "。";  // of Chinese, which has no blanks
+
+// A sentence ends with a full stop, a question or exclamation mark before a capital letter, or with kStop.
 std::vector<std::string> sentences_of(const std::string& text) {
     std::vector<std::string> sentences;
     std::size_t from = 0;
-    for (std::size_t at = 0; at + 2 < text.size(); ++at) {
-        const bool ends = text[at] == '.' || text[at] == '?' || text[at] == '!';
-        const bool begins = text[at + 1] == ' ' && std::isupper(static_cast<unsigned char>(text[at + 2])) != 0;
-        if (!ends || !begins) continue;
-        sentences.push_back(text.substr(from, at + 1 - from));
-        from = at + 2;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const bool is_mark = text[at] == '.' || text[at] == '?' || text[at] == '!';
+        const bool ends = is_mark && at + 2 < text.size() && text[at + 1] == ' ' &&
+                          std::isupper(static_cast<unsigned char>(text[at + 2])) != 0;
+        const std::size_t bytes = text.compare(at, kStop.size(), kStop) == 0 ? kStop.size() : ends ? 1 : 0;
+        if (bytes == 0) continue;
+        sentences.push_back(text.substr(from, at + bytes - from));
+        from = at + bytes;
+        if (from < text.size() && text[from] == ' ') ++from;
+        at = from - 1;
     }
     if (from < text.size()) sentences.push_back(text.substr(from));
     return sentences;
@@ -51,7 +58,7 @@ Caption caption_of(std::string_view text) {
     const auto notices = std::ranges::find_if(sentences, [](const std::string& s) { return s.starts_with("Notice"); });
     auto first = notices == sentences.end() ? sentences.begin() + 1 : notices;
     for (int i = 0; i < 2 && first != sentences.end(); ++i, ++first)
-        caption.notice += (caption.notice.empty() ? "" : " ") + *first;
+        caption.notice += (caption.notice.empty() || caption.notice.ends_with(kStop) ? "" : " ") + *first;
     return caption;
 }
 

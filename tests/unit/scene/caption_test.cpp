@@ -26,6 +26,12 @@ TEST(SceneCaption, WithoutANoticeItIsWhatFollowsTheTitle) {
     EXPECT_EQ(caption("glutSolidCube(1);\n// One").title, "");
 }
 
+TEST(SceneCaption, MayBeInChinese) {
+    const Caption found = caption("// 一盏灯。\n// 注意边缘。它很清楚。别的。\nglutSolidCube(1);");
+    EXPECT_EQ(found.title, "一盏灯。");
+    EXPECT_EQ(found.notice, "注意边缘。它很清楚。");
+}
+
 TEST(SceneCaption, EveryBuiltInSceneHasOne) {
     for (const EmbeddedFile& file : kSceneFiles) {
         const Caption found = caption_of(read_built_in(file));
