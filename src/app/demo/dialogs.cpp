@@ -366,6 +366,14 @@ void Dialogs::recovered(Session& session) {
 
 void Dialogs::record(Session& session) {
     const std::string name = fs::path(program_).filename().string();
+    if (recording_ && recording_->is_done()) {
+        const auto done = std::exchange(recording_, nullptr);
+        attempt(session, [&] {
+            open(session, done->scene(), std::nullopt);
+            say(session, tr("this is a picture of {}; Ctrl+S saves it as a scene", name));
+        });
+        if (session.dialog == Dialog::kNone) return;
+    }
     if (!recording_) {
         ImGui::TextUnformatted(tr("{} cannot be read as a scene:", name).c_str());
         dim_text(unreadable_);
@@ -382,12 +390,6 @@ void Dialogs::record(Session& session) {
     ImGui::TextUnformatted(tr("{} runs and is recorded.", name).c_str());
     if (first_button(tr("That is enough"))) recording_->stop();
     ImGui::NewLine();
-    if (!recording_->is_done()) return;
-    const auto done = std::exchange(recording_, nullptr);
-    attempt(session, [&] {
-        open(session, done->scene(), std::nullopt);
-        say(session, tr("this is a picture of {}; Ctrl+S saves it as a scene", name));
-    });
 }
 
 }  // namespace twinlight::demo

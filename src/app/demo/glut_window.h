@@ -118,8 +118,9 @@ class Window {
     bool imgui_runs_ = false;
     Timer busy_timer_{[](Window&self) { self.wake(1); }}, animation_timer_{[](Window&self) { self.wake(1); }},
         message_timer_{[](Window&self) {
-            // What a panel shows when its work is done must settle, too.
-            self.wake(self.panels_->is_busy(self.session_) ? kFramesAfterEvent : 1);
+            // What a panel or a dialog shows when its work is done must settle, too.
+            const bool is_busy = self.panels_->is_busy(self.session_) || self.dialogs_.is_busy();
+            self.wake(is_busy ? kFramesAfterEvent : 1);
         }},
         recovery_timer_{[](Window&self) { self.keep_for_recovery(); }}, file_timer_{[](Window&self) {
             self.reload_if_saved();
