@@ -32,7 +32,7 @@ inline std::string english_left(std::string message, const std::string& scene) {
         if (scene.find(words) == scene.npos && words.find(',') == words.npos &&
             std::ranges::none_of(session::chinese(), is_code))
             return words;
-        message.erase(message.find(words), words.size());
+        message.replace(message.find(words), words.size(), ",");
     }
     return "";
 }

@@ -32,7 +32,7 @@ std::shared_ptr<const CommandList> busiest_frame_of(const std::shared_ptr<const 
         if (const auto busiest = trace::busiest_frame(file)) choice.number = busiest->number;
     const RecordedFrame recorded = make_recorded_frame(recording, choice);
     const std::string& name = recorded.scene.name();
-    return std::make_shared<CommandList>(read_text_of("", name, printed_frame(recorded, name + ".")));
+    return std::make_shared<CommandList>(read_text_of("", name, printed_frame(recorded, tr("{}.", name))));
 }
 
 // The program `twinlight` in this program's folder, or else in PATH.
@@ -72,7 +72,7 @@ std::shared_ptr<const CommandList> ProgramRecording::record(const std::string& p
     const std::string path = fs::absolute(program).string();
     const pid_t process = trace::start(
         {{twinlight(), "record", path, "-o", file}, -1, messages.get(), messages.get(), ".", /*has_own_session=*/true});
-    if (process <= 0) throw SceneError(fmt::format("twinlight record: {}", std::strerror(errno)));
+    if (process <= 0) throw SceneError(fmt::format("twinlight record: {}", tr(std::strerror(errno))));
     trace::Running running(process);
     // Interrupted, it keeps what it has recorded.
     if (!running.wait([this] { return is_stopped_.load(); })) {

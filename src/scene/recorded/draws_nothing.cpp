@@ -6,6 +6,8 @@
 #include <array>
 #include <string_view>
 
+#include "base/text/translation.h"
+
 namespace twinlight {
 
 namespace {
@@ -34,7 +36,7 @@ void count(std::map<std::string, std::size_t, std::less<>>& names, std::string_v
         names.emplace(name, 1);
 }
 
-std::string times(std::size_t count) { return count == 1 ? "once" : fmt::format("{} times", count); }
+std::string times(std::size_t count) { return count == 1 ? tr("once") : tr("{} times", count); }
 
 // "glBegin (3 times), glCallList (once)": the most frequent three.
 template <class Names>
@@ -44,8 +46,8 @@ std::string list_of(const Names& names) {
     constexpr std::size_t kMostShown = 3;
     std::string text;
     for (std::size_t i = 0; i < std::min(most.size(), kMostShown); ++i)
-        text += fmt::format("{}{} ({})", i > 0 ? ", " : "", most[i].first, times(most[i].second));
-    if (most.size() > kMostShown) text += fmt::format(" and {} others", most.size() - kMostShown);
+        text += fmt::format("{}{} ({})", i > 0 ? tr(", ") : "", most[i].first, times(most[i].second));
+    if (most.size() > kMostShown) text += tr(" and {} others", most.size() - kMostShown);
     return text;
 }
 
@@ -77,21 +79,20 @@ std::string DrawsNothing::why(int frames, std::size_t errors) const {
     std::vector<std::string> causes;
     const auto shaders = part_of(outside_, is_of_shaders);
     const auto others = part_of(outside_, [](std::string_view name) { return !is_of_shaders(name); });
-    if (!shaders.empty()) causes.push_back("it draws with shaders: " + list_of(shaders));
-    if (!others.empty()) causes.push_back("it calls functions that Twinlight lacks: " + list_of(others));
-    if (!drawing_.empty() && shaders.empty()) causes.push_back(list_of(drawing_) + ": no vertex that shows");
+    if (!shaders.empty()) causes.push_back(tr("it draws with shaders: {}", list_of(shaders)));
+    if (!others.empty()) causes.push_back(tr("it calls functions that Twinlight lacks: {}", list_of(others)));
+    if (!drawing_.empty() && shaders.empty()) causes.push_back(tr("{}: no vertex that shows", list_of(drawing_)));
     if (drawing_in_lists_ > 0 && drawing_.empty())
-        causes.push_back(fmt::format("it draws only inside display lists that it never calls ({} in lists)",
-                                     times(drawing_in_lists_)));
-    if (errors > 0) causes.push_back(fmt::format("{} of its commands cause GL errors", errors));
+        causes.push_back(
+            tr("it draws only inside display lists that it never calls ({} in lists)", times(drawing_in_lists_)));
+    if (errors > 0) causes.push_back(tr("{} of its commands cause GL errors", errors));
     if (drawing_.empty() && drawing_in_lists_ == 0) {
-        causes.push_back(commands_ == 0
-                             ? "it has no GL command"
-                             : fmt::format("none of its {} command{} draws: perhaps it ended or was cut before that",
-                                           commands_, commands_ == 1 ? "" : "s"));
+        causes.push_back(commands_ == 0 ? tr("it has no GL command")
+                                        : tr("none of its {} {} draws: perhaps it ended or was cut before that",
+                                             commands_, tr(commands_ == 1 ? "command" : "commands")));
     }
-    std::string text = fmt::format("{} frame{}", frames, frames == 1 ? "" : "s");
-    for (const std::string& cause : causes) text += "; " + cause;
+    std::string text = fmt::format("{} {}", frames, tr(frames == 1 ? "frame" : "frames"));
+    for (const std::string& cause : causes) text += tr("; ") + cause;
     return text;
 }
 

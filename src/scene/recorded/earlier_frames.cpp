@@ -1,8 +1,8 @@
 #include "scene/recorded/earlier_frames.h"
 
-#include <fmt/format.h>
-
 #include <vector>
+
+#include "base/text/translation.h"
 
 namespace twinlight {
 
@@ -37,14 +37,14 @@ void EarlierFrames::draw(const Draw& draw) {
 }
 
 std::string EarlierFrames::words() const {
-    std::vector<std::string_view> buffers;
-    if (shows_color_) buffers.push_back("the picture");
-    if (shows_depth_) buffers.push_back("the depth buffer");
-    if (shows_stencil_) buffers.push_back("the stencil buffer");
-    if (shows_accumulation_) buffers.push_back("the accumulation buffer");
+    std::vector<const char*> buffers;
+    if (shows_color_) buffers.push_back(tr("the picture"));
+    if (shows_depth_) buffers.push_back(tr("the depth buffer"));
+    if (shows_stencil_) buffers.push_back(tr("the stencil buffer"));
+    if (shows_accumulation_) buffers.push_back(tr("the accumulation buffer"));
     std::string text;
     for (std::size_t i = 0; i < buffers.size(); ++i) {
-        if (i > 0) text += i + 1 == buffers.size() ? " and " : ", ";
+        if (i > 0) text += tr(i + 1 == buffers.size() ? " and " : ", ");
         text += buffers[i];
     }
     return text;

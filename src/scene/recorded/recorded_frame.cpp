@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/text/translation.h"
 #include "scene/command/text.h"
 #include "scene/recorded/draws_nothing.h"
 #include "scene/recorded/earlier_frames.h"
@@ -37,7 +38,7 @@ class Beginning final : public Recording {
   public:
     Beginning(std::shared_ptr<const Recording> whole, const FrameChoice& choice, std::size_t steps, int frame_ends,
               std::vector<Command> endings)
-        : Recording(fmt::format("{}, frame {}", whole->name, choice.number.value_or(0))),
+        : Recording(tr("{}, frame {}", whole->name, choice.number.value_or(0))),
           whole_(std::move(whole)),
           choice_(choice),
           steps_(steps),
@@ -125,7 +126,7 @@ class Player {
     bool shows_too_much() const { return shows_too_much_; }
     // Why nothing is drawn.
     std::string why() const {
-        return nothing_.why(frame_, state_.error_count()) + (notes_.empty() ? "" : "; " + notes_.back());
+        return nothing_.why(frame_, state_.error_count()) + (notes_.empty() ? "" : tr("; ") + notes_.back());
     }
     RecordedFrame result(const std::shared_ptr<const Recording>& recording);
 
@@ -236,7 +237,7 @@ bool Player::take_end() {
     const bool is_cut = state_.inside_begin() || state_.unfinished() || swaps_;
     end_begin();
     if (!changed_ || !end_frame()) return false;
-    if (is_cut) notes_.emplace_back("the recording ends inside this frame, so its picture may be incomplete");
+    if (is_cut) notes_.emplace_back(tr("the recording ends inside this frame, so its picture may be incomplete"));
     return true;
 }
 
@@ -252,7 +253,7 @@ void Player::command(const Command& command) {
     if (const auto& error = state_.exhausted()) {
         shows_too_much_ = frame_ > first_shown_;
         if (shows_too_much_) return;
-        exhausted_ = fmt::format("{}: {}; this recording cannot be drawn", error->place.str(), error->message);
+        exhausted_ = tr("{}: {}; this recording cannot be drawn", error->place.str(), error->message);
         if (frame_end_ == FrameEnd::kFlush || swaps_) throw SceneError(*exhausted_);
         return;
     }
@@ -317,8 +318,8 @@ int Player::first_that_shows() const {
 
 RecordedFrame Player::result(const std::shared_ptr<const Recording>& recording) {
     if (!drawn_ && !choice_.may_be_empty) {
-        throw SceneError(fmt::format("{}: frame {} draws nothing; leave out --frame to get the first frame that does",
-                                     recording->name, frame_));
+        throw SceneError(tr("{}: frame {} draws nothing; leave out --frame to get the first frame that does",
+                            recording->name, frame_));
     }
     end_begin();
     // Scenes must end what they begin, but a frame may leave it to the next.
@@ -333,19 +334,19 @@ RecordedFrame Player::result(const std::shared_ptr<const Recording>& recording) 
     if (!state_.errors().empty()) result.first_error = state_.errors().front();
     result.notes = std::move(notes_);
     if (not_finite_ > 0)
-        result.notes.push_back(fmt::format(
-            "{} of the program's commands up to this frame {} NaN or infinity; the first: {}. GL leaves open what that "
-            "does (section 2.1.1). All renderers draw 0 for NaN, and 2^32 for infinity.",
-            not_finite_, not_finite_ == 1 ? "has" : "have", first_not_finite_));
+        result.notes.push_back(
+            tr("{} of the program's commands up to this frame {} NaN or infinity; the first: {}. GL leaves open what "
+               "that does (section 2.1.1). All renderers draw 0 for NaN, and 2^32 for infinity.",
+               not_finite_, tr(not_finite_ == 1 ? "has" : "have"), first_not_finite_));
     if (frame_end_ == FrameEnd::kSwap && earlier_.show() && frame_ > 0) {
         const int shown = frame_ - std::min(first_shown_, frame_);
         const bool are_all = shown == frame_ || !before_[static_cast<std::size_t>(frame_ - shown)].shows_earlier;
-        result.notes.push_back(fmt::format(
-            "this frame shows what earlier frames left in {}; {}", earlier_.words(),
-            shown == 0 ? "they are too large to draw them first"
-                       : fmt::format("{} drawn first{}, as for a window that keeps its picture",
-                                     shown == 1 ? "the one before is" : fmt::format("the {} before are", shown),
-                                     are_all ? "" : ", and those before them left out")));
+        const std::string before = shown == 1 ? tr("the one before is") : tr("the {} before are", shown);
+        const char* const left_out = are_all ? "" : tr(", and those before them left out");
+        result.notes.push_back(
+            tr("this frame shows what earlier frames left in {}; {}", earlier_.words(),
+               shown == 0 ? tr("they are too large to draw them first")
+                          : tr("{} drawn first{}, as for a window that keeps its picture", before, left_out)));
     }
     FrameChoice choice = choice_;
     choice.number = frame_;
@@ -384,12 +385,11 @@ RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& record
             const int frames = player.frames();
             if (!choice.number || frames == 0) {
                 std::string why = player.why();
-                for (const std::string& note : recording->notes()) why += "; " + note;
-                throw SceneError(fmt::format("{}: this recording draws nothing: {}", recording->name, why));
+                for (const std::string& note : recording->notes()) why += tr("; ") + note;
+                throw SceneError(tr("{}: this recording draws nothing: {}", recording->name, why));
             }
-            throw SceneError(
-                fmt::format("{}: the recording has no frame {}; {}", recording->name, *choice.number,
-                            frames == 1 ? "its only frame is 0" : fmt::format("its frames are 0 to {}", frames - 1)));
+            throw SceneError(tr("{}: the recording has no frame {}; {}", recording->name, *choice.number,
+                                frames == 1 ? tr("its only frame is 0") : tr("its frames are 0 to {}", frames - 1)));
         }
         if (!knows_shown) {
             knows_shown = true;
@@ -402,8 +402,8 @@ RecordedFrame make_recorded_frame(const std::shared_ptr<const Recording>& record
         if (choice.width && choice.height) return result;
         const auto [reach_x, reach_y] = player.size().value_or(std::pair(width, height));
         if (std::max(reach_x, reach_y) > kLargestSide) {
-            throw SceneError(fmt::format("{}: a viewport is larger than {} pixels; set the picture's size with --size",
-                                         recording->name, kLargestSide));
+            throw SceneError(tr("{}: a viewport is larger than {} pixels; set the picture's size with --size",
+                                recording->name, kLargestSide));
         }
         const bool same = reach_x == width && reach_y == height;
         if (!same &&
@@ -452,23 +452,22 @@ RecordedFrame frame_to_see(const std::shared_ptr<const Recording>& recording, co
         try {
             RecordedFrame frame = make_recorded_frame(recording, later);
             if (contrast(frame.scene).value_or(0) < kLowContrast) continue;
-            frame.notes.push_back(
-                fmt::format("frame {} is almost of one colour; this is frame {}", first.number, frame.number));
+            frame.notes.push_back(tr("frame {} is almost of one colour; this is frame {}", first.number, frame.number));
             return frame;
         } catch (const SceneError&) {  // it draws nothing, or there is no such frame
         }
     }
-    note(*first_contrast == 0 ? "the picture is of one colour; --frame chooses another frame"
-                              : "the picture is almost of one colour; --frame chooses another frame");
+    note(tr(*first_contrast == 0 ? "the picture is of one colour; --frame chooses another frame"
+                                 : "the picture is almost of one colour; --frame chooses another frame"));
     return first;
 }
 
 std::string note_of_errors(const RecordedFrame& recorded) {
     if (!recorded.first_error) return "";
     const GlError& first = *recorded.first_error;
-    return fmt::format("up to this frame, {} of the program's commands {} a GL error; the first: {}: {} ({})",
-                       recorded.error_count, recorded.error_count == 1 ? "causes" : "cause",
-                       one_line(first.place.str()), one_line(first.message), enum_name(first.code));
+    return tr("up to this frame, {} of the program's commands {} a GL error; the first: {}: {} ({})",
+              recorded.error_count, tr(recorded.error_count == 1 ? "causes" : "cause"), one_line(first.place.str()),
+              one_line(first.message), enum_name(first.code));
 }
 
 CommandList commands_to_print(const Scene& scene) {
@@ -488,9 +487,8 @@ CommandList commands_to_print(const Scene& scene) {
         const bool calls = step.command.id == CommandId::glCallList || step.command.id == CommandId::glCallLists;
         if (state.error_count() == errors || calls) commands.commands.push_back(step.command);
         if (commands.commands.size() <= kMost) return true;
-        throw SceneError(
-            fmt::format("{}: this frame needs more than {} commands, too many to print; choose an earlier --frame",
-                        scene.name(), kMost));
+        throw SceneError(tr("{}: this frame needs more than {} commands, too many to print; choose an earlier --frame",
+                            scene.name(), kMost));
     });
     return commands;
 }
@@ -501,12 +499,11 @@ namespace {
 std::vector<std::string> notes_of(const RecordedFrame& recorded) {
     std::vector<std::string> notes = recorded.scene.recording->notes();
     notes.insert(notes.end(), recorded.notes.begin(), recorded.notes.end());
-    if (recorded.first_error) notes.push_back(note_of_errors(recorded) + "; they are left out");
+    if (recorded.first_error) notes.push_back(tr("{}; they are left out", note_of_errors(recorded)));
     for (const Unsupported& one : recorded.scene.frame.unsupported) {
         if (one.missing_from != MissingFrom::kEverything) continue;
-        notes.push_back(fmt::format("{} is left out, because Twinlight lacks it: {} {}, first at {}",
-                                    one_line(one.name), one.count, one.count == 1 ? "call" : "calls",
-                                    one_line(one.first.str())));
+        notes.push_back(tr("{} is left out, because Twinlight lacks it: {} {}, first at {}", one_line(one.name),
+                           one.count, tr(one.count == 1 ? "call" : "calls"), one_line(one.first.str())));
     }
     return notes;
 }
@@ -515,7 +512,7 @@ std::vector<std::string> notes_of(const RecordedFrame& recorded) {
 
 std::string printed_frame(const RecordedFrame& recorded, std::string_view comment) {
     std::string text = fmt::format("// {}\n", comment);
-    for (const std::string& note : notes_of(recorded)) text += fmt::format("// Note: {}.\n", one_line(note));
+    for (const std::string& note : notes_of(recorded)) text += tr("// Note: {}.\n", one_line(note));
     return text + print_scene(commands_to_print(recorded.scene));
 }
 

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/text/translation.h"
 #include "scene/command/text.h"
 #include "scene/trace/process.h"
 
@@ -40,7 +41,7 @@ std::string first_words(const Descriptor& file) {
 ApitraceDump::ApitraceDump(const std::string& name, const std::string& trace, const Descriptor& input, Blobs blobs)
     : messages_(nameless_file()) {
     std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw SceneError(name + ": " + std::strerror(errno));
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw SceneError(name + ": " + tr(std::strerror(errno)));
     output_ = Descriptor(ends[0]);
     const Descriptor dump(ends[1]);
     // It runs in the temporary folder, because it writes blobs to its working folder. With --multiline=no it leaves out stacks.
@@ -53,11 +54,11 @@ ApitraceDump::ApitraceDump(const std::string& name, const std::string& trace, co
         ::prlimit(process_, RLIMIT_AS, &most, nullptr);
         return;
     }
-    if (errno != ENOENT && errno != EACCES) throw SceneError(name + ": " + std::strerror(errno));
+    if (errno != ENOENT && errno != EACCES) throw SceneError(name + ": " + tr(std::strerror(errno)));
     throw SceneError(
-        name +
-        ": reading a .trace needs apitrace, which is not installed; install it (apt-get install apitrace), or "
-        "run 'apitrace dump --blobs' on another computer and give its output instead");
+        tr("{}: reading a .trace needs apitrace, which is not installed; install it (apt-get install apitrace), or "
+           "run 'apitrace dump --blobs' on another computer and give its output instead",
+           name));
 }
 
 ApitraceDump::~ApitraceDump() {
@@ -70,10 +71,10 @@ std::string ApitraceDump::wait() {
     const int status = wait_for(std::exchange(process_, 0));
     // Then its last words are about its own code.
     if (WIFSIGNALED(status))
-        return "it failed (signal " + std::to_string(WTERMSIG(status)) + "); the file is damaged, or not a recording";
+        return tr("it failed (signal {}); the file is damaged, or not a recording", WTERMSIG(status));
     const std::string words = first_words(messages_);
     if (!words.empty() || WEXITSTATUS(status) == 0) return words;
-    return "it ended with status " + std::to_string(WEXITSTATUS(status));
+    return tr("it ended with status {}", WEXITSTATUS(status));
 }
 
 }  // namespace twinlight::trace

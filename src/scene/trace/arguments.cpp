@@ -1,11 +1,10 @@
 #include "scene/trace/arguments.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "base/text/translation.h"
 #include "scene/command/lexer.h"
 #include "scene/command/text.h"
 #include "scene/trace/functions.h"
@@ -31,11 +30,11 @@ class Reading {
         do {
             lexer_.skip_blanks();
             if (arguments_.list.size() >= kMostArguments) {
-                return wrong(fmt::format("this call has more than {} arguments", kMostArguments));
+                return wrong(tr("this call has more than {} arguments", kMostArguments));
             }
             if (!named_value()) return false;
         } while (lexer_.accept(','));
-        return lexer_.accept(')') || wrong_character("',' or ')' after an argument");
+        return lexer_.accept(')') || wrong_character(tr("',' or ')' after an argument"));
     }
 
     bool value() {
@@ -55,9 +54,9 @@ class Reading {
         return false;
     }
     bool wrong_character(std::string_view expected) {
-        if (lexer_.at_end()) return wrong(std::string(kEndsInside));
+        if (lexer_.at_end()) return wrong(tr("the dump ends inside this call"));
         const char c = lexer_.peek();
-        return wrong(fmt::format("expected {}, found {}", expected, in_quotes({&c, 1})));
+        return wrong(tr("expected {}, found {}", expected, in_quotes({&c, 1})));
     }
 
     // Reads "x = 1", or "1" in a dump without names.
@@ -90,7 +89,7 @@ class Reading {
         if (lexer_.number(number)) return number_value(number, argument);
         if (lexer_.accept("-inf")) return number_value(-std::numeric_limits<double>::infinity(), argument);
         if (lexer_.accept("-nan")) return number_value(std::numeric_limits<double>::quiet_NaN(), argument);
-        return wrong_character("a value");
+        return wrong_character(tr("a value"));
     }
 
     // Adds the number and everything combined with it: GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | 0x10.
@@ -100,16 +99,16 @@ class Reading {
             if (is_letter(lexer_.peek())) {
                 other = enumerant(lexer_.word());
             } else if (!lexer_.number(other)) {
-                return wrong_character("a number or a name after '|'");
+                return wrong_character(tr("a number or a name after '|'"));
             }
             const auto is_mask = [](double value) {
                 return value >= 0 && value <= std::numeric_limits<std::uint32_t>::max() && value == std::trunc(value);
             };
-            if (!is_mask(number) || !is_mask(other)) return wrong("'|' can combine only whole numbers and names");
+            if (!is_mask(number) || !is_mask(other)) return wrong(tr("'|' can combine only whole numbers and names"));
             number = static_cast<std::uint32_t>(number) | static_cast<std::uint32_t>(other);
         }
         if (arguments_.numbers.size() >= kMaxArrayLength) {
-            return wrong(fmt::format("this call has more than {} values", kMaxArrayLength));
+            return wrong(tr("this call has more than {} values", kMaxArrayLength));
         }
         arguments_.numbers.push_back(number);
         ++argument.count;
@@ -133,7 +132,7 @@ class Reading {
             return true;
         }
         if (lexer_.accept(" = ")) {  // a member of a structure
-            if (depth >= kDeepest) return wrong(fmt::format("these values are nested more than {} deep", kDeepest));
+            if (depth >= kDeepest) return wrong(tr("these values are nested more than {} deep", kDeepest));
             if (!value_into(argument, depth + 1)) return false;
             argument.form = Form::kOther;
             return true;
@@ -142,9 +141,9 @@ class Reading {
     }
 
     bool blob(Argument& argument) {
-        if (!lexer_.accept('(')) return wrong_character("'(' after blob");
+        if (!lexer_.accept('(')) return wrong_character(tr("'(' after blob"));
         if (arguments_.blobs.size() >= kMostBlobs) {
-            return wrong(fmt::format("this call has more than {} blobs", kMostBlobs));
+            return wrong(tr("this call has more than {} blobs", kMostBlobs));
         }
         if (lexer_.peek() == '"') {
             argument.form = Form::kBlob;
@@ -153,14 +152,14 @@ class Reading {
             arguments_.blobs.push_back({std::string(lexer_.string(kLongestFileName + 1))});
         } else {
             double size = 0;
-            if (!lexer_.number(size)) return wrong_character("a blob's file or size");
+            if (!lexer_.number(size)) return wrong_character(tr("a blob's file or size"));
             argument.form = Form::kBlobSize;
         }
-        return lexer_.accept(')') || wrong_character("')' after a blob");
+        return lexer_.accept(')') || wrong_character(tr("')' after a blob"));
     }
 
     bool array(Argument& argument, int depth) {
-        if (depth >= kDeepest) return wrong(fmt::format("these arrays are nested more than {} deep", kDeepest));
+        if (depth >= kDeepest) return wrong(tr("these arrays are nested more than {} deep", kDeepest));
         lexer_.skip();
         Form form = Form::kArray;
         if (!lexer_.accept('}')) {
@@ -170,21 +169,19 @@ class Reading {
                 if (!value_into(argument, depth + 1)) return false;
                 if (argument.form != Form::kNumber && argument.form != Form::kArray) form = Form::kOther;
             } while (lexer_.accept(','));
-            if (!lexer_.accept('}')) return wrong_character("',' or '}' in an array");
+            if (!lexer_.accept('}')) return wrong_character(tr("',' or '}' in an array"));
         }
         argument.form = form;
         return true;
     }
 
     bool pointed_at(Argument& argument, int depth) {
-        if (depth >= kDeepest) return wrong(fmt::format("these pointers are nested more than {} deep", kDeepest));
+        if (depth >= kDeepest) return wrong(tr("these pointers are nested more than {} deep", kDeepest));
         lexer_.skip();
         if (!value_into(argument, depth + 1)) return false;
         argument.form = argument.form == Form::kNumber ? Form::kArray : Form::kOther;
         return true;
     }
-
-    static constexpr std::string_view kEndsInside = "the dump ends inside this call";
 
     DumpLexer& lexer_;
     Arguments& arguments_;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/image/descriptor.h"
+#include "base/text/translation.h"
 #include "scene/command/lexer.h"
 
 namespace twinlight::trace {
@@ -46,10 +47,10 @@ std::shared_ptr<const Memory> BlobFolder::operator()(const std::string& name, co
     };
     // Does not follow links, which could lead anywhere, and does not wait for the other end of a pipe.
     const Descriptor file(::open((path_ + "/" + name).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-    if (!file.valid()) refuse(errno == ELOOP ? "it is a link" : std::strerror(errno));
+    if (!file.valid()) refuse(tr(errno == ELOOP ? "it is a link" : std::strerror(errno)));
     struct stat status {};
-    if (::fstat(file.get(), &status) != 0) refuse(std::strerror(errno));
-    if (!S_ISREG(status.st_mode)) refuse("it is not a regular file");
+    if (::fstat(file.get(), &status) != 0) refuse(tr(std::strerror(errno)));
+    if (!S_ISREG(status.st_mode)) refuse(tr("it is not a regular file"));
     const auto size = static_cast<std::size_t>(status.st_size);
     if (size > kMaxBlobBytes)
         fail(place, "the blob {} has {} bytes; the limit is {}", in_quotes(name), size, kMaxBlobBytes);
@@ -62,7 +63,7 @@ std::shared_ptr<const Memory> BlobFolder::operator()(const std::string& name, co
     while (filled < size) {
         const ssize_t count = ::read(file.get(), memory->bytes.data() + filled, size - filled);
         if (count < 0 && errno == EINTR) continue;
-        if (count < 0) refuse(std::strerror(errno));
+        if (count < 0) refuse(tr(std::strerror(errno)));
         if (count == 0) break;
         filled += static_cast<std::size_t>(count);
     }

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <limits>
 
+#include "base/text/translation.h"
 #include "scene/command/lexer.h"
 #include "scene/command/text.h"
 #include "scene/trace/convert.h"
@@ -161,7 +162,7 @@ void CallReader::carry_out(const Function& function) {
         if (current == current_.end() || !groups_.may_share(current->second, *followed_)) return;
         if (!shared_.makes(current->second, function, call_->name, call_->arguments.numbers)) return;
         const auto number = std::ranges::find(contexts_, current->second) - contexts_.begin();
-        const std::string text = fmt::format("{} in context {}", call_->name, number);
+        const std::string text = tr("{} in context {}", call_->name, number);
         if (const auto& object = shared_.made()) return step({Step::Kind::kElsewhere, command_, text, *object});
         return outside(text);
     }
@@ -314,7 +315,7 @@ void CallReader::copy_memory() {
     const Mapping* found = nullptr;
     for (const Mapping& mapping : mappings_)
         if (mapping.address <= to && (!found || mapping.address > found->address)) found = &mapping;
-    if (!found) return outside("memcpy to a mapped buffer");
+    if (!found) return outside(tr("memcpy to a mapped buffer"));
     Arguments call;
     call.numbers = {static_cast<double>(found->target), found->offset + to - found->address,
                     call_->arguments.numbers.back()};

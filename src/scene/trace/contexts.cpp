@@ -1,10 +1,10 @@
 #include "scene/trace/contexts.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <utility>
+
+#include "base/text/translation.h"
 
 namespace twinlight::trace {
 
@@ -182,10 +182,11 @@ std::string list_of_contexts(const std::vector<ContextUse>& contexts) {
     for (std::size_t i = 0; i < std::min(order.size(), kMostShown); ++i) {
         const ContextUse& use = contexts[order[i]];
         const double count = use.vertices > 0 ? use.vertices : use.by_shaders;
-        text += fmt::format("{}context {} draws {} vert{}{}", i > 0 ? ", " : "", order[i], count,
-                            count == 1 ? "ex" : "ices", use.vertices > 0 ? "" : " with shaders");
+        if (i > 0) text += tr(", ");
+        text += tr("context {} draws {} {}", order[i], count, tr(count == 1 ? "vertex" : "vertices"));
+        if (use.vertices == 0) text += tr(" with shaders");
     }
-    if (order.size() > kMostShown) text += fmt::format(", and {} others draw less", order.size() - kMostShown);
+    if (order.size() > kMostShown) text += tr(", and {} others draw less", order.size() - kMostShown);
     return text;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/math/as_float.h"
+#include "base/text/translation.h"
 #include "scene/command/lexer.h"
 #include "scene/command/memory.h"
 #include "scene/command/object_names.h"
@@ -19,7 +20,7 @@ using Form = Argument::Form;
 template <class... Values>
 [[noreturn]] void refuse(const Command& command, const Parameter& parameter, fmt::format_string<Values...> what,
                          Values&&... values) {
-    fail(command.place, "{} of {} {}", parameter.name, command.name(), fmt::format(what, values...));
+    fail(command.place, "{} of {} {}", parameter.name, command.name(), vtr(what, fmt::make_format_args(values...)));
 }
 
 // The value converted to the C type of the parameter.

@@ -1,12 +1,11 @@
 #include "scene/trace/dump_calls.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <limits>
 #include <utility>
 
+#include "base/text/translation.h"
 #include "scene/command/lexer.h"
 #include "scene/command/text.h"
 
@@ -23,7 +22,7 @@ bool DumpCalls::cut_off_or(const std::string& message) {
     const Place here{std::make_shared<const std::string>(name_), lexer_.line(), 1};
     is_inside_ = false;
     if (lexer_.skip_line()) fail(here, "{}", message);
-    cut_off_ = fmt::format("the recording ends inside call {}", call_.number);
+    cut_off_ = tr("the recording ends inside call {}", call_.number);
     return false;
 }
 
@@ -76,9 +75,9 @@ const RecordedCall* DumpCalls::next() {
         return &call_;
     }
     const char c = lexer_.peek();
-    if (c == '\x1b') fail_here("this dump contains colour codes; create it with 'apitrace dump --color=never'");
-    cut_off_or(fmt::format("expected a call as apitrace prints it, such as '9 glEnable(cap = GL_LIGHT0)', found {}",
-                           in_quotes(function_name_.empty() ? std::string(1, c) : function_name_)));
+    if (c == '\x1b') fail_here(tr("this dump contains colour codes; create it with 'apitrace dump --color=never'"));
+    cut_off_or(tr("expected a call as apitrace prints it, such as '9 glEnable(cap = GL_LIGHT0)', found {}",
+                  in_quotes(function_name_.empty() ? std::string(1, c) : function_name_)));
     return nullptr;
 }
 
@@ -112,7 +111,8 @@ bool DumpCalls::read_end_of_call() {
             }
         }
         lexer_.accept('\r');
-        if (!lexer_.accept('\n') && !lexer_.at_end()) return cut_off_or("expected the end of the line after this call");
+        if (!lexer_.accept('\n') && !lexer_.at_end())
+            return cut_off_or(tr("expected the end of the line after this call"));
         // At the end of the text, a number may lack its last digits.
         if (lexer_.at_end() && !call_.result.list.empty()) return cut_off_or("");
     }

@@ -6,11 +6,12 @@
 #include <cstring>
 #include <utility>
 
+#include "base/text/translation.h"
 #include "scene/command/text.h"
 
 namespace twinlight::trace {
 
-void DumpText::refuse(int error) const { throw SceneError(fmt::format("{}: {}", name_, std::strerror(error))); }
+void DumpText::refuse(int error) const { throw SceneError(fmt::format("{}: {}", name_, tr(std::strerror(error)))); }
 
 std::size_t DumpText::read_at(std::uint64_t offset, char* to, std::size_t size) {
     const bool in_file = !pipe_.valid() || offset < kept_;
@@ -41,9 +42,9 @@ void DumpText::keep(std::string_view bytes) {
         if (written < 0 && errno == EINTR) continue;
         if (written < 0) {
             throw SceneError(
-                fmt::format("{}: cannot store the recording in a temporary file: {}; set TMPDIR to a folder with more "
-                            "space",
-                            name_, std::strerror(errno)));
+                tr("{}: cannot store the recording in a temporary file: {}; set TMPDIR to a folder with more "
+                   "space",
+                   name_, tr(std::strerror(errno))));
         }
         bytes.remove_prefix(static_cast<std::size_t>(written));
         kept_ += static_cast<std::uint64_t>(written);

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "base/text/translation.h"
 #include "scene/command/text.h"
 #include "scene/trace/process.h"
 
@@ -20,9 +21,9 @@ std::string pattern() {
     return std::string(parent && *parent ? parent : "/tmp") + "/twinlight-XXXXXX";
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& what) {
-    throw SceneError(path + ": cannot create a temporary " + what + " here: " + std::strerror(errno) +
-                     "; set TMPDIR to a folder where you can write");
+[[noreturn]] void refuse(const std::string& path, const char* what) {
+    throw SceneError(tr("{}: cannot create a temporary {} here: {}; set TMPDIR to a folder where you can write", path,
+                        what, tr(std::strerror(errno))));
 }
 
 // Tries again, because a program that still runs may create a file meanwhile.
@@ -32,7 +33,7 @@ constexpr const char* kKeeper =
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() : path_(pattern()) {
-    if (!::mkdtemp(path_.data())) refuse(path_, "folder");
+    if (!::mkdtemp(path_.data())) refuse(path_, tr("folder"));
     std::array<int, 2> ends{-1, -1};
     const bool has_pipe = ::pipe2(ends.data(), O_CLOEXEC) == 0;
     const Descriptor waiting(ends[0]);
@@ -44,7 +45,7 @@ TemporaryFolder::TemporaryFolder() : path_(pattern()) {
         const int error = errno;
         ::rmdir(path_.c_str());
         errno = error;
-        refuse(path_, "folder");
+        refuse(path_, tr("folder"));
     }
 }
 
@@ -56,7 +57,7 @@ TemporaryFolder::~TemporaryFolder() {
 Descriptor nameless_file() {
     std::string path = pattern();
     Descriptor file(::mkostemp(path.data(), O_CLOEXEC));
-    if (!file.valid()) refuse(path, "file");
+    if (!file.valid()) refuse(path, tr("file"));
     ::unlink(path.c_str());
     return file;
 }

@@ -1,7 +1,6 @@
 #include "scene/trace/trace.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include <set>
 #include <utility>
 
+#include "base/text/translation.h"
 #include "scene/command/text.h"
 #include "scene/trace/apitrace.h"
 #include "scene/trace/call_reader.h"
@@ -26,7 +26,7 @@ namespace twinlight::trace {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& name) { throw SceneError(name + ": " + std::strerror(errno)); }
+[[noreturn]] void refuse(const std::string& name) { throw SceneError(name + ": " + tr(std::strerror(errno))); }
 
 void write_all(const Descriptor& file, std::string_view bytes, const std::string& name) {
     while (!bytes.empty()) {
@@ -79,9 +79,9 @@ void CallRecording::choose_context(std::optional<int> wanted) {
     }
     const std::vector<ContextUse>& contexts = counts.contexts();
     if (wanted && *wanted > 0 && static_cast<std::size_t>(*wanted) >= contexts.size()) {
-        throw SceneError(fmt::format("{}: the recording has no context {}; {}", place_, *wanted,
-                                     contexts.size() > 1 ? fmt::format("its contexts are 0 to {}", contexts.size() - 1)
-                                                         : "its only context is 0"));
+        throw SceneError(tr(
+            "{}: the recording has no context {}; {}", place_, *wanted,
+            contexts.size() > 1 ? tr("its contexts are 0 to {}", contexts.size() - 1) : tr("its only context is 0")));
     }
     const std::optional<std::size_t> chosen =
         wanted && !contexts.empty() ? std::optional(static_cast<std::size_t>(*wanted)) : counts.busiest();
@@ -90,20 +90,21 @@ void CallRecording::choose_context(std::optional<int> wanted) {
     shown_objects_ = contexts[*chosen].shown_objects();
     if (!shown_objects_.empty())
         notes_.emplace_back(
-            "the program draws into a framebuffer object, as widgets of Qt and GTK do; the picture is what it shows");
+            tr("the program draws into a framebuffer object, as widgets of Qt and GTK do; the picture is what it "
+               "shows"));
     if (reader.has_samples(*context_) || (contexts[*chosen].has_samples && contexts[*chosen].draws_to_objects))
-        notes_.emplace_back(kOneSampleNote);
+        notes_.push_back(tr(kOneSampleNote));
     if (contexts[*chosen].has_elements && !contexts[*chosen].has_buffers)
         notes_.emplace_back(
-            "apitrace does not record the arrays that glArrayElement takes vertices from, so these may be missing or "
-            "wrong; if the program's source is one file, twinlight can read that instead");
+            tr("apitrace does not record the arrays that glArrayElement takes vertices from, so these may be missing "
+               "or wrong; if the program's source is one file, twinlight can read that instead"));
     const bool others_draw = std::ranges::any_of(contexts, [&](const ContextUse& use) {
         return (use.vertices > 0 || use.by_shaders > 0) && use.name != *context_;
     });
     if (!others_draw) return;
-    const std::string part = reader.at_end() ? "" : fmt::format("up to call {}, ", reader.call_number());
-    notes_.push_back(fmt::format("{}{}; this is context {}, --context N chooses another", part,
-                                 list_of_contexts(contexts), *chosen));
+    const std::string part = reader.at_end() ? "" : tr("up to call {}, ", reader.call_number());
+    notes_.push_back(
+        tr("{}{}; this is context {}, --context N chooses another", part, list_of_contexts(contexts), *chosen));
 }
 
 // A .trace.

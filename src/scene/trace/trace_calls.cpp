@@ -1,7 +1,6 @@
 #include "scene/trace/trace_calls.h"
 
-#include <fmt/format.h>
-
+#include "base/text/translation.h"
 #include "scene/command/text.h"
 
 namespace twinlight::trace {
@@ -19,12 +18,12 @@ const RecordedCall* TraceCalls::next() {
         call_ = reader_.next();
     }
     if (!call_ && !reader_.failure().empty()) {
-        cut_off_ = reader_.failure() + "; record it again";
+        cut_off_ = tr("{}; record it again", reader_.failure());
         if (reader_.calls() == 0) throw SceneError(name_ + ": " + cut_off_);
         return nullptr;
     }
     if (!call_) call_ = reader_.next_unfinished();
-    if (!call_ && is_cut_) cut_off_ = fmt::format("the recording ends inside call {}", reader_.calls());
+    if (!call_ && is_cut_) cut_off_ = tr("the recording ends inside call {}", reader_.calls());
     return call_;
 }
 

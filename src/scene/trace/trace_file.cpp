@@ -1,6 +1,5 @@
 #include "scene/trace/trace_file.h"
 
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,6 +10,7 @@
 #include <limits>
 
 #include "base/image/file.h"
+#include "base/text/translation.h"
 
 namespace twinlight::trace {
 
@@ -112,7 +112,7 @@ std::string TraceFile::read_at(std::uint64_t at, std::uint64_t size) const {
     return bytes;
 }
 
-std::string TraceFile::damaged() const { return fmt::format("the file is damaged at byte {}", at_); }
+std::string TraceFile::damaged() const { return tr("the file is damaged at byte {}", at_); }
 
 bool TraceFile::read_chunk(std::string& to) {
     if (!failure_.empty()) return false;
@@ -120,7 +120,7 @@ bool TraceFile::read_chunk(std::string& to) {
         const std::string signature = read_at(0, kSignatureBytes);
         if (signature.size() < kSignatureBytes) return false;
         is_foreign_ = signature != "at";
-        if (is_foreign_) failure_ = "this is not the format of apitrace 5 to 13";
+        if (is_foreign_) failure_ = tr("this is not the format of apitrace 5 to 13");
         at_ = kSignatureBytes;
         return read_chunk(to);
     }
@@ -173,7 +173,7 @@ void TraceFile::copy(const std::string& to, std::optional<std::uint64_t> size) c
         out << chunk_of(kept);
     }
     out.close();
-    if (!out) throw FileError(to + ": cannot be written");
+    if (!out) throw FileError(tr("{}: cannot be written", to));
 }
 
 }  // namespace twinlight::trace

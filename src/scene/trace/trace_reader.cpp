@@ -1,13 +1,12 @@
 #include "scene/trace/trace_reader.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cctype>
 #include <climits>
 #include <cstring>
 #include <limits>
 
+#include "base/text/translation.h"
 #include "scene/command/text.h"
 #include "scene/trace/as_printed.h"
 
@@ -34,7 +33,7 @@ const TraceReader::Call* TraceReader::next() {
             rest_ = event;
             if (!refill()) return nullptr;
         } catch (const Unreadable&) {
-            if (failure_.empty()) failure_ = fmt::format("the file is damaged in call {}", calls_);
+            if (failure_.empty()) failure_ = tr("the file is damaged in call {}", calls_);
         }
     }
     return nullptr;
@@ -46,7 +45,7 @@ bool TraceReader::refill() {
     start_ += buffer_.size() - rest_.size();
     buffer_.erase(0, buffer_.size() - rest_.size());
     const std::size_t before = buffer_.size();
-    if (before > kLongestEvent) failure_ = fmt::format("call {} is too long", calls_);
+    if (before > kLongestEvent) failure_ = tr("call {} is too long", calls_);
     while (buffer_.size() < wanted && file_.read_chunk(buffer_)) {
     }
     rest_ = buffer_;
@@ -72,7 +71,7 @@ void TraceReader::read_header() {
     const std::uint64_t version = number();
     if (version < kFirstVersion || version > kVersionWithProperties) {
         is_foreign_ = true;
-        failure_ = "this is not the format of apitrace 5 to 13";
+        failure_ = tr("this is not the format of apitrace 5 to 13");
         throw Unreadable();
     }
     if (version == kVersionWithProperties) {
@@ -305,7 +304,7 @@ void TraceReader::read_blob(const Call& call, Arguments& to, Argument& argument)
     }
     if (to.blobs.size() >= kMostBlobs) throw Unreadable();
     argument = {Form::kBlob, to.blobs.size(), 1};
-    Blob blob{fmt::format("of {} bytes", memory.size())};
+    Blob blob{tr("of {} bytes", memory.size())};
     if (budget_.allows(memory.size())) {
         const std::shared_ptr<Memory> copy = budget_.allocate(memory.size());
         if (!memory.empty()) std::memcpy(copy->bytes.data(), memory.data(), memory.size());

@@ -102,6 +102,8 @@ constexpr Translator kTranslators[] = {
     {"described", "src/app/demo", kAll},
     // Those that make errors get a format.
     {"fail", "src/scene/command", 1},
+    {"fail", "src/scene/trace", 1},
+    {"refuse", "src/scene/trace", 2},
     {"expect", "src/scene/command", 1},
     {"raise", "src/scene/state", 2},
     {"refused", "src/scene/state", 2},

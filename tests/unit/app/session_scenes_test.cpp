@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "../in_chinese.h"
 #include "../run_program.h"
 #include "app/session/recorded_program.h"
 #include "app/session/scenes.h"
 #include "base/image/file.h"
+#include "scene/scenes/caption.h"
 #include "scene/scenes/load.h"
 #include "scene/scenes/scene_groups.h"
 
@@ -58,6 +60,11 @@ TEST(SessionScenes, OfARecordingAreOneOfItsFrames) {
     EXPECT_EQ(session.opened->window, (WindowSize{30, 20}));
     EXPECT_NE(session.opened->text->find("glColor3f(1, 0.5, 0);\nglRectf(0, 0, 1, 1);\n"), std::string::npos)
         << *session.opened->text;
+    EXPECT_EQ(caption_of(*session.opened).title, "lamp.txt, frame 1.");
+    const InChinese chinese;
+    show_scene(session, "terms");
+    show_scene(session, folder / "lamp.txt");
+    EXPECT_EQ(caption_of(*session.opened).title, "lamp.txt，第 1 帧。");
 }
 
 TEST(SessionScenes, OfProgramsThatCanBeRecorded) {
