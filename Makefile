@@ -137,7 +137,9 @@ SOURCES_library := $(filter-out src/app/% $(SOURCES_offscreen),$(sort $(shell fi
 SOURCES_app := $(wildcard src/app/*.cpp)
 # What src/app needs: the commit and the versions of the libraries, for --version.
 OBJECT_version := $(BUILD)/embedded/version.o
-SOURCES_cli := $(SOURCES_app) $(wildcard src/app/cli/*.cpp)
+# The errors of a recording that the window has asked for, in its language.
+SOURCES_language := src/app/session/language.cpp
+SOURCES_cli := $(SOURCES_app) $(SOURCES_language) $(wildcard src/app/cli/*.cpp)
 # The tests link what carries out a command line, too.
 SOURCES_subcommands := $(filter-out %/main.cpp,$(SOURCES_cli))
 # The window's state, without GL; the tests link it, too.
@@ -188,7 +190,7 @@ ifeq ($(units),files)
 ALONE := %.cpp
 else
 # Some programs link these without the rest of their room, or the rest without these.
-ALONE := src/app/cli/main.cpp $(SOURCES_offscreen) $(SOURCES_bench_library) $(SOURCES_bench_meshes) $(SOURCES_fuzz) $(SOURCES_bad_input)
+ALONE := src/app/cli/main.cpp $(SOURCES_language) $(SOURCES_offscreen) $(SOURCES_bench_library) $(SOURCES_bench_meshes) $(SOURCES_fuzz) $(SOURCES_bad_input)
 # These have their own flags (INSTRUCTIONS_...).
 ALONE += src/lighting/points_avx%.cpp tests/unit/lighting/lane_results_avx%.cpp
 # With this in its room, g++ would no longer inline some of what reads a scene.

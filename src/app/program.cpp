@@ -133,6 +133,18 @@ void add_size_option(CLI::App& app, std::optional<Size>& size, const std::string
         ->type_name("WxH");
 }
 
+void add_language_option(CLI::App& app, lesson::Language& language, const std::string& what) {
+    app.add_option_function<std::string>(
+           "--language",
+           [&language](const std::string& name) {
+               const auto found = lesson::find_language(name);
+               if (!found) throw CLI::ValidationError("--language", "'" + name + "' is not one of en, zh");
+               language = *found;
+           },
+           what)
+        ->type_name("en|zh");
+}
+
 CLI::Validator not_empty() {
     return CLI::Validator([](const std::string& text) { return text.empty() ? "the name is empty" : ""; }, "");
 }

@@ -57,6 +57,9 @@ CLI::Validator number_from(Number low, Number high) {
     return CLI::Validator(check, "");
 }
 
+// --language en|zh. `what`: what is in this language.
+void add_language_option(CLI::App& app, lesson::Language& language, const std::string& what);
+
 // Rejects empty names of files and scenes.
 CLI::Validator not_empty();
 

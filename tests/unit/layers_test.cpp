@@ -75,7 +75,8 @@ const std::map<std::string, Table>& rooms() {
           {"lesson", {"lint"}},
           {"explain", {}},
           {"oracle", {}}}},
-        {"app", {{"cli", {}}, {"session", {}}, {"demo", {"session"}}, {"web", {"session"}}, {"web/compat", {}}}},
+        {"app",
+         {{"cli", {"session"}}, {"session", {}}, {"demo", {"session"}}, {"web", {"session"}}, {"web/compat", {}}}},
     };
     return table;
 }

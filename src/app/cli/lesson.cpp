@@ -248,16 +248,7 @@ Subcommand add_lesson(CLI::App& app) {
         ->type_name("FILE")
         ->check(not_empty());
     lesson->add_flag("--changed", arguments->changed, "with -o: write the scene with the change that was predicted");
-    lesson
-        ->add_option_function<std::string>(
-            "--language",
-            [arguments](const std::string& name) {
-                const auto language = lesson::find_language(name);
-                if (!language) throw CLI::ValidationError("--language", "'" + name + "' is not one of en, zh");
-                arguments->language = *language;
-            },
-            "English or Chinese (default: the environment's language)")
-        ->type_name("en|zh");
+    add_language_option(*lesson, arguments->language, "English or Chinese (default: the environment's language)");
     lesson->add_flag("--measures", arguments->measures, "list what the checks of your own lessons can measure");
     lesson->add_flag("--json", arguments->json, "print one JSON object instead of text");
     lesson->footer(

@@ -5,6 +5,7 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/run_program.h"
+#include "app/session/language.h"
 #include "scene/command/text.h"
 
 namespace twinlight::cli {
@@ -14,6 +15,7 @@ namespace {
 struct RecordArguments {
     RunArguments run;
     std::string output;
+    lesson::Language language = lesson::Language::kEnglish;  // of errors
 };
 
 std::string advice(const std::string& file, const trace::BusiestFrame& frame) {
@@ -26,6 +28,7 @@ std::string advice(const std::string& file, const trace::BusiestFrame& frame) {
 }
 
 int run_record(RecordArguments arguments) {
+    session::set_language(arguments.language);
     if (arguments.output.empty()) {
         // python3 lamp.py makes lamp.trace, too.
         const std::vector<std::string>& command = arguments.run.command;
@@ -60,6 +63,7 @@ Subcommand add_record(CLI::App& app) {
         ->type_name("FILE")
         ->check(not_empty());
     add_run_options(*record, arguments->run);
+    add_language_option(*record, arguments->language, "language of errors: English or Chinese (default: English)");
     record->footer(
         "This runs the program with all your rights; it is not a sandbox. Do not run programs that you do not trust.\n"
         "A recording has the call stacks, so the other commands name the lines of the program's own source, if it was\n"

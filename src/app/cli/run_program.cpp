@@ -7,6 +7,7 @@
 #include <map>
 
 #include "app/cli/interrupt.h"
+#include "base/text/translation.h"
 #include "scene/command/text.h"
 #include "scene/record/compile.h"
 #include "scene/record/keys.h"
@@ -51,8 +52,7 @@ trace::BusiestFrame frame_that_draws(const std::string& file, const std::optiona
     try {
         frame.number = make_recorded_frame(recording, {}).number;
     } catch (const SceneError& error) {
-        throw SceneError(
-            fmt::format("recorded, but {}; try a larger --seconds or --frames, or --keys", one_line(error.what())));
+        throw SceneError(tr("recorded, but {}; try a larger --seconds or --frames, or --keys", one_line(error.what())));
     }
     return frame;
 }
@@ -74,7 +74,7 @@ std::vector<std::string> program_of(const RunArguments& run, const std::string& 
     const std::string given = one_line(command.front());
     std::error_code ignored;
     for (const std::string& file : trace::is_python(command.front()) ? std::vector{command.front()} : sources)
-        if (!std::filesystem::is_regular_file(file, ignored)) throw SceneError(file + ": there is no such file");
+        if (!std::filesystem::is_regular_file(file, ignored)) throw SceneError(tr("{}: there is no such file", file));
     if (trace::is_python(command.front())) command.insert(command.begin(), "python3");
     if (sources.empty()) command.front() = trace::find_program(command.front());
     // Before all else: people may not expect that this runs.
@@ -103,15 +103,14 @@ std::vector<std::string> program_of(const RunArguments& run, const std::string& 
 
 [[noreturn]] void fail_without_calls(const std::string& given, const trace::Recorded& recorded) {
     const std::string words = trace::last_line(recorded.output);
-    std::string text = given + ": made no GL call that apitrace could record";
-    if (!recorded.ended.empty()) text += "; it " + recorded.ended;
-    if (!words.empty()) text += "; its last message: " + one_line(words);
+    std::string text = tr("{}: made no GL call that apitrace could record", given);
+    if (!recorded.ended.empty()) text += tr("; it {}", recorded.ended);
+    if (!words.empty()) text += tr("; its last message: {}", one_line(words));
+    const std::string python = trace::in_path("python3");
     if (words.find("No module named 'OpenGL'") != words.npos)
-        text += fmt::format("; {} needs PyOpenGL: apt-get install python3-opengl, or pip install PyOpenGL",
-                            trace::in_path("python3"));
-    if (!recorded.has_failed)
-        text += fmt::format("; --api {} records the other window system",
-                            recorded.window_system == trace::WindowSystem::kEgl ? "glx" : "egl");
+        text += tr("; {} needs PyOpenGL: apt-get install python3-opengl, or pip install PyOpenGL", python);
+    const char* const other = recorded.window_system == trace::WindowSystem::kEgl ? "glx" : "egl";
+    if (!recorded.has_failed) text += tr("; --api {} records the other window system", other);
     throw SceneError(text);
 }
 
@@ -145,7 +144,7 @@ RecordingMade record_program(const RunArguments& run, const std::string& file) {
     }
     if (!recorded.has_calls) fail_without_calls(given, recorded);
     if (recorded.has_failed && !busiest && !recorded.has_drawn)
-        throw SceneError(fmt::format("{}: it {}, before it drew anything", given, one_line(recorded.ended)));
+        throw SceneError(tr("{}: it {}, before it drew anything", given, one_line(recorded.ended)));
     if (busiest && !busiest->has_setup)
         print_message(
             "twinlight: warning: {} draws, but without any call such as glClear, glMatrixMode and glEnable; apitrace "

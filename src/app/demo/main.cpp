@@ -99,15 +99,8 @@ int run(int argc, char** argv) {
            "open a tutor instead of a scene: six calls whose numbers you drag, the world and the picture")
         ->option_text(keys_of(session::kTutors, "|"));
     options.language = lesson::users_language();
-    app.add_option_function<std::string>(
-           "--language",
-           [&](const std::string& name) {
-               const auto language = lesson::find_language(name);
-               if (!language) throw CLI::ValidationError("--language", "'" + name + "' is not one of en, zh");
-               options.language = *language;
-           },
-           "language of the window: English or Chinese (default: the environment's language)")
-        ->option_text("en|zh");
+    add_language_option(app, options.language,
+                        "language of the window: English or Chinese (default: the environment's language)");
     std::string step;
     app.add_option("--step", step, "the step of a scene with steps to show first: its number, from 1, or its title")
         ->option_text("N")

@@ -12,11 +12,16 @@ constexpr Translation kChinese[] = {
 #undef CHINESE
 };
 
+lesson::Language current = lesson::Language::kEnglish;
+
 }  // namespace
 
 void set_language(lesson::Language language) {
+    current = language;
     set_translations(language == lesson::Language::kChinese ? chinese() : std::span<const Translation>());
 }
+
+lesson::Language language() { return current; }
 
 std::span<const Translation> chinese() { return kChinese; }
 

@@ -12,6 +12,7 @@ namespace twinlight::session {
 
 // To be called once, before the window opens. Until then it is English.
 void set_language(lesson::Language language);
+lesson::Language language();
 // The rows of chinese.def.
 std::span<const Translation> chinese();
 

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "app/session/language.h"
 #include "base/image/file.h"
 #include "base/text/translation.h"
 #include "base/threads/async.h"
@@ -70,8 +71,13 @@ std::shared_ptr<const CommandList> ProgramRecording::record(const std::string& p
     const Descriptor messages = trace::nameless_file();
     // A path, so that it is not searched for in PATH.
     const std::string path = fs::absolute(program).string();
-    const pid_t process = trace::start(
-        {{twinlight(), "record", path, "-o", file}, -1, messages.get(), messages.get(), ".", /*has_own_session=*/true});
+    const pid_t process = trace::start({{twinlight(), "record", "--language",
+                                         language() == lesson::Language::kChinese ? "zh" : "en", path, "-o", file},
+                                        -1,
+                                        messages.get(),
+                                        messages.get(),
+                                        ".",
+                                        /*has_own_session=*/true});
     if (process <= 0) throw SceneError(fmt::format("twinlight record: {}", tr(std::strerror(errno))));
     trace::Running running(process);
     // Interrupted, it keeps what it has recorded.
@@ -79,7 +85,11 @@ std::shared_ptr<const CommandList> ProgramRecording::record(const std::string& p
         ::kill(process, SIGINT);
         running.wait([] { return false; });
     }
-    if (running.status() != 0) throw SceneError(trace::last_line(trace::written_to(messages)));
+    if (running.status() != 0) {
+        // If it cannot be compiled, the last line says "see above".
+        const std::string printed = trace::written_to(messages), error = trace::first_error(printed);
+        throw SceneError((error.empty() ? "" : error + "\n") + trace::last_line(printed));
+    }
     return busiest_frame_of(load_recording(file), file);
 }
 

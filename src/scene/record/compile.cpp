@@ -1,7 +1,5 @@
 #include "scene/record/compile.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,6 +12,7 @@
 #include <set>
 
 #include "base/image/file.h"
+#include "base/text/translation.h"
 #include "scene/command/cpp_words.h"
 #include "scene/command/text.h"
 #include "scene/trace/process.h"
@@ -67,10 +66,10 @@ Attempt attempt(const Build& build, const std::string& headers, const std::strin
     for (const std::string& option : build.options)
         if (option.starts_with("-l")) arguments.push_back(option);
     for (const char* library : {"-lglut", "-lGLU", "-lGL", "-lm"}) arguments.emplace_back(library);
-    need(arguments.front(), all_c ? "gcc" : "g++", "compiling a program");
+    need(arguments.front(), all_c ? "gcc" : "g++", tr("compiling a program"));
     const Descriptor messages = nameless_file();
     const pid_t process = start({arguments, -1, messages.get(), messages.get(), "."});
-    if (process <= 0) throw SceneError(arguments.front() + ": " + std::strerror(errno));
+    if (process <= 0) throw SceneError(arguments.front() + ": " + tr(std::strerror(errno)));
     const int status = wait_for(process);
     return {WIFEXITED(status) && WEXITSTATUS(status) == 0, written_to(messages)};
 }
@@ -108,13 +107,10 @@ std::vector<std::string> other_sources(const std::vector<std::string>& sources) 
     return found;
 }
 
-// Why the program cannot be compiled with the other files of its folder: the first error, if it is not the linker's.
+// Why the program cannot be compiled with the other files of its folder.
 std::string with_others(const std::string& messages) {
-    static const std::regex kError("[^\n]*: (fatal )?error: [^\n]*");
-    std::smatch error;
-    if (!std::regex_search(messages, error, kError) || error[0].str().find("ld returned") != std::string::npos)
-        return "";
-    return fmt::format(" (with the other files of its folder: {})", one_line(error[0].str()));
+    const std::string error = first_error(messages);
+    return error.empty() ? "" : tr(" (with the other files of its folder: {})", error);
 }
 
 bool is_of_gl(const std::string& function) {
@@ -127,6 +123,13 @@ bool is_of_gl(const std::string& function) {
 bool is_source(const std::string& file) { return is_c(file) || has_cpp_name(file); }
 
 bool is_python(const std::string& file) { return extension_of(file) == ".py"; }
+
+std::string first_error(const std::string& messages) {
+    static const std::regex kError("[^\n]*: (fatal )?error: [^\n]*");
+    std::smatch error;
+    const bool is_found = std::regex_search(messages, error, kError);
+    return is_found && error[0].str().find("ld returned") == std::string::npos ? one_line(error[0].str()) : "";
+}
 
 Compiled compile(const Build& build, const std::string& program) {
     const std::string& name = build.sources.front();
@@ -145,14 +148,13 @@ Compiled compile(const Build& build, const std::string& program) {
         if (std::ranges::all_of(missing, [](const std::string& function) { return !is_of_gl(function); }))
             compiled.messages.clear();  // the linker's, which are long
         compiled.failure =
-            missing.contains("main") ? name + ": it has no main(); give the file that has it, too"
+            missing.contains("main") ? tr("{}: it has no main(); give the file that has it, too", name)
             : std::ranges::any_of(missing, is_of_gl)
-                ? fmt::format("{}: {} is not in freeglut, GLU and GL; -lNAME adds a library, as -lGLEW", name,
-                              *std::ranges::find_if(missing, is_of_gl))
-                : fmt::format(
-                      "{}: it calls {}, which is in no file given here; it needs its project's other files: compile it "
-                      "as usual and run 'twinlight record ./program'{}",
-                      name, *missing.begin(), with_others(second.messages));
+                ? tr("{}: {} is not in freeglut, GLU and GL; -lNAME adds a library, as -lGLEW", name,
+                     *std::ranges::find_if(missing, is_of_gl))
+                : tr("{}: it calls {}, which is in no file given here; it needs its project's other files: compile it "
+                     "as usual and run 'twinlight record ./program'{}",
+                     name, *missing.begin(), with_others(second.messages));
         return compiled;
     }
     const bool lacks_library = first.messages.find("cannot find -lglut") != std::string::npos ||
@@ -160,11 +162,11 @@ Compiled compile(const Build& build, const std::string& program) {
                                first.messages.find("GL/glut.h: No such file") != std::string::npos;
     static const std::regex kHeader("fatal error: ([^:]+): No such file");
     std::smatch header;
-    compiled.failure = name + ": it cannot be compiled, see above";
+    compiled.failure = tr("{}: it cannot be compiled, see above", name);
     if (lacks_library)
-        compiled.failure += "; freeglut and GLU are in the packages freeglut3-dev and libglu1-mesa-dev";
+        compiled.failure += tr("; freeglut and GLU are in the packages freeglut3-dev and libglu1-mesa-dev");
     else if (std::regex_search(first.messages, header, kHeader))
-        compiled.failure += fmt::format(
+        compiled.failure += tr(
             "; if {} is in another folder, -IDIR names it; or compile it as usual and run 'twinlight record ./program'",
             header[1].str());
     return compiled;

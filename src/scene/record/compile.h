@@ -26,4 +26,7 @@ struct Compiled {
 };
 Compiled compile(const Build& build, const std::string& program);
 
+// The first error in a compiler's messages; "" if there is none, or only the linker's.
+std::string first_error(const std::string& messages);
+
 }  // namespace twinlight::trace

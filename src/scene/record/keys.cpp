@@ -3,6 +3,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "base/text/translation.h"
 #include "scene/command/text.h"
 #include "scene/trace/process.h"
 
@@ -27,7 +28,7 @@ std::string name_of(char c) {
     if (c >= ':' && c <= '@') return std::string(kFromColon[c - ':']);
     if (c >= '[' && c <= '`') return std::string(kFromBracket[c - '[']);
     if (c >= '{' && c <= '~') return std::string(kFromBrace[c - '{']);
-    throw SceneError("--keys: only ASCII characters and names such as <Left> can be sent");
+    throw SceneError(tr("--keys: only ASCII characters and names such as <Left> can be sent"));
 }
 
 }  // namespace
@@ -41,7 +42,7 @@ std::vector<std::string> keys_of(const std::string& text) {
         }
         const std::size_t end = text.find('>', i);
         if (end == text.npos || end == i + 1)
-            throw SceneError("--keys: < starts the name of a key, as <Left>; for < itself, write <less>");
+            throw SceneError(tr("--keys: < starts the name of a key, as <Left>; for < itself, write <less>"));
         keys.push_back(text.substr(i + 1, end - i - 1));
         i = end;
     }

@@ -1,7 +1,6 @@
 #include "scene/record/record.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -21,6 +20,7 @@
 #include "base/image/embedded.h"
 #include "base/image/file.h"
 #include "base/text/input_text.h"
+#include "base/text/translation.h"
 #include "scene/command/text.h"
 #include "scene/record/keys.h"
 #include "scene/record/running.h"
@@ -47,9 +47,9 @@ using std::chrono::steady_clock;
 class OwnDisplay {
   public:
     OwnDisplay() {
-        need("Xvfb", "xvfb", "running a program where DISPLAY is not set");
+        need("Xvfb", "xvfb", tr("running a program where DISPLAY is not set"));
         std::array<int, 2> ends{};
-        if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw SceneError(std::string("Xvfb: ") + std::strerror(errno));
+        if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw SceneError(std::string("Xvfb: ") + tr(std::strerror(errno)));
         const Descriptor number(ends[0]);
         Descriptor writes(ends[1]);
         process_ = start({{"Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-noreset", "-nolisten", "tcp"},
@@ -62,7 +62,7 @@ class OwnDisplay {
         if (process_ > 0) read_number(number);
         if (name_.empty()) {
             stop();
-            throw SceneError("Xvfb: did not start; set DISPLAY to use a display that is already there");
+            throw SceneError(tr("Xvfb: did not start; set DISPLAY to use a display that is already there"));
         }
     }
     ~OwnDisplay() { stop(); }
@@ -102,10 +102,10 @@ class OwnDisplay {
 std::string find_program(const std::string& name) {
     std::error_code ignored;
     const std::string found = name.find('/') == std::string::npos && !fs::exists(name, ignored) ? in_path(name) : name;
-    if (found.empty()) throw SceneError(name + ": there is no such program");
-    if (!fs::exists(found, ignored)) throw SceneError(name + ": there is no such file");
+    if (found.empty()) throw SceneError(tr("{}: there is no such program", name));
+    if (!fs::exists(found, ignored)) throw SceneError(tr("{}: there is no such file", name));
     if (!is_executable(found))
-        throw SceneError(name + ": is not a program; give a program, or a file of C, C++ or Python");
+        throw SceneError(tr("{}: is not a program; give a program, or a file of C, C++ or Python", name));
     return fs::absolute(found).string();
 }
 
@@ -192,20 +192,19 @@ Printed printed(const std::string& text) {
 std::string ending(int status, double seconds, const std::string& stack) {
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : code > 128 ? code - 128 : 0;
-    std::string text = fmt::format("ended after {:.1f} s", seconds);
-    if (signal > 0)
-        text += fmt::format(" by signal {} ({})", signal, ::strsignal(signal));
-    else if (code > 0)
-        text += fmt::format(" with status {}", code);
+    std::string text = signal > 0
+                           ? tr("ended after {:.1f} s by signal {} ({})", seconds, signal, tr(::strsignal(signal)))
+                       : code > 0 ? tr("ended after {:.1f} s with status {}", seconds, code)
+                                  : tr("ended after {:.1f} s", seconds);
     const Place place = CallStacks().place(stack, "");
-    if (place.calls) text += fmt::format(", at {}:{} ({})", *place.file, place.line, *place.calls);
+    if (place.calls) text += tr(", at {}:{} ({})", *place.file, place.line, *place.calls);
     return text;
 }
 
 }  // namespace
 
 Recorded record(const RecordOptions& options) {
-    need("apitrace", "apitrace", "recording");
+    need("apitrace", "apitrace", tr("recording"));
     const WindowSystem window_system = options.window_system.value_or(window_system_of(options.command.front()));
     const TemporaryFolder folder;
     const std::string whole = folder.path() + "/whole.trace";
@@ -228,7 +227,7 @@ Recorded record(const RecordOptions& options) {
     const auto start_time = steady_clock::now();
     const auto seconds = [&] { return std::chrono::duration<double>(steady_clock::now() - start_time).count(); };
     const pid_t process = start({arguments, -1, messages.get(), messages.get(), ".", true});
-    if (process <= 0) throw SceneError(std::string("env: ") + std::strerror(errno));
+    if (process <= 0) throw SceneError(std::string("env: ") + tr(std::strerror(errno)));
 
     Recorded recorded{.output = "", .has_own_display = own.has_value(), .window_system = window_system};
     TraceFollower trace(whole);

@@ -13,6 +13,7 @@
 #include <filesystem>
 
 #include "base/text/input_text.h"
+#include "base/text/translation.h"
 #include "scene/command/text.h"
 #include "scene/trace/temporary_folder.h"
 
@@ -71,8 +72,7 @@ std::string in_path(const std::string& name) {
 
 void need(const std::string& tool, std::string_view package, std::string_view why) {
     if (in_path(tool).empty()) {
-        throw SceneError(tool + ": is not installed; " + std::string(why) + " needs it (apt-get install " +
-                         std::string(package) + ")");
+        throw SceneError(tr("{}: is not installed; {} needs it (apt-get install {})", tool, why, package));
     }
 }
 
@@ -97,11 +97,11 @@ std::string last_line(const std::string& text) {
 std::string run_tool(const std::vector<std::string>& arguments) {
     const Descriptor messages = nameless_file();
     const pid_t process = start({arguments, -1, messages.get(), messages.get(), "."});
-    if (process <= 0) return std::strerror(errno);
+    if (process <= 0) return tr(std::strerror(errno));
     const int status = wait_for(process);
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
     const std::string words = last_line(written_to(messages));
-    return words.empty() ? arguments[0] + " failed" : words;
+    return words.empty() ? tr("{} failed", arguments[0]) : words;
 }
 
 int wait_for(pid_t process) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <map>
@@ -220,6 +221,7 @@ TEST(Chinese, HasNoTextThatNothingShows) {
     for (const int error :
          {ENOENT, EACCES, EISDIR, ENOTDIR, EEXIST, ENAMETOOLONG, ELOOP, EMFILE, EROFS, ENOSPC, EDQUOT, EIO})
         shown.insert(std::strerror(error));
+    for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGBUS, SIGKILL}) shown.insert(::strsignal(signal));
     for (const std::string& row : rows()) EXPECT_TRUE(shown.contains(row)) << row;
     EXPECT_EQ(rows().size(), chinese().size()) << "a text has two rows";
 }

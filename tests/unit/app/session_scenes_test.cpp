@@ -12,6 +12,7 @@
 #include "app/session/recorded_program.h"
 #include "app/session/scenes.h"
 #include "base/image/file.h"
+#include "scene/command/text.h"
 #include "scene/scenes/caption.h"
 #include "scene/scenes/load.h"
 #include "scene/scenes/scene_groups.h"
@@ -77,6 +78,29 @@ TEST(SessionScenes, OfProgramsThatCanBeRecorded) {
     EXPECT_FALSE(can_be_recorded(folder / "lamp.gl"));
     EXPECT_FALSE(can_be_recorded(folder / "none.cpp"));
     EXPECT_FALSE(can_be_recorded(folder.str()));
+}
+
+// With the compiler's first error: the window shows no other of its messages.
+TEST(SessionScenes, OfAProgramThatCannotBeCompiledSayWhyInTheWindowsLanguage) {
+    if (run_shell("", "command -v c++").status != 0) GTEST_SKIP() << "c++ is not installed";
+    const TemporaryFolder folder;
+    const std::string program = folder / "lamp.cpp";
+    write_file_atomically(program, "int main() { return lamp; }\n");
+    const auto error = [&] {
+        try {
+            ProgramRecording(program).scene();
+        } catch (const SceneError& refusal) {
+            return std::string(refusal.what());
+        }
+        return std::string();
+    };
+    const std::string place = program + ":1:21: error: ", english = error();
+    EXPECT_TRUE(english.starts_with(place)) << english;
+    EXPECT_TRUE(english.ends_with("\n" + program + ": it cannot be compiled, see above")) << english;
+    const InChinese chinese;
+    const std::string translated = error();
+    EXPECT_TRUE(translated.starts_with(place)) << translated;
+    EXPECT_TRUE(translated.ends_with("\n" + program + "：无法编译，见上面")) << translated;
 }
 
 TEST(SessionScenes, RecentFilesAreTheLastOnesThatExist) {
