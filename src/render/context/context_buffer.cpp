@@ -1,11 +1,10 @@
 #include "render/context/context_buffer.h"
 
-#include <fmt/format.h>
-
 #include <stdexcept>
 #include <string>
 
 #include "base/text/input_text.h"
+#include "base/text/translation.h"
 #include "render/context/clamped_colors.h"
 #include "render/context/driver_name.h"
 #include "render/context/gl.h"
@@ -41,7 +40,7 @@ ContextBuffer::ContextBuffer(int width, int height, ColorBuffer color_buffer) {
     const std::string driver = driver_name();
     release();
     throw std::runtime_error(
-        fmt::format("{} cannot draw into a buffer of {} x {} pixels; try a smaller one", driver, width, height));
+        tr("{} cannot draw into a buffer of {} x {} pixels; try a smaller one", driver, width, height));
 }
 
 ContextBuffer::~ContextBuffer() { release(); }

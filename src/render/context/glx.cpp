@@ -1,11 +1,11 @@
 // GLX: a libGL that draws into a pbuffer of an X server, on a connection of its own, so that a thread can use it.
 #include <X11/Xlib.h>
-#include <fmt/format.h>
 
 #include <mutex>
 #include <optional>
 #include <stdexcept>
 
+#include "base/text/translation.h"
 #include "render/context/context_buffer.h"
 #include "render/context/gl.h"
 #include "render/context/provider.h"
@@ -83,18 +83,18 @@ class GlxContext final : public OffscreenContext {
   public:
     GlxContext(const GlxFunctions& glx, int width, int height, ColorBuffer color_buffer)
         : glx_(glx), display_(glx.open_display(nullptr)) {
-        if (!display_) throw std::runtime_error("GLX: cannot connect to an X server (DISPLAY)");
+        if (!display_) throw std::runtime_error(tr("GLX: cannot connect to an X server (DISPLAY)"));
         const ErrorsOfX errors(glx_, display_);
         if (!create(width, height) || errors.occurred() || !bind() || errors.occurred()) {
             close();
             throw std::runtime_error(
-                fmt::format("GLX: this driver cannot draw into a pbuffer of {} x {} pixels", width, height));
+                tr("GLX: this driver cannot draw into a pbuffer of {} x {} pixels", width, height));
         }
         GLint lights = 0;
         glGetIntegerv(GL_MAX_LIGHTS, &lights);
         if (lights == 0) {
             close();
-            throw std::runtime_error("GLX: this driver has no compatibility profile");
+            throw std::runtime_error(tr("GLX: this driver has no compatibility profile"));
         }
         try {
             if (color_buffer == ColorBuffer::kFloat) buffer_.emplace(width, height, color_buffer);
@@ -116,7 +116,7 @@ class GlxContext final : public OffscreenContext {
     GlxContext& operator=(const GlxContext&) = delete;
 
     void make_current() override {
-        if (!bind()) throw std::runtime_error("GLX cannot make its context current again");
+        if (!bind()) throw std::runtime_error(tr("GLX cannot make its context current again"));
     }
 
   private:

@@ -1,10 +1,11 @@
 #include "render/context/library.h"
 
 #include <dlfcn.h>
-#include <fmt/format.h>
 #include <link.h>
 
 #include <stdexcept>
+
+#include "base/text/translation.h"
 
 namespace twinlight {
 
@@ -18,7 +19,7 @@ void* Library::address(const char* name) const { return ::dlsym(handle_, name); 
 
 void* Library::needed(const char* name) const {
     void* const found = address(name);
-    if (!found) throw std::runtime_error(fmt::format("{} has no function {}", path_, name));
+    if (!found) throw std::runtime_error(tr("{} has no function {}", path_, name));
     return found;
 }
 

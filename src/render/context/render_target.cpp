@@ -1,10 +1,9 @@
 // Framebuffer objects (EXT_framebuffer_object; OpenGL 3.0, section 4.4).
 #include "render/context/render_target.h"
 
-#include <fmt/format.h>
-
 #include <stdexcept>
 
+#include "base/text/translation.h"
 #include "render/context/gl.h"
 
 namespace twinlight {
@@ -40,9 +39,8 @@ RenderTarget::RenderTarget(int width, int height, ColorBuffer color_buffer, int 
         const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
         glBindFramebuffer(GL_FRAMEBUFFER, own_);
         if (status != GL_FRAMEBUFFER_COMPLETE)
-            throw std::runtime_error(fmt::format("the driver cannot draw into {} x {} pixels of {}", level.width,
-                                                 level.height,
-                                                 color_buffer == ColorBuffer::kFloat ? "floats" : "bytes"));
+            throw std::runtime_error(tr("the driver cannot draw into {} x {} pixels of {}", level.width, level.height,
+                                        tr(color_buffer == ColorBuffer::kFloat ? "floats" : "bytes")));
     }
 }
 
