@@ -55,7 +55,10 @@ struct Attempt {
 
 Attempt attempt(const Build& build, const std::string& headers, const std::string& program) {
     const bool all_c = std::ranges::all_of(build.sources, is_c);
-    std::vector<std::string> arguments = {all_c ? "cc" : "c++", "-g", "-idirafter", headers};
+    const std::string compiler = all_c ? "cc" : "c++";
+    // Its messages are read here, so they are in English.
+    std::vector<std::string> arguments = {"env",    "-u", "LANGUAGE",   "LC_ALL=C.UTF-8",
+                                          compiler, "-g", "-idirafter", headers};
     for (const std::string& option : build.options)
         if (!option.starts_with("-l")) arguments.push_back(option);
     for (const std::string& source : build.sources)
@@ -66,10 +69,10 @@ Attempt attempt(const Build& build, const std::string& headers, const std::strin
     for (const std::string& option : build.options)
         if (option.starts_with("-l")) arguments.push_back(option);
     for (const char* library : {"-lglut", "-lGLU", "-lGL", "-lm"}) arguments.emplace_back(library);
-    need(arguments.front(), all_c ? "gcc" : "g++", tr("compiling a program"));
+    need(compiler, all_c ? "gcc" : "g++", tr("compiling a program"));
     const Descriptor messages = nameless_file();
     const pid_t process = start({arguments, -1, messages.get(), messages.get(), "."});
-    if (process <= 0) throw SceneError(arguments.front() + ": " + tr(std::strerror(errno)));
+    if (process <= 0) throw SceneError("env: " + std::string(tr(std::strerror(errno))));
     const int status = wait_for(process);
     return {WIFEXITED(status) && WEXITSTATUS(status) == 0, written_to(messages)};
 }

@@ -114,6 +114,20 @@ TEST_F(RecordCommand, ShowsTheCompilersErrors) {
     EXPECT_FALSE(std::filesystem::exists(in_ / "wrong.trace"));
 }
 
+// They are in the language of the environment, if the C library has it.
+TEST_F(RecordCommand, ReadsTheCompilersMessagesInEnglish) {
+    write_file_atomically(
+        in_ / "cc", "#!/bin/sh\necho \"lamp.c:1:1: fatal error: $LC_ALL$LANGUAGE.h: No such file\" >&2\nexit 1\n");
+    std::filesystem::permissions(in_ / "cc", std::filesystem::perms::owner_all);
+    write_file_atomically(in_ / "lamp.c", "");
+    const ProgramResult result =
+        run_shell("twinlight", "P=$(realpath \"$PROGRAM\"); cd " + quoted(in_.str()) +
+                                   "; LANGUAGE=zh_CN LC_ALL=zh_CN.UTF-8 PATH=\"$PWD:$PATH\" \"$P\" record lamp.c");
+    EXPECT_NE(result.err.find("lamp.c: it cannot be compiled, see above; if C.UTF-8.h is in another folder"),
+              std::string::npos)
+        << result.err;
+}
+
 TEST_F(RecordCommand, RefusesWhatItCannotRecord) {
     write_file_atomically(in_ / "scene.gl", "glutSolidCube(1);\n");
     const auto expect_refused = [&](const std::string& arguments, const std::string& expected) {
