@@ -7,6 +7,7 @@
 #include <limits>
 #include <unordered_map>
 
+#include "base/text/translation.h"
 #include "scene/command/mesh.h"
 
 namespace twinlight {
@@ -200,7 +201,7 @@ std::optional<CommandId> find_pragma(std::string_view name) {
 
 std::string Place::str() const {
     const std::string_view name = file ? std::string_view(*file) : "scene";
-    if (column == kCallNumber) return fmt::format("{}: call {}", name, line);
+    if (column == kCallNumber) return tr("{}: call {}", name, line);
     if (line == 0) return std::string(name);
     if (column == 0) return fmt::format("{}:{}", name, line);
     return fmt::format("{}:{}:{}", name, line, column);
