@@ -201,8 +201,12 @@ ALONE += src/render/reference/pixel_history.cpp
 ALONE += src/app/web/module.cpp
 endif
 ROOMS := $(patsubst %/,%,$(sort $(dir $(filter-out $(ALONE),$(SOURCES_all)))))
-object = $(sort $(patsubst %.cpp,$(BUILD)/objects/%.o,$(filter $(ALONE),$(1))) \
+objects_of = $(sort $(patsubst %.cpp,$(BUILD)/objects/%.o,$(filter $(ALONE),$(1))) \
     $(patsubst %,$(BUILD)/objects/%.room.o,$(patsubst %/,%,$(dir $(filter-out $(ALONE),$(1))))))
+# PLAIN=ROOMS: the objects of these rooms are those of `make programs`, whatever the config.
+plain := $(PLAIN:%=$(BUILD)/objects/src/%.room.o)
+plain_objects := $(PLAIN:%=build/objects/src/%.room.o)
+object = $(filter-out $(plain),$(objects_of)) $(patsubst $(BUILD)/%,build/%,$(filter $(plain),$(objects_of)))
 # The rooms that are optimised less.
 LESS := $(patsubst %,src/%,app app/cli app/demo app/session app/web judge/check judge/conformance judge/explain judge/fuzz judge/lesson judge/lint \
     judge/report judge/study render/programmable/export render/webgl render/webgpu scene/scenes) \
@@ -269,9 +273,13 @@ fuzz: deps  ## look for crashes on random input (TIME=seconds per target; TARGET
 	$(MAKE) config=fuzz CXX=clang++ CI= $(patsubst %,build/fuzz/%-fuzzer,$(or $(TARGET),$(fuzz_targets))) build/fuzz/write-seeds && \
 	printf '%s\n' $(or $(TARGET),$(fuzz_targets)) | xargs -P $$(nproc) -I TARGET tests/fuzz/run.sh TARGET $(TIME)
 
+# No row of tests/bad_input comes as far as these rooms (valgrind --tool=callgrind shows which it calls), so they need no sanitizers here.
+# (make check has them with sanitizers.)
+UNREACHED := $(addprefix judge/,conformance explain fuzz lesson oracle report) render/webgl render/webgpu
 bad-input: deps  ## try each row of tests/bad_input under the address and undefined-behaviour sanitizers
-	@$(MAKE) config=sanitize build/sanitize/twinlight build/sanitize/bad-input
-	@$(test_environment) TWINLIGHT_BUILD=build/sanitize tests/run.sh build/sanitize/bad-input
+	@$(MAKE) config=release $(UNREACHED:%=build/objects/src/%.room.o)
+	@$(MAKE) config=sanitize PLAIN='$(UNREACHED)' PROGRAMS=build/sanitize/input build/sanitize/input/twinlight build/sanitize/input/bad-input
+	@$(test_environment) TWINLIGHT_BUILD=build/sanitize/input tests/run.sh build/sanitize/input/bad-input
 
 nightly:  ## what takes too long for each change, on all five systems (PART='fuzz noble' runs some)
 	@tools/nightly.sh $(PART)
@@ -384,13 +392,14 @@ $(BUILD)/precompiled.h.gch: src/base/precompiled.h $(BUILD)/flags
 	@mkdir -p $(@D); cp $< $(@:.gch=); $(compile) $(CXXFLAGS_all) -MMD -MP -MT $@ -MF $(@:.gch=.d) -x c++-header -c $< -o $@
 
 # If several objects instantiate a template, the linker takes the first copy. So lower layers come first: a change in a higher layer
-# cannot change how fast they are. Objects that are optimised less come last.
+# cannot change how fast they are. Objects that are optimised less come last, and after them those without sanitizers (PLAIN).
 objects_less = $(filter $(LESS:%=$(BUILD)/objects/%.room.o),$^)
-objects_more = $(filter-out $(objects_less),$(filter %.o,$^))
+objects_plain = $(filter $(plain_objects),$^)
+objects_more = $(filter-out $(objects_less) $(objects_plain),$(filter %.o,$^))
 layers := $(addsuffix /%,$(addprefix $(BUILD)/objects/src/,base lighting scene))
 objects_first = $(foreach layer,$(layers),$(filter $(layer),$(objects_more)))
 link = @echo "link $@"; mkdir -p $(@D); \
-    $(CXX) $(LDFLAGS_all) $(objects_first) $(filter-out $(objects_first),$(objects_more)) $(objects_less) -o $@
+    $(CXX) $(LDFLAGS_all) $(objects_first) $(filter-out $(objects_first),$(objects_more)) $(objects_less) $(objects_plain) -o $@
 
 $(PROGRAMS)/twinlight: $(OBJECTS_cli) $(OBJECT_version)
 	$(link) $(LIBS_offscreen) $(LIBS)
@@ -412,7 +421,7 @@ $(fuzz_targets:%=$(BUILD)/%-fuzzer): $(BUILD)/%-fuzzer: $(BUILD)/objects/tests/f
 	$(link) -fsanitize=fuzzer $(LIBS_fuzz)
 
 # The tables of bad input as a program of their own, for the sanitizers.
-$(BUILD)/bad-input: $(call object,$(SOURCES_bad_input)) $(OFFSCREEN)
+$(PROGRAMS)/bad-input: $(call object,$(SOURCES_bad_input)) $(OFFSCREEN)
 	$(link) $(LIBS_offscreen) $(LIBS) $(LIBS_gtest)
 
 $(BUILD)/write-seeds: $(call object,$(SOURCES_fuzz_seeds)) $(OBJECTS_fuzz)
