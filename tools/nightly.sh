@@ -5,12 +5,13 @@ set -uo pipefail
 cd "$(dirname "$0")/.."
 unset MAKEFLAGS MAKELEVEL  # each part's make uses all processors, also when make started this script
 
-parts=(cases fuzz recipes release bookworm trixie forky noble resolute)
+parts=(headers cases fuzz recipes release bookworm trixie forky noble resolute)
 usage() {
     cat <<END
 Usage: tools/nightly.sh [PART...]
 Runs the parts of the nightly tests (all of them without PART), and writes their rows into docs/testing.md:
 
+  headers   each header compiled by itself
   cases     every test with all of its cases
   fuzz      random input into everything that reads files, ten minutes a target (FUZZ_TIME=seconds)
   recipes   small changes by the recipes of CONTRIBUTING.md, each built and tested (tests/recipes)
@@ -61,6 +62,7 @@ for part; do
     rm -f "$done"
     begin=$SECONDS status=0
     case $part in
+    headers) command="make headers" ;;
     cases) command="make test ALL_CASES=true" ;;
     fuzz) command="make fuzz TIME=${FUZZ_TIME:-600}" ;;
     recipes) command="tools/try-recipes.sh" ;;
