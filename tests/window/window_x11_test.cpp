@@ -123,27 +123,35 @@ TEST_F(WindowX11, TabsThatDoNotFitAreUnderMore) {
     const std::string scene = (folder() / "lamp.gl").string(), picture = (folder() / "window.png").string();
     write_file_atomically(scene, "glEnable(GL_LIGHTING);\nglEnable(GL_LIGHT0);\nglutSolidSphere(0.8, 24, 12);\n");
     const std::string xdotool = "DISPLAY=" + server_.display() + " xdotool ";
-    const auto panel_after = [&](const std::vector<std::string>& steps, const std::string& tab) {
-        std::filesystem::remove(picture);
-        const demo_window::RunningDemo demo(server_.display(), {scene, "--panel", tab, "--view", "single", "--scale",
-                                                                "1", "--size", "800x600", "--screenshot", picture});
+    const auto opened_with = [&](const std::string& tab) {
+        const std::vector<std::string> options{scene, "--panel", tab,       "--view",       "single", "--scale",
+                                               "1",   "--size",  "800x600", "--screenshot", picture};
+        auto demo = std::make_unique<demo_window::RunningDemo>(server_.display(), options);
         run(xdotool + "search --sync --onlyvisible --name twinlight");
-        if (!demo.comes_to_rest()) ADD_FAILURE() << "the window works on";
-        for (const std::string& step : steps) {
-            run(xdotool + step);
-            if (!demo.comes_to_rest()) ADD_FAILURE() << "the window works on";
-        }
+        EXPECT_TRUE(demo->comes_to_rest());
+        return demo;
+    };
+    const auto panel = [&] {
+        std::filesystem::remove(picture);
         run(xdotool + "mousemove 600 300 key p");
-        if (!demo_window::wait_for([&] { return std::filesystem::exists(picture); })) ADD_FAILURE() << "no picture";
+        EXPECT_TRUE(demo_window::wait_for([&] { return std::filesystem::exists(picture); }));
         const Image window = read_png(picture);
         std::vector<Rgba> pixels;
         for (int y = 0; y < 200; ++y)
             for (int x = 0; x < 350; ++x) pixels.push_back(window.at(x, y));
         return pixels;
     };
-    const auto chosen = panel_after({"mousemove 304 21 click 1", "mousemove 310 90", "click 1"}, "commands");
-    EXPECT_TRUE(chosen == panel_after({}, "accuracy"));
-    EXPECT_FALSE(chosen == panel_after({}, "overlays"));
+    auto demo = opened_with("commands");
+    const auto commands = panel();
+    for (const std::string step : {"mousemove 304 21 click 1", "mousemove 310 90", "click 1"}) {
+        run(xdotool + step);
+        EXPECT_TRUE(demo->comes_to_rest());
+    }
+    const auto chosen = panel();
+    EXPECT_FALSE(chosen == commands);
+    demo.reset();
+    demo = opened_with("accuracy");
+    EXPECT_TRUE(chosen == panel());
 }
 
 }  // namespace
