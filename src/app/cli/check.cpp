@@ -137,7 +137,7 @@ std::string json_of(const std::string& driver, const std::vector<Case>& cases, c
     const Counts counts = counted(results);
     json["failing"] = counts.failing;
     json["non_finite"] = counts.non_finite;
-    return dumped_lines(json);  // file names may hold any bytes
+    return dumped_lines(json);
 }
 
 void write_page(const std::string& folder, Suite& suite, const std::vector<Case>& cases, std::vector<Result>& results) {

@@ -46,9 +46,10 @@ std::vector<Tab> tabs(const session::Session& session, std::size_t findings) {
 // How many tabs are in the row; the others are under "More".
 std::size_t fitting_tabs(const std::vector<Tab>& tabs, float gap) {
     const float room = ImGui::GetContentRegionAvail().x;
-    float used = tab_width(tr("More"));
+    float used = -gap;
     for (const Tab& tab : tabs) used += gap + tab.width;
-    if (used - gap - tab_width(tr("More")) <= room) return tabs.size();
+    if (used <= room) return tabs.size();
+    used += gap + tab_width(tr("More"));
     std::size_t count = tabs.size();
     while (count > 1 && used > room) used -= gap + tabs[--count].width;
     return count;

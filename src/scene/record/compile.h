@@ -26,7 +26,7 @@ struct Compiled {
 };
 Compiled compile(const Build& build, const std::string& program);
 
-// The first error in a compiler's messages; "" if there is none, or only the linker's.
+// The line with the first error in a compiler's messages. Empty if nothing failed, or only the linker.
 std::string first_error(const std::string& messages);
 
 }  // namespace twinlight::trace
