@@ -64,11 +64,11 @@ Causes find_causes(const Scene& scene, const std::vector<const Departure*>& know
     Causes causes;
     std::vector<const Departure*> suspects = known;
     std::erase_if(suspects, [](const Departure* departure) { return departure->rewrite == nullptr; });
-    const auto innocent = std::ranges::stable_partition(suspects, [&](const Departure* suspect) {
+    const auto innocent = std::stable_partition(suspects.begin(), suspects.end(), [&](const Departure* suspect) {
         return !suspect->rewrite->is_whole || !without.is_as_wrong(*suspect);
     });
-    causes.innocent.assign(innocent.begin(), innocent.end());
-    suspects.erase(innocent.begin(), suspects.end());
+    causes.innocent.assign(innocent, suspects.end());
+    suspects.erase(innocent, suspects.end());
     for (const Departure* suspect : suspects) {
         if (!without.is_right({suspect})) continue;
         causes.proved = {suspect};

@@ -57,7 +57,7 @@ int SeenPoints::cell_at(double ndc) { return static_cast<int>(std::clamp((ndc + 
 
 namespace {
 
-constexpr double kRounding = 1e-6;
+constexpr double kBorderRounding = 1e-6;
 
 glm::dvec3 row(const std::array<glm::dvec4, 3>& corners, int axis) {
     return {corners[0][axis], corners[1][axis], corners[2][axis]};
@@ -85,10 +85,10 @@ bool SeenPoints::hides(const Face& face, const Face& own, const glm::dvec3& poin
     const RasterState &raster = draws_[face.number.draw]->raster, &own_raster = draws_[own.number.draw]->raster;
     if (!(raster.viewport == own_raster.viewport)) return false;
     const std::optional<glm::dvec3> weights = weights_at(face.corners_clip, glm::dvec2(point_ndc));
-    if (!weights || !is_inside(*weights, -kRounding)) return false;
+    if (!weights || !is_inside(*weights, -kBorderRounding)) return false;
     const double behind = point_ndc.z - glm::dot(*weights, row(face.corners_clip, 2));
     // Of two faces at one depth, glDepthFunc and rounding choose one, so neither is certain. Neighbours share their border.
-    const bool hides_by_depth = behind > (at_border ? kRounding : -kRounding);
+    const bool hides_by_depth = behind > (at_border ? kBorderRounding : -kBorderRounding);
     const bool tests = raster.depth_test && own_raster.depth_test;
     return face.number > own.number ? hides_by_depth || !tests : hides_by_depth && tests;
 }
@@ -102,7 +102,7 @@ bool SeenPoints::shows(const TriangleNumber& triangle, const glm::dvec4& point_c
                          [](const Face& face, const TriangleNumber& number) { return face.number < number; });
     if (own == faces_.end() || own->number != triangle) return false;  // culled
     const std::optional<glm::dvec3> weights = weights_at(own->corners_clip, glm::dvec2(ndc));
-    const bool at_border = !weights || !is_inside(*weights, kRounding);
+    const bool at_border = !weights || !is_inside(*weights, kBorderRounding);
     const auto hides_it = [&](std::uint32_t id) {
         return faces_[id].number != triangle && hides(faces_[id], *own, ndc, at_border);
     };

@@ -208,11 +208,11 @@ TexturePlace texture_place(const TexCoords& tex_coords, const Piece& piece, cons
 }
 
 TexturePlaceBounds surface_place_bounds(const TexturePlace& place, const Texture& texture) {
-    constexpr double kBeside = 1e-3;            // of a pixel, by which a ray in floats may miss the centre
+    constexpr double kBesideCentre = 1e-3;      // of a pixel, by which a ray in floats may miss the centre
     constexpr double kRoundings = 8 * 0x1p-24;  // the angle about the axis, and the texture matrix
     const glm::dvec3 change = glm::abs(place.per_x) + glm::abs(place.per_y);
     return {.str = place.str,
-            .str_error = kRoundings * (1.0 + glm::abs(place.str)) + kBeside * change,
+            .str_error = kRoundings * (1.0 + glm::abs(place.str)) + kBesideCentre * change,
             .rho = approximations_of_rho(texture, place),
             .change = change};
 }
