@@ -86,6 +86,9 @@ class Walk {
         for (const Rule& rule : rules()) watches_.push_back(rule.make());
         for (const auto& watch : watches_) watch->start(list);
         state_.watch_lists([this](const Command& command, bool is_done) { show(command, is_done); });
+        state_.watch_draws([this](const Draw& draw) {
+            for (const auto& watch : watches_) watch->take(draw, state_);
+        });
     }
 
     void take(const Step& step) {
@@ -130,9 +133,6 @@ class Walk {
             return;
         }
         statements_.add(command.place);
-        for (const auto& item : state_.items())
-            if (const Draw* draw = std::get_if<Draw>(&item))
-                for (const auto& watch : watches_) watch->take(*draw, state_);
         state_.drop_picture();
         for (const auto& watch : watches_) watch->after(command, state_);
     }

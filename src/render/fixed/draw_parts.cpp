@@ -40,7 +40,7 @@ void draw_by_arrays(const ShapePart& part) {
 
 }  // namespace
 
-void draw_by_arrays(const std::vector<ShapePart>& parts) {
+void draw_by_arrays(const Command& command) {
     glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
@@ -54,7 +54,10 @@ void draw_by_arrays(const std::vector<ShapePart>& parts) {
     }
     glEnableClientState(GL_VERTEX_ARRAY);
     glEnableClientState(GL_NORMAL_ARRAY);
-    for (const ShapePart& part : parts) draw_by_arrays(part);
+    for_each_part(command, [](ShapePart&& part) {
+        draw_by_arrays(part);
+        return true;
+    });
     glPopClientAttrib();
 }
 

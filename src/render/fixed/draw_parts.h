@@ -7,9 +7,9 @@
 
 namespace twinlight::fixed {
 
-// By vertex arrays. Neither uses nor changes the program's own arrays and buffer objects. RULING: freeglut would also
+// The parts of a command, by vertex arrays. Neither uses nor changes the program's own arrays and buffer objects. RULING: freeglut would also
 // read the program's enabled arrays, past their end if they are shorter than the shape.
-void draw_by_arrays(const std::vector<ShapePart>& parts);
+void draw_by_arrays(const Command& command);
 
 // Between glBegin and glEnd.
 void draw_immediately(const std::vector<ShapePart>& parts);

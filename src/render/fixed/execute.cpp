@@ -117,7 +117,7 @@ Executor::Executor() : window_(draw_framebuffer()), color_buffer_(draw_buffer())
 
 void Executor::draw_shape(const Command& command) {
     if (draws_quadric(command)) return quadrics_.execute(command);
-    draw_by_arrays(shape_parts(command));
+    draw_by_arrays(command);
 }
 
 // GL can execute only one pragma: drawing a shape.

@@ -38,20 +38,20 @@ struct Ring {
 
 class Table {
   public:
-    std::vector<ShapePart> parts;
+    explicit Table(const TakePart& take) : take_(take) {}
 
     Ring add_point(const ShapeVertex& vertex) {
-        vertices_.push_back(vertex);
-        return {vertices_.size() - 1, 1};
+        add(vertex);
+        return {count_ - 1, 1};
     }
 
     // Adds vertex_at(cosine, sine) for `slices` points clockwise around z.
     template <class VertexAt>
     Ring add_ring(int slices, const VertexAt& vertex_at) {
-        const Ring ring{vertices_.size(), slices};
+        const Ring ring{count_, slices};
         for (int i = 0; i < slices; ++i) {
             const auto [cosine, sine] = circle_point(i, slices, kClockwise);
-            vertices_.push_back(vertex_at(cosine, sine));
+            add(vertex_at(cosine, sine));
         }
         return ring;
     }
@@ -59,7 +59,7 @@ class Table {
     // Once around: vertices of the first and the second ring alternate, and the first pair is repeated.
     void send_strip(const Ring& first, const Ring& second, int slices) {
         open(kGL_TRIANGLE_STRIP);
-        parts.back().vertices.reserve(2 * static_cast<std::size_t>(slices + 1));
+        part_.vertices.reserve(2 * static_cast<std::size_t>(slices + 1));
         for (int i = 0; i <= slices; ++i) {
             send(first.index(i));
             send(second.index(i));
@@ -71,15 +71,32 @@ class Table {
         for (int i = 0; i < ring.count; ++i) send(ring.index(i));
     }
 
-    void open(Enum mode) { parts.push_back({mode, {}, {}}); }
+    void open(Enum mode) {
+        close();
+        part_.mode = mode;
+    }
 
-    void send(std::size_t index) {
-        constexpr std::size_t kIndexMask = 0xffff;  // a GLushort
-        parts.back().vertices.push_back(vertices_[index & kIndexMask]);
+    void send(std::size_t index) { part_.vertices.push_back(vertices_[index & kIndexMask]); }
+
+    // After the last part.
+    void close() {
+        if (part_.vertices.empty()) return;
+        is_wanted_ = is_wanted_ && take_(std::move(part_));
+        part_ = {};
     }
 
   private:
-    std::vector<ShapeVertex> vertices_;
+    static constexpr std::size_t kIndexMask = 0xffff;  // a GLushort
+
+    void add(const ShapeVertex& vertex) {
+        if (count_++ <= kIndexMask) vertices_.push_back(vertex);
+    }
+
+    const TakePart& take_;
+    std::vector<ShapeVertex> vertices_;  // that an index reaches
+    std::size_t count_ = 0;              // of all vertices
+    ShapePart part_;
+    bool is_wanted_ = true;
 };
 
 // The side of a cone or cylinder as wires: one GL_LINES from end to end, and the given rings.
@@ -94,11 +111,11 @@ void send_side_wires(Table& table, const std::vector<Ring>& side, std::size_t lo
 
 }  // namespace
 
-std::vector<ShapePart> freeglut_sphere(double radius, int slices, int stacks, bool wire) {
-    if (slices < 1 || stacks < 2) return {};
+void freeglut_sphere(double radius, int slices, int stacks, bool wire, const TakePart& take) {
+    if (slices < 1 || stacks < 2) return;
 
     // From the pole at +z to the pole at -z.
-    Table table;
+    Table table(take);
     std::vector<Ring> rings{table.add_point({{0, 0, radius}, {0, 0, 1}})};
     for (int i = 1; i < stacks; ++i) {
         const double polar_angle = std::numbers::pi * i / stacks;
@@ -112,25 +129,25 @@ std::vector<ShapePart> freeglut_sphere(double radius, int slices, int stacks, bo
 
     if (!wire) {
         for (std::size_t k = 1; k < rings.size(); ++k) table.send_strip(rings[k], rings[k - 1], slices);
-        return std::move(table.parts);
+        return table.close();
     }
     for (int i = 0; i < slices; ++i) {
         table.open(kGL_LINE_STRIP);
         for (const Ring& ring : rings) table.send(ring.index(i));
     }
     for (std::size_t k = 1; k + 1 < rings.size(); ++k) table.send_loop(rings[k]);
-    return std::move(table.parts);
+    return table.close();
 }
 
-std::vector<ShapePart> freeglut_cone(double base, double height, int slices, int stacks, bool wire) {
-    if (slices < 1 || stacks < 1) return {};
+void freeglut_cone(double base, double height, int slices, int stacks, bool wire, const TakePart& take) {
+    if (slices < 1 || stacks < 1) return;
 
     // The side's normal leans by the slope base / height. It is 0 for a cone of size 0, where freeglut divides by 0.
     const double slant = std::hypot(base, height);
     const double outward = slant == 0 ? 0 : height / slant;
     const double upward = slant == 0 ? 0 : base / slant;
 
-    Table table;
+    Table table(take);
     const Ring centre = table.add_point({{0, 0, 0}, {0, 0, -1}});
     const Ring rim = table.add_ring(slices, [&](double cosine, double sine) {
         return ShapeVertex{{base * cosine, base * sine, 0}, {0, 0, -1}};
@@ -147,17 +164,17 @@ std::vector<ShapePart> freeglut_cone(double base, double height, int slices, int
 
     if (wire) {
         send_side_wires(table, side, side.size() - 1);  // no loop at the apex
-        return std::move(table.parts);
+        return table.close();
     }
     table.send_strip(centre, rim, slices);
     for (std::size_t k = 1; k < side.size(); ++k) table.send_strip(side[k - 1], side[k], slices);
-    return std::move(table.parts);
+    return table.close();
 }
 
-std::vector<ShapePart> freeglut_cylinder(double radius, double height, int slices, int stacks, bool wire) {
-    if (slices < 1 || stacks < 1) return {};
+void freeglut_cylinder(double radius, double height, int slices, int stacks, bool wire, const TakePart& take) {
+    if (slices < 1 || stacks < 1) return;
 
-    Table table;
+    Table table(take);
     const auto cap_ring = [&](double z, double normal_z) {
         return table.add_ring(slices, [&](double cosine, double sine) {
             return ShapeVertex{{radius * cosine, radius * sine, z}, {0, 0, normal_z}};
@@ -177,19 +194,19 @@ std::vector<ShapePart> freeglut_cylinder(double radius, double height, int slice
 
     if (wire) {
         send_side_wires(table, side, side.size());
-        return std::move(table.parts);
+        return table.close();
     }
     table.send_strip(bottom, bottom_rim, slices);
     for (std::size_t k = 1; k < side.size(); ++k) table.send_strip(side[k - 1], side[k], slices);
     table.send_strip(top_rim, top, slices);
-    return std::move(table.parts);
+    return table.close();
 }
 
-std::vector<ShapePart> freeglut_torus(double inner_radius, double outer_radius, int sides, int rings, bool wire) {
-    if (sides < 2 || rings < 2) return {};
+void freeglut_torus(double inner_radius, double outer_radius, int sides, int rings, bool wire, const TakePart& take) {
+    if (sides < 2 || rings < 2) return;
 
     // inner_radius is the radius of the tube, outer_radius that of the circle along which the tube runs.
-    Table table;
+    Table table(take);
     for (int ring = 0; ring < rings; ++ring) {
         const CirclePoint turn =
             circle_point(ring, rings, kCounterClockwise);  // not a structured binding: clang 14 cannot capture those
@@ -206,12 +223,12 @@ std::vector<ShapePart> freeglut_torus(double inner_radius, double outer_radius, 
     if (wire) {
         for (int ring = 0; ring < rings; ++ring) table.send_loop(around_tube(ring));
         for (int side = 0; side < sides; ++side) table.send_loop(around_axis(side));
-        return std::move(table.parts);
+        return table.close();
     }
     for (int side = 0; side < sides; ++side) {
         table.send_strip(around_axis(side), around_axis((side + 1) % sides), rings);
     }
-    return std::move(table.parts);
+    return table.close();
 }
 
 }  // namespace twinlight

@@ -8,11 +8,12 @@
 namespace twinlight {
 
 // Lengths are in object units; `wire` chooses glutWire*. Counts for which freeglut draws nothing give no parts. So do
-// negative counts, for which freeglut stops the program or writes outside its arrays.
-std::vector<ShapePart> freeglut_sphere(double radius, int slices, int stacks, bool wire);
-std::vector<ShapePart> freeglut_cone(double base, double height, int slices, int stacks, bool wire);
-std::vector<ShapePart> freeglut_cylinder(double radius, double height, int slices, int stacks, bool wire);
-std::vector<ShapePart> freeglut_torus(double inner_radius, double outer_radius, int sides, int rings, bool wire);
+// negative counts, for which freeglut stops the program or writes outside its arrays. These can be large, so each part is taken when
+// it is made (TakePart).
+void freeglut_sphere(double radius, int slices, int stacks, bool wire, const TakePart& take);
+void freeglut_cone(double base, double height, int slices, int stacks, bool wire, const TakePart& take);
+void freeglut_cylinder(double radius, double height, int slices, int stacks, bool wire, const TakePart& take);
+void freeglut_torus(double inner_radius, double outer_radius, int sides, int rings, bool wire, const TakePart& take);
 
 // Solids with flat faces. Corners are at distance 1 from the origin, for the dodecahedron at sqrt(3); not so for the
 // cube.

@@ -94,34 +94,39 @@ void limit_sponge(std::string_view name, double levels, bool wire) {
     refuse("{} with {} levels would have {:.3g} tetrahedra; use fewer levels", name, levels, tetrahedra);
 }
 
+void take_all(std::vector<ShapePart> parts, const TakePart& take) {
+    for (ShapePart& part : parts)
+        if (!take(std::move(part))) return;
+}
+
 // The command's name is "glutSolid" or "glutWire" and the kind of shape.
-std::vector<ShapePart> freeglut_shape(const Command& command) {
+void freeglut_shape(const Command& command, const TakePart& take) {
     constexpr std::string_view kSolid = "glutSolid", kWire = "glutWire";
     const bool wire = command.name().starts_with(kWire);
     const std::string_view kind = command.name().substr(wire ? kWire.size() : kSolid.size());
     const auto number = [&](std::size_t i) { return command.number(i); };
     const auto count = [&](std::size_t i) { return static_cast<int>(command.number(i)); };
 
-    if (kind == "Cube") return freeglut_cube(number(0), wire);
-    if (kind == "Tetrahedron") return freeglut_tetrahedron(wire);
-    if (kind == "Octahedron") return freeglut_octahedron(wire);
-    if (kind == "Dodecahedron") return freeglut_dodecahedron(wire);
-    if (kind == "Icosahedron") return freeglut_icosahedron(wire);
-    if (kind == "RhombicDodecahedron") return freeglut_rhombic_dodecahedron(wire);
-    if (kind == "Teapot") return freeglut_teapot(number(0), wire);
-    if (kind == "Teacup") return freeglut_teacup(number(0), wire);
-    if (kind == "Teaspoon") return freeglut_teaspoon(number(0), wire);
+    if (kind == "Cube") return take_all(freeglut_cube(number(0), wire), take);
+    if (kind == "Tetrahedron") return take_all(freeglut_tetrahedron(wire), take);
+    if (kind == "Octahedron") return take_all(freeglut_octahedron(wire), take);
+    if (kind == "Dodecahedron") return take_all(freeglut_dodecahedron(wire), take);
+    if (kind == "Icosahedron") return take_all(freeglut_icosahedron(wire), take);
+    if (kind == "RhombicDodecahedron") return take_all(freeglut_rhombic_dodecahedron(wire), take);
+    if (kind == "Teapot") return take_all(freeglut_teapot(number(0), wire), take);
+    if (kind == "Teacup") return take_all(freeglut_teacup(number(0), wire), take);
+    if (kind == "Teaspoon") return take_all(freeglut_teaspoon(number(0), wire), take);
     if (kind == "SierpinskiSponge") {
         limit_sponge(command.name(), number(0), wire);
-        return freeglut_sponge(count(0), {number(1), number(2), number(3)}, number(4), wire);
+        return take_all(freeglut_sponge(count(0), {number(1), number(2), number(3)}, number(4), wire), take);
     }
     // For all other shapes the last two arguments are counts.
     const std::size_t counts = command.arguments.size() - 2;
     limit_shape(command.name(), std::max(number(counts), 0.0), std::max(number(counts + 1), 0.0));
-    if (kind == "Sphere") return freeglut_sphere(number(0), count(1), count(2), wire);
-    if (kind == "Cone") return freeglut_cone(number(0), number(1), count(2), count(3), wire);
-    if (kind == "Cylinder") return freeglut_cylinder(number(0), number(1), count(2), count(3), wire);
-    if (kind == "Torus") return freeglut_torus(number(0), number(1), count(2), count(3), wire);
+    if (kind == "Sphere") return freeglut_sphere(number(0), count(1), count(2), wire, take);
+    if (kind == "Cone") return freeglut_cone(number(0), number(1), count(2), count(3), wire, take);
+    if (kind == "Cylinder") return freeglut_cylinder(number(0), number(1), count(2), count(3), wire, take);
+    if (kind == "Torus") return freeglut_torus(number(0), number(1), count(2), count(3), wire, take);
     refuse("{} does not draw a shape", command.name());
 }
 
@@ -141,8 +146,18 @@ void limit_shape(std::string_view name, double slices, double stacks) {
     }
 }
 
+void for_each_part(const Command& command, const TakePart& take) {
+    if (command.id == CommandId::pragma_shape) return take_all(pragma_shape(command), take);
+    freeglut_shape(command, take);
+}
+
 std::vector<ShapePart> shape_parts(const Command& command) {
-    return command.id == CommandId::pragma_shape ? pragma_shape(command) : freeglut_shape(command);
+    std::vector<ShapePart> parts;
+    for_each_part(command, [&](ShapePart&& part) {
+        parts.push_back(std::move(part));
+        return true;
+    });
+    return parts;
 }
 
 }  // namespace twinlight

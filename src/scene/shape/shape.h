@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <stdexcept>
@@ -52,5 +53,8 @@ void limit_shape(std::string_view name, double slices, double stacks);
 // for which the library draws nothing (no slices, a negative count) give no parts. Throws std::invalid_argument with a
 // message if a size exceeds the limits, or if the pragma has a wrong word or a wrong number of sizes.
 std::vector<ShapePart> shape_parts(const Command& command);
+// The same, each part as soon as it is made, until `take` returns false. A large shape needs half of the memory so.
+using TakePart = std::function<bool(ShapePart&& part)>;
+void for_each_part(const Command& command, const TakePart& take);
 
 }  // namespace twinlight

@@ -371,6 +371,7 @@ void State::show(FrameItem item) {
     if (Draw* draw = std::get_if<Draw>(&item)) std::erase_if(draw->columns, is_black);
     if (render_mode_ != kGL_RENDER) return;
     if (framebuffers_.draw != 0) return show_in_object(std::move(item));
+    if (const Draw* draw = watch_draw_ ? std::get_if<Draw>(&item) : nullptr) return watch_draw_(*draw);
     items_.push_back(std::move(item));
 }
 

@@ -50,12 +50,13 @@ inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; all
 
 // What `twinlight compare` needs at its peak for the vertices of a Draw, which are drawn in the order of the indices, if there are
 // any: their Vertex and StageVertex, the meshes of two renderers, and the reference's Pieces. A triangle that is drawn as lines or
-// points becomes three of these. Measured: up to 1,050 bytes for each of 150,000 points, 950 of a million vertices of a line, 690 of a
-// strip, 1,630 of one that is drawn as lines; 1,260 of a sphere's million vertices, which two million indices draw.
+// points becomes three of these. Measured on two processors, with up to 200,000 vertices of a recording: 700 bytes for each of points, 800 of
+// a line, 710 of a strip, 2,250 of one that is drawn as lines. A sphere's million vertices, of which each is sent twice, need 360 bytes
+// each where no triangle covers a pixel's centre, and 930 where all do.
 inline std::size_t bytes_of_vertices(const RasterState& raster, Enum mode, std::size_t vertices,
                                      std::size_t indices = 0) {
     const bool fills = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
-    constexpr std::size_t kVertex = 600, kPoint = 600, kTriangle = 350;
+    constexpr std::size_t kVertex = 400, kPoint = 650, kTriangle = 350;
     const std::size_t of_index = !draws_polygons(mode) ? kPoint : fills ? kTriangle : 3 * kPoint;
     return vertices * kVertex + (indices > 0 ? indices : vertices) * of_index;
 }
@@ -85,6 +86,8 @@ class State {
     void watch_lists(std::function<void(const Command& command, bool is_done)> watch) {
         watch_list_ = std::move(watch);
     }
+    // Calls `watch` with each Draw of the window's picture, which is not kept.
+    void watch_draws(std::function<void(const Draw&)> watch) { watch_draw_ = std::move(watch); }
 
     // Notes a call of a function that Twinlight does not know. Its effect is unknown, so it is listed as unsupported
     // for this picture and all later ones.
@@ -305,7 +308,8 @@ class State {
     MatrixStack& stack();
     std::size_t stack_limit() const;
     Draw new_draw(Enum mode, const Place& place);
-    void send_shape(const Command& command, std::vector<ShapePart> parts, std::vector<Surface> surfaces);
+    // False after GL_OUT_OF_MEMORY.
+    bool send_part(const Command& command, ShapePart part, const std::shared_ptr<const std::vector<Surface>>& surfaces);
     void send_evaluated(const Command& command, double u, std::optional<double> v);  // glEvalCoord
     // The vertex on the enabled maps; none if no map of vertices is enabled.
     std::optional<Vertex> evaluated(double u, std::optional<double> v) const;
@@ -347,6 +351,7 @@ class State {
     VertexArrays arrays_;
     Lists lists_;
     std::function<void(const Command&, bool)> watch_list_;
+    std::function<void(const Draw&)> watch_draw_;
     MatrixStack modelview_{{}}, projection_{{}};
     std::vector<MatrixStack> texture_{kMaxTextureUnits, MatrixStack{{}}};  // one per unit
     std::vector<SavedAttributes> attribute_stack_;

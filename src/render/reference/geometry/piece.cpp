@@ -392,8 +392,12 @@ void add_pieces(const Draw& draw, std::uint32_t draw_index, std::span<const Vert
                 const Options& options, std::vector<Piece>& pieces, const CopyRanges* ranges) {
     if (draw.pixels) return add_pixels(draw, draw_index, options.in_clip_plane, pieces, ranges);
     if (draw.raster.viewport.width <= 0 || draw.raster.viewport.height <= 0) return;
+    const std::vector<Primitive> primitives = assemble(draw, options.cut_of(draw_index));
+    // A vector that grows while it is filled holds everything twice for a moment. Memory that nothing fills costs nothing.
+    const std::size_t most = pieces.size() + primitives.size();
+    if (most > pieces.capacity()) pieces.reserve(std::max(most, 2 * pieces.capacity()));
     PieceMaker maker(draw, draw_index, positions, options, pieces);
-    for (const Primitive& primitive : assemble(draw, options.cut_of(draw_index))) maker.add(primitive);
+    for (const Primitive& primitive : primitives) maker.add(primitive);
 }
 
 int stipple_count(const Piece& line, int x, int y) {
