@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 #include <utility>
 #include <vector>
 
@@ -66,8 +65,11 @@ void write_rules(const std::string& folder) {
 
 // C++ has no arrays such as (GLfloat[]){1, 1, 1, 1} in calls.
 std::string in_cpp(const std::string& call) {
-    static const std::regex array(R"(^(.*)\(GLfloat\[\]\)(\{[^}]*\})(.*)$)");
-    return std::regex_replace(call, array, "{ const GLfloat values[] = $2; $1values$3 }");
+    constexpr std::string_view kCast = "(GLfloat[])";
+    const std::size_t cast = call.rfind(kCast), array = cast + kCast.size(), end = call.find('}', cast);
+    if (cast == call.npos || end == call.npos) return call;
+    return fmt::format("{{ const GLfloat values[] = {}; {}values{} }}", call.substr(array, end + 1 - array),
+                       call.substr(0, cast), call.substr(end + 1));
 }
 
 // Whether its edits are in one file of C or C++, which is not the file to write.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 #include <set>
 #include <stdexcept>
 
@@ -32,14 +31,13 @@ constexpr std::size_t kMostText = 4u << 20;  // of a source that is looked at
 
 // Of a file in a folder. A source without main() is a part of another program, unless it is a scene.
 bool counts(const std::string& file, Programs programs) {
-    static const std::regex kMain("\\bmain\\s*\\(");
     const bool is_run = programs == Programs::kAreRun;
     if (!is_run && (extension_of(file) == ".gl" || extension_of(file) == ".trace")) return true;
     if (trace::is_python(file)) return read_file(file, kMostText).find("OpenGL") != std::string::npos;
     if (!trace::is_source(file)) return false;
     const std::string text = read_file(file, kMostText);
     const bool may_be_scene = !is_run && !has_cpp_name(file) && text.find("#include") == std::string::npos;
-    return may_be_scene || std::regex_search(text, kMain);
+    return may_be_scene || trace::has_main(text);
 }
 
 std::vector<std::string> files_of_folder(const std::string& folder, Programs programs) {

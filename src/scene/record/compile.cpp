@@ -8,8 +8,8 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <regex>
 #include <set>
+#include <sstream>
 
 #include "base/image/file.h"
 #include "base/text/translation.h"
@@ -78,17 +78,30 @@ Attempt attempt(const Build& build, const std::string& headers, const std::strin
 }
 
 std::set<std::string> missing_functions(const std::string& messages) {
-    static const std::regex kMissing("undefined reference to [`'\"]([^'\"(]+)");
+    constexpr std::string_view kStart = "undefined reference to ";
     std::set<std::string> names;
-    for (std::sregex_iterator at(messages.begin(), messages.end(), kMissing), end; at != end; ++at)
-        names.insert((*at)[1]);
+    for (std::size_t at = messages.find(kStart); at != messages.npos; at = messages.find(kStart, at + 1)) {
+        const std::size_t name = at + kStart.size() + 1;  // after ` or ' or "
+        const std::size_t end = messages.find_first_of("'\"(", name);
+        if (name < messages.size() && end != name) names.insert(messages.substr(name, end - name));
+    }
     return names;
+}
+
+// The header that the compiler did not find; "" if that is not the error.
+std::string missing_header(const std::string& messages) {
+    constexpr std::string_view kStart = "fatal error: ", kEnd = ": No such file";
+    for (std::size_t at = messages.find(kStart); at != messages.npos; at = messages.find(kStart, at + 1)) {
+        const std::size_t name = at + kStart.size(), end = messages.find(':', name);
+        if (end != messages.npos && messages.compare(end, kEnd.size(), kEnd) == 0)
+            return messages.substr(name, end - name);
+    }
+    return "";
 }
 
 // The sources in the folders of these that are not among them and have no main().
 std::vector<std::string> other_sources(const std::vector<std::string>& sources) {
     constexpr std::size_t kMostFiles = 50, kMostText = 4u << 20;
-    static const std::regex kMain("\\bmain\\s*\\(");
     std::set<fs::path> folders, given;
     for (const std::string& source : sources) {
         const fs::path folder = fs::path(source).parent_path();
@@ -102,7 +115,7 @@ std::vector<std::string> other_sources(const std::vector<std::string>& sources) 
             const std::string file = at->path().lexically_normal().string();
             if (!is_source(file) || given.contains(fs::absolute(file).lexically_normal())) continue;
             if (!at->is_regular_file(error) || at->file_size(error) > kMostText) continue;
-            if (!std::regex_search(read_file(file), kMain)) found.push_back(file);
+            if (!has_main(read_file(file))) found.push_back(file);
         }
     }
     std::ranges::sort(found);
@@ -127,11 +140,24 @@ bool is_source(const std::string& file) { return is_c(file) || has_cpp_name(file
 
 bool is_python(const std::string& file) { return extension_of(file) == ".py"; }
 
+bool has_main(std::string_view source) {
+    constexpr std::string_view kMain = "main";
+    const auto is_of_name = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; };
+    for (std::size_t at = source.find(kMain); at != source.npos; at = source.find(kMain, at + 1)) {
+        if (at > 0 && is_of_name(source[at - 1])) continue;
+        const std::size_t next = source.find_first_not_of(" \t\n\v\f\r", at + kMain.size());
+        if (next != source.npos && source[next] == '(') return true;
+    }
+    return false;
+}
+
 std::string first_error(const std::string& messages) {
-    static const std::regex kError("[^\n]*: (fatal )?error: [^\n]*");
-    std::smatch error;
-    const bool is_found = std::regex_search(messages, error, kError);
-    return is_found && error[0].str().find("ld returned") == std::string::npos ? one_line(error[0].str()) : "";
+    std::istringstream lines(messages);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.find(": error: ") == line.npos && line.find(": fatal error: ") == line.npos) continue;
+        return line.find("ld returned") == line.npos ? one_line(line) : "";
+    }
+    return "";
 }
 
 Compiled compile(const Build& build, const std::string& program) {
@@ -163,15 +189,14 @@ Compiled compile(const Build& build, const std::string& program) {
     const bool lacks_library = first.messages.find("cannot find -lglut") != std::string::npos ||
                                first.messages.find("cannot find -lGLU") != std::string::npos ||
                                first.messages.find("GL/glut.h: No such file") != std::string::npos;
-    static const std::regex kHeader("fatal error: ([^:]+): No such file");
-    std::smatch header;
+    const std::string header = missing_header(first.messages);
     compiled.failure = tr("{}: it cannot be compiled, see above", name);
     if (lacks_library)
         compiled.failure += tr("; freeglut and GLU are in the packages freeglut3-dev and libglu1-mesa-dev");
-    else if (std::regex_search(first.messages, header, kHeader))
+    else if (!header.empty())
         compiled.failure += tr(
             "; if {} is in another folder, -IDIR names it; or compile it as usual and run 'twinlight record ./program'",
-            header[1].str());
+            header);
     return compiled;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace twinlight::trace {
@@ -9,6 +10,8 @@ namespace twinlight::trace {
 // Whether this is a file of C or C++ source, or of Python, by its extension in any case.
 bool is_source(const std::string& file);
 bool is_python(const std::string& file);
+// Whether a source of C or C++ has a function main().
+bool has_main(std::string_view source);
 
 struct Build {
     std::vector<std::string> sources;

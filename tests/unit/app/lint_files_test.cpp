@@ -69,6 +69,22 @@ TEST(LintHomework, HasTheFourMistakesOfReadme) {
         << result.out;
 }
 
+// Each has its line, so it was found to have a main().
+TEST_F(LintFiles, MayHaveAnyBlanksAfterMain) {
+    const std::string more = " { return 0; }\n";
+    std::filesystem::create_directory(in_ / "dot");
+    write("dot/long.cpp", kCpp + std::string("int other();\n"));
+    write("dot/lines.cpp", "#include <iostream>\nint main\n\t(void)" + more);
+    write("dot/blanks.cpp", "#include <iostream>\nint main" + std::string(1'000'000, ' ') + "()" + more);
+    write("dot/domain.cpp", "#include <iostream>\nint domain()" + more);
+    const ProgramResult result = lint("dot");
+    EXPECT_EQ(result.status, 2) << result.err;
+    std::vector<std::string> files;
+    for (const std::string& line : lines_of(result.out))
+        if (line.starts_with("dot/")) files.push_back(line.substr(4, line.find(".cpp") - 4));
+    EXPECT_EQ(files, (std::vector<std::string>{"blanks", "lines", "long"})) << result.out;
+}
+
 TEST_F(LintFiles, OfAFolderHaveALineEach) {
     const ProgramResult result = lint(".");
     EXPECT_EQ(result.status, 2);
