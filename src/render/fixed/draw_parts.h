@@ -7,8 +7,8 @@
 
 namespace twinlight::fixed {
 
-// The parts of a command, by vertex arrays. Neither uses nor changes the program's own arrays and buffer objects. RULING: freeglut would also
-// read the program's enabled arrays, past their end if they are shorter than the shape.
+// The parts of a command, by vertex arrays. Neither function uses or changes the program's own arrays and buffer objects.
+// RULING: freeglut would also read the program's enabled arrays, past their end if they are shorter than the shape.
 void draw_by_arrays(const Command& command);
 
 // Between glBegin and glEnd.

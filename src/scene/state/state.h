@@ -51,8 +51,8 @@ inline constexpr std::size_t kMaxUnsupportedKept = 200;  // different names; all
 // What `twinlight compare` needs at its peak for the vertices of a Draw, which are drawn in the order of the indices, if there are
 // any: their Vertex and StageVertex, the meshes of two renderers, and the reference's Pieces. A triangle that is drawn as lines or
 // points becomes three of these. Measured on two processors, with up to 200,000 vertices of a recording: 700 bytes for each of points, 800 of
-// a line, 710 of a strip, 2,250 of one that is drawn as lines. A sphere's million vertices, of which each is sent twice, need 360 bytes
-// each where no triangle covers a pixel's centre, and 930 where all do.
+// a line, 710 of a strip, 2,250 of one that is drawn as lines. A sphere's vertices, of which each is sent twice, need 360 bytes each in a
+// picture of 64 x 64, where few triangles cover a pixel's centre, and 930 in one of 1000 x 1000.
 inline std::size_t bytes_of_vertices(const RasterState& raster, Enum mode, std::size_t vertices,
                                      std::size_t indices = 0) {
     const bool fills = raster.polygon_mode_front == kGL_FILL && raster.polygon_mode_back == kGL_FILL;
